@@ -75,7 +75,7 @@ def _strokes(root: ElementTree.Element) -> Iterator[Stroke]:
     """Every track that is drawn, without the invisible lines that only catch the pointer."""
     for number, path in enumerate(root.iter(f"{SVG}path")):
         if "track" in path.get("class", "").split():
-            edge = path.get("id", f"outside {number}").removeprefix("edge-")
+            edge = path.get("id", f"outside {number}").removeprefix("edge-").replace("\u00a0", " ")
             for a, b in pairwise(_spots(path.get("d", ""))):
                 if a != b:
                     yield Stroke(edge, a, b)

@@ -85,5 +85,5 @@ def test_a_controller_that_knows_nothing_of_the_board_is_not_accepted(name: str)
 
 @pytest.mark.parametrize("hostile", [False, True])
 def test_drivers_stop_at_boards(hostile: bool) -> None:
-    outcome = drive(Case.of(str(PATH)), 1500, 7, hostile)
+    outcome = drive(Case.of(str(PATH)), 2500, 7, hostile)
     assert outcome.hazards == [] and outcome.passed_at_stop == [] and outcome.movements > 2

@@ -84,6 +84,7 @@ EDITS = {
     "a wire": ("OCC_DP := NOT INP.CLR_DP", "OCC_DP := INP.CLR_DP", "OCC_DP"),
     "an initial value": ("K_DP : BOOL := TRUE; (* DP: restart", "K_DP : BOOL := FALSE; (* DP: restart", "K_DP"),
     "the start of an output": ("YS_X1 : BOOL := TRUE", "YS_X1 : BOOL := FALSE", "YS_X1"),
+    "the start of an input": ("VALID : BOOL := FALSE", "VALID : BOOL := TRUE", "valid before they are read"),
     "the start of a word": ("YX_R1 : INT := 0", "YX_R1 : INT := 1", "YX_R1 does not begin with 0"),
     "a preset": (
         "(IN := D.RTI_DP, PT := T#3s)",

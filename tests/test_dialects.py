@@ -452,7 +452,7 @@ def test_branches_count_as_one_write() -> None:
         ("FUNCTION_BLOCK A\n  #X := TRUE;\nEND_FUNCTION_BLOCK\n", "line 2, column 3: a name"),
         ("FUNCTION_BLOCK A\n  IF X THEN END_IF;\nEND_FUNCTION_BLOCK\n", "a statement in each branch"),
         ("FUNCTION_BLOCK A\n  X := TRUE;\n", "a name is expected, here is the end"),
-        ("TYPE A\nEND_TYPE\n", "line 1, column 1: FUNCTION_BLOCK"),
+        ("TYPE A\nEND_TYPE\n", "line 2, column 1: ':' is expected"),
         ("FUNCTION_BLOCK A\nEND_FUNCTION_BLOCK\nX", "the end is expected, here is X"),
     ],
 )

@@ -121,7 +121,7 @@ def a_wrong_controller_with_its_own_correct_certificate_beside_the_shipped_text(
 
 
 def one_changed_output_equation(name: str, system: str, text: str) -> Forged:
-    return system, re.sub(r"(\n\s*YL_\w+ := )([^;]+);", r"\1NOT (\2);", text, count=1), "the text computes"
+    return system, re.sub(r"(\n\s*OUTP\.YL_\w+ := )([^;]+);", r"\1NOT (\2);", text, count=1), "the text computes"
 
 
 def an_invariant_assumed_instead_of_proved(name: str, system: str, text: str) -> Forged:

@@ -88,6 +88,12 @@ class Execution:
         for name, v in self.given.items():
             need(v.type in ("BOOL", "INT"), f"{name} is an input of type {v.type}")
             found.inputs[name] = v.type
+            if v.type == "INT":
+                need(v.initial in (None, ("int", 0)), f"{name} does not begin with 0: somebody asks")
+            else:
+                need(
+                    not (self._start(name, v.initial) and name == "VALID"), "inputs count as valid before they are read"
+                )
             self.values[name] = leaf(name) if v.type == "BOOL" else ("number", name)
         for name, v in self.shown.items():
             need(v.type in ("BOOL", "INT"), f"{name} is an output of type {v.type}")

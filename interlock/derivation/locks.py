@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from types import MappingProxyType
 
 from interlock.derivation.conflicts import set_apart
 from interlock.derivation.flank import Options, Requester, cell, point_demands, requesters, space
@@ -36,7 +37,7 @@ from interlock.table.rows import (
 Locks = Mapping[TraversalKey, TraversalRow]
 Held = Mapping[TraversalKey, frozenset[tuple[MachineId, Position]]]
 """By way, machines with positions."""
-NOTHING_HELD: Held = {}
+NOTHING_HELD: Held = MappingProxyType({})
 
 
 def derive_locks(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[TraversalRow, ...]:
