@@ -147,6 +147,6 @@ def _stretch(x: str, where: str, alone: bool) -> None:
     part, dot, end = name.partition(".")
     _name(part, where)
     need(not dot or (bare and end in ENDS), f"{where}: {x!r} is no part of a track")
-    need(bare or metres, f"{where}: {x!r} is no section with its length")
+    need(bare or metres != "", f"{where}: {x!r} is no section with its length")
     if metres:
         _number(metres, [">0", str(LONGEST)], NUMBER, where)

@@ -74,7 +74,8 @@ def compare_unit(controller: Controller, unit: Unit, restart: bool) -> Translati
 
 def _beginning(controller: Controller, unit: Unit) -> Iterator[Difference]:
     """What is wrong with inputs and outputs before the first scan, with types, and with blocks that no other calls."""
-    start: dict[str, int] = {x.name: int(x.restrictive) for x in (*controller.outputs, *controller.inputs)}
+    start: dict[str, int] = {o.name: int(o.restrictive) for o in controller.outputs}
+    start |= {i.name: int(i.restrictive) for i in controller.inputs}
     start |= dict.fromkeys(controller.words.routes.values(), UNKNOWN)
     for d in (*unit.blocks[-1].outputs, *unit.blocks[-1].inputs):
         first = int(getattr(d.initial, "value", 0))
