@@ -399,6 +399,8 @@ def test_a_name_that_says_its_kind_is_told_without_it(made: tuple[Ready, dict[st
     assert "section 22 T is occupied" in said and "section Sperr" not in said
     assert sentence(names.CLEAR("section4"), False) == "section4 is occupied"
     assert sentence(names.TRAILED("Points 2"), True) == "Points 2 were trailed: look at them, and confirm it"
+    report = files["index.html"].decode()
+    assert "found from Signal" in report and "signal Signal" not in report
 
 
 def test_names_in_one_cell_are_told_apart() -> None:

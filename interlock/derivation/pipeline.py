@@ -132,8 +132,8 @@ def _way(p: Path) -> tuple[SignalId, RouteKind, str, int, RouteId | None]:
 
 def _found(layout: Layout, p: Path) -> str:
     if p.onward is None:
-        return f"found from {p.entry} to {_end(layout, p)} {p.exit}"
-    return f"found from {p.entry} past {p.exit} to {_end(layout, p.onward)} {p.onward.exit}"
+        return f"found from {p.entry} to {_end(layout, p)}"
+    return f"found from {p.entry} past {p.exit} to {_end(layout, p.onward)}"
 
 
 def _apart(paths: Sequence[Path], hostile: Conflicts, sink: Sink) -> None:
@@ -210,10 +210,10 @@ def _foul(path: Path, locks: Mapping[TraversalKey, TraversalRow]) -> tuple[FoulC
 
 
 def _end(layout: Layout, p: Path) -> str:
-    """What stands where a route ends."""
+    """What stands where a route ends, with its name."""
     if p.exit not in layout.boards:
-        return str(p.exit_kind)
-    return "stop board" if p.exit in layout.stops else "limit-of-shunt board"
+        return called(str(p.exit_kind), p.exit)
+    return called("stop board" if p.exit in layout.stops else "limit-of-shunt board", p.exit)
 
 
 def _foul_themselves(rows: Sequence[RouteRow], sink: Sink) -> None:
