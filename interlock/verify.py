@@ -251,7 +251,7 @@ class Form:
         return self.arity + len(self.defs)
 
 
-form_of = lru_cache(None)(Form)
+form_of = lru_cache(1 << 16)(Form)
 
 
 def values(lits: Iterable[int], value: list[int]) -> list[int]:

@@ -91,6 +91,16 @@ EDITS = {
         "(IN := D.RTI_DP, PT := T#1ms)",
         "RT_DP has 1 ms in the text, 3000 ms",
     ),
+    "a timer for two sections": (
+        "  TON_RT_SB(IN := D.RTI_SB, PT := T#3s); (* SB: release delay (R15) *)\n  D.RT_SB := TON_RT_SB.Q;",
+        "  TON_RT_SA(IN := D.RTI_SB, PT := T#3s); (* SB: release delay (R15) *)\n  D.RT_SB := TON_RT_SA.Q;",
+        "TON_RT_SA is called twice",
+    ),
+    "a timer called twice": (
+        "  D.RT_SB := TON_RT_SB.Q;",
+        "  D.RT_SB := TON_RT_SB.Q;\n  TON_RT_SB(IN := D.RTI_SA, PT := T#3s);",
+        "TON_RT_SB is called twice",
+    ),
     "the input of a timer": ("IN := D.ATI_X1,", "IN := D.ATI_X2,", "AT_X1 waits for ATI_X2"),
     "a structure that is not handed": ("B01(INP := INP, D := D)", "B01(INP := INP)", "without one of its structures"),
     "another structure": ("B01(INP := INP, D := D)", "B01(INP := OUTP, D := D)", "B01 is handed something else"),

@@ -90,6 +90,8 @@ def test_nothing_is_remembered_without_a_bound() -> None:
                 for d in map(ast.unparse, x.decorator_list):
                     if d in ("cache", "functools.cache") or ("lru_cache" in d and ("None" in d or "(" not in d)):
                         found.add(f"{path}:{x.name}")
+            if isinstance(x, ast.Call) and ast.unparse(x.func).endswith("cache") and "None" in map(ast.unparse, x.args):
+                found.add(f"{path}:{x.lineno}")
         for x in tree.body:
             value = x.value if isinstance(x, (ast.Assign, ast.AnnAssign)) else None
             if value is not None and ast.unparse(value) in ("{}", "[]", "set()", "dict()", "list()"):

@@ -43,11 +43,13 @@ Word = tuple[tuple[Formula, int | str], ...]
 
 @dataclass
 class _Own:
-    """A block that is carried out: what its own variables hold, and its timers that were called, but not read."""
+    """A block that is carried out: what its own variables hold, its timers that were called, but not read, and all that
+    were called."""
 
     block: Block
     values: dict[str, Value] = field(default_factory=dict)
     timers: dict[str, tuple[Value, int]] = field(default_factory=dict)
+    timed: set[str] = field(default_factory=set)
 
 
 class Execution:
@@ -198,8 +200,10 @@ class Execution:
         return str(value[1])
 
     def _time(self, b: _Own, name: str, given: dict[str, Expression]) -> None:
-        """A call of an on-delay timer, which is read next."""
-        known = name in b.block.locals and b.block.locals[name].type == "TON" and name not in b.timers
+        """The call of an on-delay timer, the only one of this instance: it counts for one input alone."""
+        known = name in b.block.locals and b.block.locals[name].type == "TON"
+        need(name not in b.timed, f"{name} is called twice")
+        b.timed.add(name)
         need(known and set(given) == {"IN", "PT"}, f"{b.block.name} calls {name}, which is no timer of its own")
         source, preset = given["IN"], given["PT"]
         need(preset[0] == "time", f"the preset of {name} is no duration")
