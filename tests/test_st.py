@@ -296,3 +296,14 @@ def test_an_index_line_ends_however_long_its_words_are() -> None:
         pieces = list(itertools.islice(wrapped(whole), 20))
         assert len(pieces) < 20 and all(len(p) <= 140 for p in pieces)
         assert "".join(pieces).replace(" ", "") == whole.replace(" ", "")
+
+
+def test_the_headline_of_a_block_names_whole_places() -> None:
+    """Cut in the middle, `signal X1` would read as another signal."""
+    text = text_of("cn6502")
+    heads = re.findall(r"^FUNCTION_BLOCK IL_cn6502_B\d+\n\(\* (.*) \*\)$", text, flags=re.M)
+    places = set(re.findall(r"^\(\* (\w+ [^:]+|\w+): ", text, flags=re.M))
+    assert len(heads) > 20 and any(" more" in h for h in heads)
+    for head in heads:
+        for place in head.split(", "):
+            assert place in places or re.fullmatch(r"and \d+ more", place), head

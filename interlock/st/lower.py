@@ -210,6 +210,15 @@ class _Named(dict[str, tuple[Name, Declaration]]):
         return found
 
 
+def _listed(names: list[str]) -> str:
+    """Names on one line, each whole; how many are left out, where they are too many."""
+    for k in range(len(names), 0, -1):
+        text = ", ".join([*names[:k], *([f"and {len(names) - k} more"] if k < len(names) else [])])
+        if len(text) <= HEADLINE:
+            return text
+    return f"{len(names)} places"
+
+
 def _computing(name: str, equations: Sequence[Equation], named: _Named) -> Block:
     made = {e.name for e in equations}
     reads = {n: None for e in equations for n in e.reads if n not in made}
@@ -224,7 +233,7 @@ def _computing(name: str, equations: Sequence[Equation], named: _Named) -> Block
         tuple([Declaration(e.name, "BOOL") for e in equations]),  # its meaning stands where it is computed
         tuple(extra),
         tuple(body),
-        ", ".join(dict.fromkeys(e.group for e in equations)),
+        _listed(list(dict.fromkeys(e.group for e in equations))),
     )
 
 
