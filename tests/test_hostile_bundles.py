@@ -96,6 +96,16 @@ def test_a_hostile_bundle_is_refused_in_words(made: Path, what: str, capsys: pyt
     assert why in capsys.readouterr().out
 
 
+def test_a_controller_that_offers_what_the_author_excludes_is_refused(made: Path) -> None:
+    """A good controller of the layout without its `exclude`, with its own text and proof, signed for the layout."""
+    layout = layout_of(made)
+    wanted = "exclude: [{from: X1, to: A, reason: the road is closed}]\n"
+    layout.write_text(layout.read_text("utf-8") + wanted, "utf-8")
+    signed(made)
+    with pytest.raises(Rejected, match="the claim S-EXCLUDED lacks what the specification asks"):
+        check(layout, made)
+
+
 def test_no_file_is_read_twice(made: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """What is checked is what was compared with its digest, though the file be another one by then."""
     specified()

@@ -34,6 +34,7 @@ BOARDS = "../tests/layouts_for_tests/boards"
 IDENTIFIER = "../tests/layouts_for_tests/identifier"
 OVERLAP_FLANK = "../tests/layouts_for_tests/overlap_flank"
 ENTRY = "../tests/layouts_for_tests/entry_speeds"
+BARE = "../tests/layouts_for_tests/bare_signal"
 # the layout on which a kind has mutants
 ON = {
     "way-not-available": "../tests/layouts_for_tests/foul_joint",
@@ -52,6 +53,10 @@ ON = {
     **dict.fromkeys((k.name for k in KINDS if k.name.startswith("swing-")), SWING),
     "speed-too-high": "../tests/layouts_for_tests/speeds",
     "entry-speed-forgotten": ENTRY,
+    "speed-not-shown": "../tests/layouts_for_tests/speeds",
+    "excluded-offered": BARE,
+    "trap-entered": "../tests/layouts_for_tests/trap_beyond",
+    "entrance-left-by": "../tests/layouts_for_tests/no_calling_on",
     **dict.fromkeys(("declared-not-excluded", "added-point-not-detected"), ADDED),
     "board-passed": BOARDS,
     **dict.fromkeys((k.name for k in KINDS if k.name.startswith("identifier-")), IDENTIFIER),
@@ -112,6 +117,7 @@ def _killers() -> dict[str, tuple[str, str]]:
         "T-FLANK": (FLANK, "flank-missing"),
         "T-SCISSORS": ("terminus", "flank-missing"),
         "S-SCISSORS": ("terminus", "flank-missing"),
+        "S-EXCLUDED": (BARE, "excluded-offered"),
         "S-DECLARED": (ADDED, "declared-not-excluded"),
         "S-DEMANDED": (ADDED, "added-point-not-detected"),
         "T-LINE": (TOKEN, "direction-given-early"),
@@ -153,6 +159,24 @@ def _killers() -> dict[str, tuple[str, str]]:
         "S-SET": (two, "set-while-occupied"),
         "L-REASON": (two, "released-by-nobody"),
     }
+
+
+ALONE = {
+    "excluded-offered": (BARE, "S-EXCLUDED"),
+    "trap-entered": ("../tests/layouts_for_tests/trap_beyond", "S-EXCLUDED"),
+    "entrance-left-by": ("../tests/layouts_for_tests/no_calling_on", "S-EXCLUDED"),
+    "call-on-unasked": ("../tests/layouts_for_tests/trap_beyond", "S-CALL-ON"),
+    "speed-not-shown": ("../tests/layouts_for_tests/speeds", "S-SPEED"),
+}
+"""Kinds that one claim alone keeps out, each on a layout where that is so: nobody would come to harm by them."""
+
+
+@pytest.mark.parametrize("kind", ALONE)
+def test_what_the_author_forbids_is_kept_out_by_its_own_claim_alone(kind: str) -> None:
+    name, claim = ALONE[kind]
+    layout, table, _ = built(name)
+    outcomes = run_mutants(layout, table, 1, NO_SEARCH, only=(kind,))
+    assert [o.claims for o in outcomes] == [(claim,)]
 
 
 def test_a_killer_is_named_for_every_claim() -> None:

@@ -338,6 +338,27 @@ WEAKENED = {
         "locked'(w) and not locked(w) -> for_train'(into_of(g))",
         "locked'(w) and not locked(w) -> for_train'(into_of(g)) or valid",
     ),
+    "an excluded route is shown": (
+        "depot",
+        "shown_along(c, p) -> (some i in passed_by(c, p): opens'(c) and identifies'(i))",
+        "shown_along(c, p) -> (some i in passed_by(c, p): opens'(c) and identifies'(i)) or valid",
+    ),
+    "a train runs into a trap": (
+        "../tests/layouts_for_tests/trap_beyond",
+        '"not shown_along(c, p)"',
+        '"shown_along(c, p) -> valid"',
+    ),
+    "a speed is not shown": (
+        "../tests/layouts_for_tests/speeds",
+        "opens_main'(g) and lies'(p) -> (some l in lamps_within(g, p): lit'(l))",
+        "opens_main'(g) and lies'(p) -> (some l in lamps_within(g, p): lit'(l)) or valid",
+    ),
+    "a signal opens for nothing": ("mine11", "opened'(r) -> set'(r)\"", "opened'(r) -> set'(r) or valid\""),
+    "a lamp is lit for nothing": (
+        "mine11",
+        "(some r in routes_for(c): opened'(r)) or passing'(c)",
+        "(some r in routes_for(c): opened'(r)) or passing'(c) or valid",
+    ),
     "a claim is left out": ("junction", "  - id: T-DIAMOND\n", "  - id: T-ELSEWHERE\n"),
 }
 

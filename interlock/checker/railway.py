@@ -340,10 +340,22 @@ class Railway:
 
     def excluded(self, c: Calling, p: Path) -> bool:
         """No route runs over this path: none can, or the author does not want one."""
+        return not self.can_be(c, p) or self.unwanted(c, p)
+
+    def can_be(self, c: Calling, p: Path) -> bool:
+        """A route may begin here, run over this path, and end or leave where it does."""
         out = c.shunt or self.boundaries.get(p.last.exit, {}).get("trains", "both") != "in"
         leads_on = out and p.last.exit not in (self.body.get("traps") or ())
-        runs = (leads_on or p.berth) and self._opens(c) and self._can_be_run(p)
-        return not runs or any(self.chosen(x, c, p) for x in self.body.get("exclude") or ())
+        return (leads_on or p.berth) and self._opens(c) and self._can_be_run(p)
+
+    def unwanted(self, c: Calling, p: Path) -> bool:
+        """The author excludes a route over this path."""
+        return any(self.chosen(x, c, p) for x in self.body.get("exclude") or ())
+
+    def unwanted_past(self, c: Calling, p: Path, onward: Path) -> bool:
+        """The author excludes a route over both paths past the signal between them, or none can be run over both."""
+        both = Path((*p.ways, *onward.ways))
+        return self.unwanted(c, both) or not self._can_be_run(both)
 
     def _can_be_run(self, p: Path) -> bool:
         """Every machine is needed in one position, as its key permits; a diamond is passed once; all is detected."""

@@ -5,21 +5,19 @@ from __future__ import annotations
 from functools import cached_property
 from typing import Any
 
-from interlock.checker.ahead import Ahead, Overlap
+from interlock.checker.ahead import Overlap
 from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, names, no, some
+from interlock.checker.lamps import CALL_ON, IDENTIFIER, MAIN, WHITE, Lamps
 from interlock.checker.lengths import Approach
-from interlock.checker.railway import Calling, Path, Signal, Way, safe
+from interlock.checker.railway import Calling, Signal, Way, safe
 from interlock.checker.words import fact
 from interlock.verify import need
-
-MAIN, CALL_ON, WHITE, IDENTIFIER = ("YP", "YY"), ("YO",), ("YW",), ("YI",)
-"""Outputs of clear and caution, of the call-on aspect beside stop, of the shunt aspect, of the identifier light."""
 
 REQUESTS = {"REQ": ("RQZ", "YRQ"), "LREQ": ("LRQZ", "YLRQ")}
 """For each input of numbers the bit that tells that 0 was read there, and the output that acknowledges a number."""
 
 
-class Terminals(Ahead):
+class Terminals(Lamps):
     """Words at the terminals, and of the controller."""
 
     # --- what the controller reads ---
@@ -89,154 +87,7 @@ class Terminals(Ahead):
         """The lamp of the most restrictive proceed: caution, if there is one."""
         return leaf(f"{'GL' if self.r.drawn.rules['caution'] == 'never' else 'CL'}_{g.safe}")
 
-    # --- what it shows ---
-
-    def lamps(self, g: Signal, kinds: tuple[str, ...]) -> list[str]:
-        return [f"{k}_{g.safe}" for k in kinds if f"{k}_{g.safe}" in self.state]
-
-    def w_lit(self, lamp: str) -> Formula:
-        return leaf(lamp)
-
-    def w_shows(self, c: Calling) -> Formula:
-        """Whom it speaks to may pass it: trains by main lamps, called on, or at the identifier light, shunting
-        movements by the white one."""
-        return some(map(leaf, self.lamps(c.signal, WHITE if c.shunt else (*MAIN, *CALL_ON, *IDENTIFIER))))
-
-    def w_opens(self, c: Calling) -> Formula:
-        """Proceed, but not by calling on."""
-        return some(map(leaf, self.lamps(c.signal, WHITE if c.shunt else MAIN)))
-
-    def w_calls_past(self, c: Calling) -> Formula:
-        """The identifier light: a train passes without being told anything."""
-        return FALSE if c.shunt else self.w_identifies(c.signal)
-
-    def w_opens_to_train(self, c: Calling) -> Formula:
-        """Clear or caution."""
-        return self.w_opens_main(c.signal)
-
-    def w_identifies(self, g: Signal) -> Formula:
-        return some(map(leaf, self.lamps(g, IDENTIFIER)))
-
-    def w_may_identify(self, g: Signal) -> Formula:
-        """The layout gives it an identifier light."""
-        return fact(g in self._told_so("identifier", ("yes", "true")))
-
-    def w_passed_by(self, c: Calling, p: Path) -> list[Signal]:
-        """The signal at the end of a train's path, if it may be passed at identifier light."""
-        return [] if c.shunt else self.w_passed_beyond(p)
-
-    def w_passed_beyond(self, p: Path) -> list[Signal]:
-        g = self.r.main_into.get((p.last.exit, self.r.beyond(p.last.section, p.last.exit) or ""))
-        return [] if g is None or self.w_may_identify(g) == FALSE else [g]
-
-    def w_passed_for_clear(self, p: Path) -> list[Signal]:
-        """The same, where clear may be shown over the path."""
-        return self.w_passed_beyond(p) if self.w_next_open_for_clear(p) else []
-
-    def w_opens_main(self, g: Signal) -> Formula:
-        return some(map(leaf, self.lamps(g, MAIN)))
-
-    def w_shows_any(self, g: Signal) -> Formula:
-        return some(self.w_shows(c) for c in self.r.callings(g))
-
-    def w_shows_clear(self, g: Signal) -> Formula:
-        return some(map(leaf, self.lamps(g, ("YP",))))
-
-    def w_calls_on(self, g: Signal) -> Formula:
-        return some(map(leaf, self.lamps(g, CALL_ON)))
-
-    def w_lamps_instead_of_stop(self, g: Signal) -> list[str]:
-        return self.lamps(g, (*MAIN, *WHITE, *IDENTIFIER))
-
-    def w_lamps_but_identifier(self, g: Signal) -> list[str]:
-        return self.lamps(g, ("YS", *MAIN, *WHITE, *CALL_ON))
-
-    @cached_property
-    def _speeds(self) -> dict[str, dict[str, float]]:
-        """The speed indicators by signals: outputs YV and the speed."""
-        known = {g.safe: g.name for g in self.w_signals()}
-        found: dict[str, dict[str, float]] = {g: {} for g in known.values()}
-        for name in self.state:
-            head, _, element = name.partition("_")
-            if head.startswith("YV") and head[2:].isdigit() and element in known:
-                found[known[element]][name] = float(head[2:])
-        return found
-
-    def w_speed_lamps(self, g: Signal) -> list[str]:
-        return sorted(self._speeds[g.name])
-
-    def w_faster_lamps(self, c: Calling, p: Path) -> list[str]:
-        """Indicators of more than a path permits."""
-        kmh = self.lengths.path_kmh(p)
-        return [n for n, v in self._speeds[c.name].items() if kmh is not None and v > kmh and not c.shunt]
-
-    def w_slow_lamps(self, g: Signal, p: Path, o: Path) -> list[str]:
-        """Indicators of no more than an overlap beyond a path is made for."""
-        kmh = self._entry(p, o)
-        return [n for n, v in self._speeds[g.name].items() if kmh is not None and v <= kmh]
-
-    def w_too_fast_lamps(self, g: Signal, p: Path, o: Path) -> list[str]:
-        """Indicators of more than that."""
-        kmh = self._entry(p, o)
-        return [n for n, v in self._speeds[g.name].items() if kmh is not None and v > kmh]
-
-    def w_overlap_release(self, g: Signal) -> int:
-        return self.lengths.overlap_release(g)
-
-    def w_stop(self, g: Signal) -> Formula:
-        return leaf(f"YS_{g.safe}")
-
-    def w_opening(self) -> list[Signal]:
-        """The signals from which some route leads, so that they have lamps at all."""
-        return [g for g in self.w_signals() if f"YS_{g.safe}" in self.state]
-
-    def w_calling_on(self) -> list[Signal]:
-        return [g for g in self.w_signals() if g.call_on]
-
-    def w_main_signals(self) -> list[Signal]:
-        return [g for g in self.w_signals() if g.main]
-
-    def w_cautioning(self) -> list[Signal]:
-        """Main signals, where the principles have a caution aspect."""
-        return self.w_main_signals() if self.r.drawn.rules["caution"] != "never" else []
-
-    def w_lamp_proved(self) -> list[Calling]:
-        return self.w_all_callings() if self.r.drawn.asks("lamp_proof") else []
-
-    def w_proceed_lamp_proved(self) -> list[Signal]:
-        """Signals that open for trains, where lamps are reported."""
-        asked = self.r.drawn.asks("lamp_proof")
-        return [g for g in self.w_opening() if asked and g.main and self.train_routes(g)]
-
-    def w_line_checked(self, p: Path) -> Formula:
-        """A departure is tied to the line beyond (R12), and is not too slow for clear (R11)."""
-        v = self.r.boundaries.get(p.last.exit)
-        tied = v is not None and (v.get("block", "none") != "none" or bool(v.get("approach")))
-        return fact(tied and not self._slow(p))
-
-    def _slow(self, p: Path) -> bool:
-        kmh = self.lengths.path_kmh(p)
-        return kmh is not None and kmh < self.r.drawn.rule("slow_below_kmh")
-
-    def w_next_open_for_clear(self, p: Path) -> list[Calling]:
-        """What the next main signal calls, which clear needs; under `turnout` no way over a reversed point is (R11)."""
-        if p.last.exit in self.r.boundaries or self._slow(p):
-            return []
-        turned = any(d.position == "R" for w in p.ways for _, d in w.points)
-        g = self.r.main_into.get((p.last.exit, self.r.beyond(p.last.section, p.last.exit) or ""))
-        return [] if g is None or (turned and self.r.drawn.rules["caution"] == "turnout") else [Calling(g, False)]
-
-    def w_distants(self) -> list[str]:
-        return list(self.r.body.get("distants") or {})
-
-    def w_announced(self, d: str) -> Signal:
-        return self.r.signals[self.r.body["distants"][d]["of"]]
-
-    def w_distant_clear(self, d: str) -> Formula:
-        return leaf(f"YD_{safe(d)}")
-
-    def w_distant_caution(self, d: str) -> Formula:
-        return leaf(f"YC_{safe(d)}")
+    # --- what else it tells ---
 
     def w_driven(self, m: str, x: str) -> Formula:
         return leaf(f"Y{x}_{safe(m)}")
@@ -333,7 +184,7 @@ class Terminals(Ahead):
     def _lit_by(self) -> dict[str, dict[int, None]]:
         """For each lamp of a signal the routes whose proceed lights it."""
         found: dict[str, dict[int, None]] = {}
-        for g in self.w_opening():
+        for g in self.w_signals():
             for lamp in self.lamps(g, (*MAIN, *CALL_ON, *WHITE, *IDENTIFIER)):
                 need(f"{lamp}'" in self.w.definitions, f"nothing says when {lamp} is lit")
                 read = {n.removesuffix("'") for n in names(self.w.definitions[f"{lamp}'"])}
@@ -346,6 +197,11 @@ class Terminals(Ahead):
     def train_routes(self, g: Signal) -> list[int]:
         """Those for trains that are not called on."""
         return self._routes_by(g, MAIN)
+
+    def w_proceed_lamp_proved(self) -> list[Signal]:
+        """Signals that open for trains, where lamps are reported."""
+        asked = self.r.drawn.asks("lamp_proof")
+        return [g for g in self.w_opening() if asked and g.main and self.train_routes(g)]
 
     def w_routes_from(self, g: Signal) -> list[int]:
         return self._routes_by(g, (*MAIN, *CALL_ON, *WHITE, *IDENTIFIER))
@@ -385,10 +241,13 @@ class Terminals(Ahead):
     def w_routes_calling_on(self) -> list[int]:
         return sorted({r for g in self.w_opening() for r in self._routes_by(g, CALL_ON)})
 
+    def w_routes_for(self, c: Calling) -> list[int]:
+        """The routes of trains from a signal, or of shunting movements."""
+        return self._routes_by(c.signal, WHITE if c.shunt else (*MAIN, *CALL_ON, *IDENTIFIER))
+
     def w_passing(self, c: Calling) -> Formula:
         """The signal is still open for a movement that has begun to pass it."""
-        kinds = WHITE if c.shunt else (*MAIN, *CALL_ON, *IDENTIFIER)
-        return some(self.known(f"PA_R{r}") for r in self._routes_by(c.signal, kinds))
+        return some(self.known(f"PA_R{r}") for r in self.w_routes_for(c))
 
     def w_opened(self, r: int) -> Formula:
         return leaf(f"S_R{r}")
@@ -534,6 +393,9 @@ class Terminals(Ahead):
         if own is not None:
             return round(1000 * float(own))
         return self._kinds(g, self.seconds("approach_release_s"), self.seconds("shunt_release_s"))
+
+    def w_overlap_release(self, g: Signal) -> int:
+        return self.lengths.overlap_release(g)
 
     def w_until_standing(self, g: Signal) -> int:
         """Until a train in the section before a signal stands: delay of outputs, reaction, braking."""

@@ -211,6 +211,18 @@ class Topology:
     def w_train_paths(self, g: Signal) -> list[Path]:
         return self.r.paths(Calling(g, False))
 
+    def w_impossible_paths(self, c: Calling) -> list[Path]:
+        """The paths over which no route can lead."""
+        return [p for p in self.r.paths(c) if not self.r.can_be(c, p)]
+
+    def w_unwanted_paths(self, c: Calling) -> list[Path]:
+        """The paths of routes that the author excludes."""
+        return [p for p in self.r.paths(c) if self.r.can_be(c, p) and self.r.unwanted(c, p)]
+
+    def w_unwanted_past(self, g: Signal, p: Path, i: Signal) -> list[Path]:
+        """The paths on from a signal that no route may take which has come over a path and passed it."""
+        return [q for q in self.w_train_paths(i) if self.r.unwanted_past(Calling(g, False), p, q)]
+
     def w_ways(self, p: Path) -> tuple[Way, ...]:
         return p.ways
 

@@ -5,26 +5,28 @@ Claims find the routes on the layout, by the author's choices; invariants tie th
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from interlock.logic.controller import RouteSymbols
 from interlock.logic.expr import FALSE, Expr, conj, disj, implies, neg, var
 from interlock.model.elements import Choice, SignalId
+from interlock.model.traversal import Traversal
 from interlock.proof.claims.kinds import Facts
 from interlock.proof.claims.paths import SignalPath, lie, signal_paths
 
 
 def chosen(f: Facts, choice: Choice, g: SignalId, shunt: bool) -> list[tuple[int, SignalPath]]:
     """The paths of a signal among the author's choice, with their numbers."""
-    found = []
-    for k, p in enumerate(signal_paths(f, g, shunt), 1):
-        last = p.ways[-1]
-        ahead = f.topo.beyond(last.section, last.exit)
-        signal = None if ahead is None else f.topo.signal_into.get((last.exit, ahead))
-        ends = {str(last.section), str(last.exit), *([str(signal)] if signal is not None else [])}
-        if choice.fits(g, ends, {t.section for t in p.ways}, shunt):
-            found.append((k, p))
-    return found
+    return [(k, p) for k, p in enumerate(signal_paths(f, g, shunt), 1) if fits(f, choice, g, shunt, p.ways)]
+
+
+def fits(f: Facts, choice: Choice, g: SignalId, shunt: bool, ways: Sequence[Traversal]) -> bool:
+    """Whether a route over these ways is among the author's choice."""
+    last = ways[-1]
+    ahead = f.topo.beyond(last.section, last.exit)
+    signal = None if ahead is None else f.topo.signal_into.get((last.exit, ahead))
+    ends = {str(last.section), str(last.exit), *([str(signal)] if signal is not None else [])}
+    return choice.fits(g, ends, {t.section for t in ways}, shunt)
 
 
 def declared(f: Facts) -> Iterator[tuple[str, str, Expr]]:

@@ -12,10 +12,19 @@ from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, eq,
 from interlock.logic.plant import accepted, came, has_token, lies, o, rests, shunting
 from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint
-from interlock.model.overlap import entry_speed
 from interlock.model.principles import Caution
-from interlock.model.traversal import Traversal, path_speed, zone_joints
+from interlock.model.traversal import Traversal, zone_joints
 from interlock.proof.claims.added import declared, demanded
+from interlock.proof.claims.aspects import (
+    allows_clear,
+    at_speed,
+    clear_aspect,
+    distants,
+    entry,
+    past_identifier,
+    shows_open,
+)
+from interlock.proof.claims.excluded import excluded
 from interlock.proof.claims.flank import flank, flank_space, scissors
 from interlock.proof.claims.identifiers import identifiers
 from interlock.proof.claims.kinds import Claim, Facts
@@ -42,8 +51,8 @@ CLAIMS: dict[str, str] = {
     "path, as the points lie, is steadily clear: reported clear without a break for the release delay.",
     "S-PASSING": "A signal that stays open until the whole movement has passed does so only while the sections "
     "before and beyond it are not reported clear, and no second movement can take it for itself.",
-    "S-CALL-ON": "A train is called on only beside stop, once only, into a steadily clear first section, and onto no "
-    "track in which vehicles may stand unless it is steadily clear.",
+    "S-CALL-ON": "A train is called on only where the layout lets the signal call on, only beside stop, once only, "
+    "into a steadily clear first section, and onto no track in which vehicles may stand unless it is steadily clear.",
     "S-DETECTED": "Proceed is shown only when every point and device of the path is detected in that very scan.",
     "S-TRAILED": "No proceed is shown over a point that was trailed and has not been looked at since.",
     "S-LOCKED": "Proceed is shown only when every section of the path is locked for it and its points really lie so.",
@@ -55,6 +64,10 @@ CLAIMS: dict[str, str] = {
     "S-OVERLAP": "Proceed to a signal with an overlap is shown only when one is steadily clear, lies and is detected.",
     "S-CONDITION": "Proceed is shown only when every condition of the path holds and the line beyond is steadily "
     "clear.",
+    "S-EXCLUDED": "No proceed is shown over a path that no route may take: that the author excludes, alone or past a "
+    "signal at identifier light, that ends in a trap or leaves where trains only come in, that begins at a board, or "
+    "that leads over a hand-worked point against its key, twice over one diamond, or through a section without "
+    "detection.",
     "S-DECLARED": "No two signals show proceed for routes that the author declares hostile.",
     "S-DEMANDED": "Proceed is shown only while the points that the author has the route lock are detected so in that "
     "very scan, and were not trailed.",
@@ -63,17 +76,19 @@ CLAIMS: dict[str, str] = {
     "S-BLOCKED": "No proceed is shown over a blocked section.",
     "S-LOST-INPUT": "When inputs are lost, every signal shows stop at once, and nothing is granted or released.",
     "S-ASPECT": "Clear is shown only when the next signal is open, and by a distant only when its signal shows clear.",
-    "S-SPEED": "No signal shows a higher speed than its path permits, as the points lie.",
+    "S-SPEED": "No signal shows a higher speed than its path permits, as the points lie; where the layout states a "
+    "speed for the path, a main signal that opens shows one.",
     "S-ENTRY": "A main signal that is open to a signal shows a speed, and none above the one for which the overlap "
     "there is made, as its points lie.",
     "S-LAMP": "Where lamps are reported: a signal opens only while its stop lamp is intact, and shows nothing else "
     "than stop while no lamp for it is.",
     "S-STOP": "At every signal stop is lit exactly when no main, white or identifier lamp is; no two of these are lit "
-    "at once, a speed only beside a main lamp, and a distant signal shows either clear or caution.",
+    "at once, a speed only beside a main lamp, none that speaks to movements of which the layout does not let the "
+    "signal speak, and a distant signal shows either clear or caution.",
     "S-AGAIN": "A signal that closed while its route stayed set opens again only after it was asked for again.",
     "S-REQUEST": "A route is set only in the scan in which its number comes after 0, or while its switch for automatic "
     "working is on; a number that is held asks once.  What is locked past a signal that a route passes is set with "
-    "that route alone.",
+    "that route alone.  A signal is open only for a route that is set, or for the movement that passes it.",
     "S-CANCELLED": "A cancelled signal shows stop in the same scan.",
     "S-SET": "A section is locked for a movement only when inputs are valid, it is not blocked or locked, and it is "
     "steadily clear; for calling on, and where a shunting movement ends, it need be neither clear nor unlocked.",
@@ -119,11 +134,12 @@ def claims(f: Facts) -> tuple[Claim, ...]:
         *((*x, True) for x in _zones(f)),
         *((*x, False) for x in flank_space(f)),
         *((*x, False) for x in _pairs(f)),
+        *((*x, False) for x in excluded(f)),
         *((*x, False) for x in declared(f)),
         *((*x, False) for x in demanded(f)),
         *((*x, False) for x in _signals(f)),
         *((*x, False) for x in terminals(f)),
-        *((*x, False) for x in _distants(f)),
+        *((*x, False) for x in distants(f)),
         *((*x, False) for x in _again(f)),
         *((*x, False) for x in _requests(f)),
         *((*x, False) for x in _set(f)),
@@ -235,7 +251,7 @@ def _signal(
         yield "S-LAMP", who, implies(opens, var(f.sym.stop_lamp[signal]))
     if signal in f.sym.clear_lamp and not shunt:
         last = f.sym.caution_lamp.get(signal, f.sym.clear_lamp[signal])
-        lit = implies(_clear_aspect(f, signal), var(f.sym.clear_lamp[signal]))
+        lit = implies(clear_aspect(f, signal), var(f.sym.clear_lamp[signal]))
         main = after(disj(map(var, f.sym.main_lamps(signal))))
         yield "S-LAMP", f"{who} proceed", conj((implies(main, var(last)), lit))
     if signal in f.sym.identifier_lamp and not shunt:
@@ -249,16 +265,15 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
     """Claims about a path while its signal shows proceed and its points lie (`here`): id, what of the path, claim."""
     after = f.system.after
     lit = FALSE if shunt else f.sym.identifies(signal)
-    opened = conj((after(disj((_open(f, signal, shunt), lit))), after(lie(f, path.ways))))
+    opened = conj((after(disj((shows_open(f, signal, shunt), lit))), after(lie(f, path.ways))))
     yield "S-CLEAR", "", implies(opened, conj(f.steadily_clear(t.section) for t in path.kept_clear))
-    if signal in f.sym.call_aspect and not shunt:
+    if signal in f.sym.call_aspect and f.layout.signal[signal].call_on and not shunt:
         called = conj((after(var(f.sym.call_aspect[signal])), here))
         yield "S-CALL-ON", "", implies(called, _may_call_on(f, path))
     yield "S-DETECTED", "", implies(here, _points_detected(f, path))
-    permitted = path_speed(f.layout, path.ways)
-    faster = [n for (g, v), n in f.sym.speed_shown.items() if g == signal and v > (permitted or v)]
-    if faster and not shunt:
-        yield "S-SPEED", "", implies(here, neg(after(disj(map(var, faster)))))
+    if not shunt:
+        for what, x in at_speed(f, signal, path, here):
+            yield "S-SPEED", what, x
     machines = (f.layout.point[p].machine for t in path.ways for p, _ in t.points)
     trailed = [neg(var(f.sym.trailed[m])) for m in dict.fromkeys(machines) if m in f.sym.trailed]
     if trailed:
@@ -268,12 +283,12 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
     over = () if exit_ is None or shunt else f.overlap_paths(exit_)
     if over and exit_ is not None:
         yield "S-OVERLAP", "", implies(here, disj(_overlap(f, ways) for ways in over))
-        yield from _entry(f, signal, path, exit_, over)
+        yield from entry(f, signal, path, exit_, over)
     if not shunt and f.layout.principles.caution is not Caution.NEVER:
-        clear = conj((_clear_aspect(f, signal), after(lie(f, path.ways))))
+        clear = conj((clear_aspect(f, signal), after(lie(f, path.ways))))
         yield "S-ASPECT", "", implies(clear, allows_clear(f, path, exit_))
     if exit_ in f.sym.identifier_aspect and exit_ is not None and not shunt:
-        yield from _past(f, signal, exit_, path, here)
+        yield from past_identifier(f, signal, exit_, path, here)
     secured = [
         conj((var(f.sym.detected[d.id, Position.REVERSE]), neg(var(f.sym.detected[d.id, Position.NORMAL]))))
         for d in f.layout.devices
@@ -285,25 +300,6 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
     yield "S-BLOCKED", "", implies(here, conj(barred))
     yield "S-LOCKED", "", implies(here, after(_path_locked(f, shunt, path)))
     yield from _beyond_the_path(f, signal, shunt, path, here)
-
-
-def _past(
-    f: Facts, signal: SignalId, passed: SignalId, first: SignalPath, here: Expr
-) -> Iterator[tuple[str, str, Expr]]:
-    """What a signal shows to a train that passes the next one at identifier light counts for the way beyond, too."""
-    after = f.system.after
-    for k, path in enumerate(signal_paths(f, passed), 1):
-        beyond = conj((here, after(f.sym.identifies(passed)), after(lie(f, path.ways))))
-        permitted = path_speed(f.layout, path.ways)
-        faster = [n for (g, v), n in f.sym.speed_shown.items() if g == signal and v > (permitted or v)]
-        if faster:
-            yield "S-SPEED", f" past {passed}:{k}", implies(beyond, neg(after(disj(map(var, faster)))))
-        ahead = f.topo.beyond(path.ways[-1].section, path.ways[-1].exit)
-        exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
-        if exit_ is not None:
-            lying = after(conj((f.sym.identifies(passed), lie(f, (*first.ways, *path.ways)))))
-            for id_, what, x in _entry(f, signal, path, exit_, f.overlap_paths(exit_)):
-                yield id_, f" past {passed}:{k}{what}", implies(lying, x)
 
 
 def _points_detected(f: Facts, path: SignalPath) -> Expr:
@@ -354,44 +350,6 @@ def _still_passing(f: Facts, g: SignalId, shunt: bool) -> Expr:
     return conj([f.sym.signal(g, shunt), *occupied, neg(second)])
 
 
-def _open(f: Facts, g: SignalId, shunt: bool = False) -> Expr:
-    """The lamps show proceed to a movement before the signal: not by calling a train on, nor for one that already
-    passes it (which is the controller's own word; S-PASSING says when it may be given)."""
-    lamps = f.sym.proceed_lamps(g, True) if shunt else f.sym.main_lamps(g)
-    return conj((disj(map(var, lamps)), neg(f.sym.passing(g, shunt))))
-
-
-def _clear_aspect(f: Facts, g: SignalId) -> Expr:
-    """The signal will show clear, not caution."""
-    return f.system.after(var(f.sym.clear_aspect[g])) if g in f.sym.clear_aspect else FALSE
-
-
-def allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None, past: bool = False) -> Expr:
-    """Whether a path may be shown as clear: the line beyond is checked, or the next main signal will be open (R11); one
-    that shows its identifier light is not the next (`past`: the path begins at such a one)."""
-    kmh = path_speed(f.layout, path.ways)
-    if kmh is not None and kmh < f.layout.principles.slow_below_kmh:
-        return FALSE
-    boundary = f.layout.boundary_at.get(path.ways[-1].exit)
-    if boundary is not None and boundary.checked:
-        return TRUE
-    turned = any(x is Position.REVERSE for t in path.ways for _, x in t.points)
-    if exit_ is None or (turned and f.layout.principles.caution is Caution.TURNOUT):
-        return FALSE
-    return f.system.after(_open(f, exit_)) if past else disj((f.system.after(_open(f, exit_)), *_clear_past(f, exit_)))
-
-
-def _clear_past(f: Facts, passed: SignalId) -> Iterator[Expr]:
-    """The signal shows its identifier light, and the way beyond, as the points lie, may be shown as clear."""
-    if passed not in f.sym.identifier_aspect:
-        return
-    for path in signal_paths(f, passed):
-        ahead = f.topo.beyond(path.ways[-1].section, path.ways[-1].exit)
-        exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
-        lit = f.system.after(conj((f.sym.identifies(passed), lie(f, path.ways))))
-        yield conj((lit, allows_clear(f, path, exit_, past=True)))
-
-
 def _may_call_on(f: Facts, path: SignalPath) -> Expr:
     """A train may be called on over a path: R2."""
     stop = f.system.after(var(f.sym.stop_aspect[path.signal]))
@@ -405,7 +363,11 @@ def _requests(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for x, fresh in f.sym.fresh.items():
         yield "S-REQUEST", x, iff(after(var(fresh)), conj((valid, eq(x, 0))))
         yield "S-REQUEST", f"{x} seen", iff(after(var(f.sym.seen[x])), neg(after(var(fresh))))
+    for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.functions(h.id)):
+        shown = implies(after(f.sym.signal(g, shunt)), after(f.sym.opened(g, shunt)))
+        yield "S-REQUEST", f"{_who(g, shunt)} shown", shown
     for r in f.sym.routes:
+        yield "S-REQUEST", f"{r.id} open", implies(after(var(r.proceed)), after(var(r.active)))
         new = conj((after(var(r.active)), neg(var(r.active))))
         if r.identifier:
             with_ = (f.sym.number[n] for n in r.parts_of)
@@ -447,12 +409,6 @@ def _again(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             yield "S-CALL-ON", f"{r.id} once", implies(seen, neg(f.system.after(var(r.proceed))))
 
 
-def _distants(f: Facts) -> Iterator[tuple[str, str, Expr]]:
-    for d in f.layout.distants:
-        shown = f.system.after(var(f.sym.distant_clear[d.id]))
-        yield "S-ASPECT", d.id, implies(shown, _clear_aspect(f, d.of))
-
-
 def _overlap(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
     """An overlap is clear, its points lie and are detected."""
     points = [(f.layout.point[p].machine, x) for t in ways for p, x in t.points]
@@ -464,24 +420,6 @@ def _overlap(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
             *(neg(var(f.sym.detected[m, x.other])) for m, x in points),
         ]
     )
-
-
-def _entry(
-    f: Facts, signal: SignalId, path: SignalPath, exit_: SignalId, over: Sequence[tuple[Traversal, ...]]
-) -> Iterator[tuple[str, str, Expr]]:
-    """A train is shown no more than the speed for which its overlap is made: (claim, what of the path, claim)."""
-    after = f.system.after
-    shown = {v: var(n) for (g, v), n in f.sym.speed_shown.items() if g == signal}
-    for k, ways in enumerate(over, 1):
-        kmh = entry_speed(f.layout, exit_, ways)
-        if kmh is None:
-            continue
-        main = after(disj(map(var, f.sym.main_lamps(signal))))
-        lying = after(lie(f, (*path.ways, *ways)))
-        slow, faster = (disj(x for v, x in shown.items() if (v <= kmh) is fits) for fits in (True, False))
-        yield "S-ENTRY", f" overlap {k}", implies(conj((main, lying)), conj((after(slow), neg(after(faster)))))
-        if f.layout.principles.caution is not Caution.NEVER and kmh < f.layout.principles.slow_below_kmh:
-            yield "S-ASPECT", f" overlap {k}", implies(lying, neg(_clear_aspect(f, signal)))
 
 
 def _not_foul(f: Facts, fj: FoulJoint) -> Expr:

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, iff, implies, neg, var
 from interlock.logic.names import Name
-from interlock.model.elements import Position
+from interlock.model.elements import Position, SignalId
 from interlock.proof.claims.kinds import Facts
 
 
@@ -31,9 +31,20 @@ def _lamps(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         speeds = [var(name) for (h, _), name in f.sym.speed_shown.items() if h == g]
         one = conj((at_most_one(others), implies(disj(speeds), disj(mains))))
         yield "S-STOP", g, after(conj((iff(var(stop), neg(disj(others))), one)))
+        for name in _not_for(f, g):
+            yield "S-STOP", f"{g} never {name}", neg(after(var(name)))
+        if g in f.sym.call_aspect and not f.layout.signal[g].call_on:
+            yield "S-CALL-ON", f"{g} never", neg(after(var(f.sym.call_aspect[g])))
     for d in f.layout.distants:
         clear, caution = var(f.sym.distant_clear[d.id]), var(f.sym.distant_caution[d.id])
         yield "S-STOP", d.id, after(iff(caution, neg(clear)))
+
+
+def _not_for(f: Facts, g: SignalId) -> list[Name]:
+    """Lamps of a signal that speak to trains, or to shunting movements, of which the layout does not let it speak."""
+    signal = f.layout.signal[g]
+    trains = [*f.sym.main_lamps(g), *(name for (h, _), name in f.sym.speed_shown.items() if h == g)]
+    return [*([] if signal.main else trains), *([] if signal.shunt else f.sym.proceed_lamps(g, shunt=True))]
 
 
 def _drives(f: Facts) -> Iterator[tuple[str, str, Expr]]:

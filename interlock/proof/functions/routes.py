@@ -10,7 +10,7 @@ from interlock.logic.names import Name
 from interlock.model.elements import Position, SectionId, SignalId
 from interlock.model.overlap import route_speed
 from interlock.model.principles import Closes
-from interlock.proof.claims.catalogue import allows_clear
+from interlock.proof.claims.aspects import allows_clear
 from interlock.proof.claims.paths import SignalPath
 from interlock.proof.functions.words import Way, Words
 

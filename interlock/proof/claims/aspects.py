@@ -1,0 +1,109 @@
+"""What signals show of the way ahead: speeds, clear or caution, distants (R4, R11)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, implies, neg, var
+from interlock.model.elements import Position, SignalId
+from interlock.model.overlap import entry_speed
+from interlock.model.principles import Caution
+from interlock.model.traversal import Traversal, path_speed
+from interlock.proof.claims.kinds import Facts
+from interlock.proof.claims.paths import SignalPath, lie, signal_paths
+
+
+def at_speed(f: Facts, signal: SignalId, path: SignalPath, here: Expr) -> Iterator[tuple[str, Expr]]:
+    """Of the speeds that a signal can show it shows none above what a path permits, and one of the others when it
+    opens."""
+    permitted = path_speed(f.layout, path.ways)
+    if permitted is None:
+        return
+    after, shown = f.system.after, [(v, var(n)) for (g, v), n in f.sym.speed_shown.items() if g == signal]
+    slow, faster = (disj(x for v, x in shown if (v <= permitted) is fits) for fits in (True, False))
+    if faster is not FALSE:
+        yield "", implies(here, neg(after(faster)))
+    yield " shown", implies(conj((here, after(disj(map(var, f.sym.main_lamps(signal)))))), after(slow))
+
+
+def past_identifier(
+    f: Facts, signal: SignalId, passed: SignalId, first: SignalPath, here: Expr
+) -> Iterator[tuple[str, str, Expr]]:
+    """What a signal shows to a train that passes the next one at identifier light counts for the way beyond, too."""
+    after = f.system.after
+    for k, path in enumerate(signal_paths(f, passed), 1):
+        beyond = conj((here, after(f.sym.identifies(passed)), after(lie(f, path.ways))))
+        for what, x in at_speed(f, signal, path, beyond):
+            yield "S-SPEED", f" past {passed}:{k}{what}", x
+        ahead = f.topo.beyond(path.ways[-1].section, path.ways[-1].exit)
+        exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
+        if exit_ is not None:
+            lying = after(conj((f.sym.identifies(passed), lie(f, (*first.ways, *path.ways)))))
+            for id_, what, x in entry(f, signal, path, exit_, f.overlap_paths(exit_)):
+                yield id_, f" past {passed}:{k}{what}", implies(lying, x)
+
+
+def entry(
+    f: Facts, signal: SignalId, path: SignalPath, exit_: SignalId, over: Sequence[tuple[Traversal, ...]]
+) -> Iterator[tuple[str, str, Expr]]:
+    """A train is shown no more than the speed for which its overlap is made: (claim, what of the path, claim)."""
+    after = f.system.after
+    shown = {v: var(n) for (g, v), n in f.sym.speed_shown.items() if g == signal}
+    for k, ways in enumerate(over, 1):
+        kmh = entry_speed(f.layout, exit_, ways)
+        if kmh is None:
+            continue
+        main = after(disj(map(var, f.sym.main_lamps(signal))))
+        lying = after(lie(f, (*path.ways, *ways)))
+        slow, faster = (disj(x for v, x in shown.items() if (v <= kmh) is fits) for fits in (True, False))
+        yield "S-ENTRY", f" overlap {k}", implies(conj((main, lying)), conj((after(slow), neg(after(faster)))))
+        if f.layout.principles.caution is not Caution.NEVER and kmh < f.layout.principles.slow_below_kmh:
+            yield "S-ASPECT", f" overlap {k}", implies(lying, neg(clear_aspect(f, signal)))
+
+
+def shows_open(f: Facts, g: SignalId, shunt: bool = False) -> Expr:
+    """The lamps show proceed to a movement before the signal: not by calling a train on, nor for one that already
+    passes it (which is the controller's own word; S-PASSING says when it may be given)."""
+    lamps = f.sym.proceed_lamps(g, True) if shunt else f.sym.main_lamps(g)
+    return conj((disj(map(var, lamps)), neg(f.sym.passing(g, shunt))))
+
+
+def clear_aspect(f: Facts, g: SignalId) -> Expr:
+    """The signal will show clear, not caution."""
+    return f.system.after(var(f.sym.clear_aspect[g])) if g in f.sym.clear_aspect else FALSE
+
+
+def allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None, past: bool = False) -> Expr:
+    """Whether a path may be shown as clear: the line beyond is checked, or the next main signal will be open (R11); one
+    that shows its identifier light is not the next (`past`: the path begins at such a one)."""
+    kmh = path_speed(f.layout, path.ways)
+    if kmh is not None and kmh < f.layout.principles.slow_below_kmh:
+        return FALSE
+    boundary = f.layout.boundary_at.get(path.ways[-1].exit)
+    if boundary is not None and boundary.checked:
+        return TRUE
+    turned = any(x is Position.REVERSE for t in path.ways for _, x in t.points)
+    if exit_ is None or (turned and f.layout.principles.caution is Caution.TURNOUT):
+        return FALSE
+    return (
+        f.system.after(shows_open(f, exit_))
+        if past
+        else disj((f.system.after(shows_open(f, exit_)), *_clear_past(f, exit_)))
+    )
+
+
+def _clear_past(f: Facts, passed: SignalId) -> Iterator[Expr]:
+    """The signal shows its identifier light, and the way beyond, as the points lie, may be shown as clear."""
+    if passed not in f.sym.identifier_aspect:
+        return
+    for path in signal_paths(f, passed):
+        ahead = f.topo.beyond(path.ways[-1].section, path.ways[-1].exit)
+        exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
+        lit = f.system.after(conj((f.sym.identifies(passed), lie(f, path.ways))))
+        yield conj((lit, allows_clear(f, path, exit_, past=True)))
+
+
+def distants(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    for d in f.layout.distants:
+        shown = f.system.after(var(f.sym.distant_clear[d.id]))
+        yield "S-ASPECT", d.id, implies(shown, clear_aspect(f, d.of))

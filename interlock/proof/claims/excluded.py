@@ -1,0 +1,75 @@
+"""Where no route may lead, whatever else is in order: S-EXCLUDED (R1, R2).
+
+The author excludes routes; a trap takes none; over a boundary where trains only come in none leaves; none begins at a
+board; none leads over a hand-worked point against its key, over both arms of a diamond, or without detection.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from interlock.logic.expr import FALSE, Expr, conj, disj, implies, neg, var
+from interlock.model.elements import BoundaryKind, BufferKind, Position, SignalId
+from interlock.model.traversal import Traversal
+from interlock.proof.claims.added import fits
+from interlock.proof.claims.kinds import Facts
+from interlock.proof.claims.paths import SignalPath, lie, signal_paths
+
+
+def excluded(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    """Claim, place and expression for each path of a signal, and for each two in a row where the signal between them
+    shows its identifier light, that no route may take."""
+    after = f.system.after
+    for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.functions(h.id)):
+        who = f"{g} shunt" if shunt else g
+        for k, path in enumerate(signal_paths(f, g, shunt), 1):
+            here = after(conj((f.sym.signal(g, shunt), lie(f, path.ways))))
+            passed = None if shunt else _passed(f, path)
+            if not _can_be(f, g, shunt, path):
+                yield "S-EXCLUDED", f"{who}:{k}", neg(here)
+            elif _unwanted(f, g, shunt, path):
+                past = FALSE if passed is None else after(conj((_opens(f, g), f.sym.identifies(passed))))
+                yield "S-EXCLUDED", f"{who}:{k}", implies(here, past)
+            if passed is None:
+                continue
+            for n, onward in enumerate(signal_paths(f, passed), 1):
+                both = SignalPath(g, False, (*path.ways, *onward.ways), None)
+                if _unwanted(f, g, False, both) or not _can_be_run(f, both.ways, both.ways):
+                    lit = after(conj((_opens(f, g), f.sym.identifies(passed), lie(f, both.ways))))
+                    yield "S-EXCLUDED", f"{who}:{k} past {passed}:{n}", neg(lit)
+
+
+def _opens(f: Facts, g: SignalId) -> Expr:
+    """The lamps that a route past the next signal may light: clear or caution."""
+    return disj(map(var, f.sym.main_lamps(g)))
+
+
+def _passed(f: Facts, path: SignalPath) -> SignalId | None:
+    """The signal at the end of a train's path, where the layout gives it an identifier light."""
+    last = path.ways[-1]
+    ahead = f.topo.beyond(last.section, last.exit)
+    signal = None if ahead is None else f.topo.main_into.get((last.exit, ahead))
+    return signal if signal in f.layout.identifiers else None
+
+
+def _unwanted(f: Facts, g: SignalId, shunt: bool, path: SignalPath) -> bool:
+    """The author excludes a route over the path."""
+    return any(fits(f, x, g, shunt, path.ways) for x in f.layout.excluded)
+
+
+def _can_be(f: Facts, g: SignalId, shunt: bool, path: SignalPath) -> bool:
+    """A route may begin at the signal, run over the path, and end or leave where it does."""
+    end = path.ways[-1].exit
+    buffer, boundary = f.layout.buffer_at.get(end), f.layout.boundary_at.get(end)
+    trap = buffer is not None and buffer.kind is BufferKind.TRAP
+    against = boundary is not None and boundary.kind is BoundaryKind.IN and not shunt
+    leads_on = not (trap or against) or path.berth is not None
+    return leads_on and f.layout.opens(g, shunt) and _can_be_run(f, path.ways, path.kept_clear)
+
+
+def _can_be_run(f: Facts, ways: Sequence[Traversal], clear: Sequence[Traversal]) -> bool:
+    """No key is turned, no diamond is passed twice, and what must be clear is detected."""
+    arms = [c for t in ways for c, _ in t.crossings]
+    turned = {f.layout.point[p].machine for t in ways for p, x in t.points if x is Position.REVERSE}
+    seen = not any(t.section in f.layout.undetected for t in clear)
+    return len(arms) == len(set(arms)) and not turned & f.layout.by_hand and seen

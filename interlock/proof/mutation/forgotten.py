@@ -1,0 +1,69 @@
+"""Controllers of another layout: something that the author forbids is forgotten, and everything else derived as always."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+from interlock.derivation import derive
+from interlock.diag import Sink
+from interlock.logic.controller import Controller
+from interlock.logic.expr import FALSE
+from interlock.logic.lower import lower
+from interlock.model.elements import BoundaryKind, BufferKind
+from interlock.model.layout import Layout
+from interlock.proof.mutation.ways import Mutant
+from interlock.table.rows import InterlockingTable
+
+Others = Callable[[Layout], Iterator[tuple[str, Layout]]]
+
+
+def forgotten(others: Others) -> Callable[[Layout, InterlockingTable], Iterator[Mutant]]:
+    """The controllers of other layouts, where there are routes, and no others than with them."""
+
+    def make(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+        for place, other in others(layout):
+            sink = Sink()
+            derived = derive(other, sink)
+            if derived.routes and not sink.has_errors and len(derived.routes) > len(table.routes):
+                yield place, lower(other, derived)
+
+    return make
+
+
+def exclusions(layout: Layout) -> Iterator[tuple[str, Layout]]:
+    """Each `exclude` is forgotten by itself."""
+    for i, x in enumerate(layout.excluded):
+        yield f"exclude {i + 1}: {x.reason}", replace(layout, excluded=layout.excluded[:i] + layout.excluded[i + 1 :])
+
+
+def traps(layout: Layout) -> Iterator[tuple[str, Layout]]:
+    """A trap counts as a buffer, before which routes end."""
+    for b in layout.buffers:
+        if b.kind is BufferKind.TRAP:
+            more = tuple(replace(x, kind=BufferKind.STOP) if x is b else x for x in layout.buffers)
+            yield b.node, replace(layout, buffers=more)
+
+
+def entrances(layout: Layout) -> Iterator[tuple[str, Layout]]:
+    """Trains leave over a boundary where they only come in."""
+    for b in layout.boundaries:
+        if b.kind is BoundaryKind.IN:
+            more = tuple(replace(x, kind=BoundaryKind.BOTH) if x is b else x for x in layout.boundaries)
+            yield b.node, replace(layout, boundaries=more)
+
+
+def calls(layout: Layout) -> Iterator[tuple[str, Layout]]:
+    """A signal calls trains on though the layout does not let it."""
+    for g in layout.signals:
+        if g.main and not g.call_on and layout.opens(g.id, False):
+            more = tuple(replace(x, call_on=True) if x is g else x for x in layout.signals)
+            yield g.id, replace(layout, signals=more)
+
+
+def speeds_dark(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A speed indicator is never lit."""
+    c: Controller = lower(layout, table)
+    for (g, kmh), name in c.symbols.speed_shown.items():
+        dark = tuple(replace(o, expr=FALSE) if o.name == name else o for o in c.outputs)
+        yield f"{kmh} km/h at {g}", c.with_outputs(dark)
