@@ -57,7 +57,7 @@ ON = {
     "excluded-offered": BARE,
     "trap-entered": "../tests/layouts_for_tests/trap_beyond",
     "entrance-left-by": "../tests/layouts_for_tests/no_calling_on",
-    **dict.fromkeys(("declared-not-excluded", "added-point-not-detected"), ADDED),
+    **dict.fromkeys(("declared-not-excluded", "added-point-not-detected", "added-let-go"), ADDED),
     "board-passed": BOARDS,
     **dict.fromkeys((k.name for k in KINDS if k.name.startswith("identifier-")), IDENTIFIER),
     "zone-not-checked": "heishan",
@@ -167,6 +167,7 @@ ALONE = {
     "entrance-left-by": ("../tests/layouts_for_tests/no_calling_on", "S-EXCLUDED"),
     "call-on-unasked": ("../tests/layouts_for_tests/trap_beyond", "S-CALL-ON"),
     "speed-not-shown": ("../tests/layouts_for_tests/speeds", "S-SPEED"),
+    "added-let-go": (ADDED, "S-DECLARED"),
 }
 """Kinds that one claim alone keeps out, each on a layout where that is so: nobody would come to harm by them."""
 

@@ -10,7 +10,7 @@ from itertools import pairwise
 
 from interlock.checker.drawing import Diamond, Edge
 from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, no, some
-from interlock.checker.railway import Calling, Demand, Path, Signal, Way
+from interlock.checker.railway import Calling, Path, Signal, Way
 from interlock.checker.terminals import Terminals
 
 
@@ -148,17 +148,6 @@ class Protection(Terminals):
                     if b.signal != c.signal:
                         found.append((so(c, p), so(b, q)))
         return found
-
-    def w_added_demands(self, c: Calling, p: Path) -> list[Demand]:
-        """The points that the author has a route over this path lock."""
-        return [
-            Demand(self.r.points[x["point"]].machine, "N" if x["lies"] == "normal" else "R")
-            for x in self.r.body.get("demand") or ()
-            if self.r.chosen(x["routes"], c, p)
-        ]
-
-    def w_added_powered_demands(self, c: Calling, p: Path) -> list[Demand]:
-        return [d for d in self.w_added_demands(c, p) if d.machine in self.w_powered()]
 
     def w_shown_first(self, h: tuple[Formula, Formula]) -> Formula:
         return h[0]

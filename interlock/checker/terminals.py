@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cached_property
 from typing import Any
 
@@ -9,7 +10,7 @@ from interlock.checker.ahead import Overlap
 from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, names, no, some
 from interlock.checker.lamps import CALL_ON, IDENTIFIER, MAIN, WHITE, Lamps
 from interlock.checker.lengths import Approach
-from interlock.checker.railway import Calling, Signal, Way, safe
+from interlock.checker.railway import Calling, Demand, Path, Signal, Way, safe
 from interlock.checker.words import fact
 from interlock.verify import need
 
@@ -249,6 +250,77 @@ class Terminals(Lamps):
         """The signal is still open for a movement that has begun to pass it."""
         return some(self.known(f"PA_R{r}") for r in self.w_routes_for(c))
 
+    # --- over which path a route leads: by the locks that its grant sets, and S-LOCKED is the proof of it ---
+
+    @cached_property
+    def _runs(self) -> dict[int, tuple[Calling, Path]]:
+        sets = {w: f"GW_{safe(w.section)}_{w.number}" for s in self.r.sections for w in self.w_lockable(s)}
+        set_by = {w: set(names(self.w.definitions.get(name, FALSE))) for w, name in sets.items()}
+        found: dict[int, tuple[Calling, Path]] = {}
+        for c in (c for g in self.w_opening() for c in self.r.callings(g)):
+            for r in self.w_routes_for(c):
+                over = {w for w, read in set_by.items() if f"G_R{r}" in read}
+                own = [p for p in self.r.paths(c) if set(self.w_kept_clear(p)) <= over]
+                if len(own) == 1:
+                    found[r] = c, own[0]
+        return found
+
+    def run_of(self, r: int) -> tuple[Calling, Path]:
+        """Whom a route calls over which path."""
+        need(r in self._runs, f"nothing tells over which path the route with number {r} leads")
+        return self._runs[r]
+
+    def w_own_ways(self, r: int) -> list[Way]:
+        """The ways over which a route leads that must lie for it."""
+        return [w for w in self.w_kept_clear(self.run_of(r)[1]) if w.points]
+
+    def chosen_routes(self, choice: Mapping[str, Any]) -> list[int]:
+        """The routes that the author chooses."""
+        return [r for r in self.w_routes() if self.r.chosen(choice, *self.run_of(r))]
+
+    def w_declared_routes(self) -> list[tuple[int, int]]:
+        """Each two routes that the author declares hostile."""
+        told = [(x["one"], x["other"]) for x in self.r.body.get("hostile") or ()]
+        pairs = {(r, q) for a, b in told for r in self.chosen_routes(a) for q in self.chosen_routes(b)}
+        return sorted((r, q) for r, q in pairs if r != q)
+
+    def w_routes_declared(self) -> list[int]:
+        return sorted({r for pair in self.w_declared_routes() for r in pair})
+
+    def w_routes_demanding(self) -> list[int]:
+        """Others that hold what was added to them: points that do not lie so for them anyway."""
+        told = {r for x in self.r.body.get("demand") or () for r in self.chosen_routes(x["routes"])}
+        return [r for r in self.w_holding_routes() if r in told and r not in self.w_routes_declared()]
+
+    def w_holding_routes(self) -> list[int]:
+        return [r for r in self.w_routes() if f"AH_R{r}" in self.state]
+
+    def w_demanded_of(self, r: int) -> list[Demand]:
+        """The points that the author has a route lock, but those on its own path."""
+        return [d for d in self.w_added_demands(*self.run_of(r)) if d not in self.w_demands(self.run_of(r)[1])]
+
+    def w_added_demands(self, c: Calling, p: Path) -> list[Demand]:
+        """The points that the author has a route over this path lock."""
+        return [
+            Demand(self.r.points[x["point"]].machine, "N" if x["lies"] == "normal" else "R")
+            for x in self.r.body.get("demand") or ()
+            if self.r.chosen(x["routes"], c, p)
+        ]
+
+    def w_added_powered_demands(self, c: Calling, p: Path) -> list[Demand]:
+        return [d for d in self.w_added_demands(c, p) if d.machine in self.w_powered()]
+
+    def w_holds_added(self, r: int) -> Formula:
+        return self.known(f"AH_R{r}")
+
+    def w_last_held(self, r: int) -> Way:
+        """The way whose lock a train leaves behind when it is wholly in the last section; where a route leads out over
+        a boundary, or has one section, the last one."""
+        p = self.run_of(r)[1]
+        own = self.w_kept_clear(p)
+        through = own if p.berth or p.last.exit in self.r.boundaries else own[:-1]
+        return (through or own)[-1]
+
     def w_opened(self, r: int) -> Formula:
         return leaf(f"S_R{r}")
 
@@ -277,13 +349,22 @@ class Terminals(Lamps):
     @cached_property
     def _automatic(self) -> set[int]:
         """The routes that are also asked for by a switch."""
-        named, found = [x["from"] for x in self.r.body.get("automatic") or ()], set()
+        told, found = self.r.body.get("automatic") or (), set()
+        named = [x["from"] for x in told]
         for g in dict.fromkeys(named):
             asked = {k: self.w.definitions.get(f"RQ_R{k}", FALSE) for k in self.train_routes(self.r.signals[g])}
             switched = {k for k, x in asked.items() if f"AUTO_R{k}" in set(names(x))}
             need(len(switched) <= named.count(g), f"more routes from {g} work automatically than the layout names")
+            for r in switched:
+                chosen = any(self.r.chosen(x, *self._whole(r)) for x in told)
+                need(chosen, f"a route from {g} works automatically that the layout does not name")
             found |= switched
         return found
+
+    def _whole(self, r: int) -> tuple[Calling, Path]:
+        """Whom a route calls over which path, with what lies past a signal that it passes."""
+        c, p = self.run_of(r)
+        return c, Path((*p.ways, *(w for b in self._past.get(r, ()) for w in self.run_of(b)[1].ways)), p.berth)
 
     def w_requests(self) -> list[str]:
         """The inputs at which routes are asked for by number, the one that is heard first before the other."""

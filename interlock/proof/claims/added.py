@@ -46,6 +46,51 @@ def declared(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                     yield "S-DECLARED", f"{i}: {_who(g, k)} and {_who(h, m)}", neg(conj((x, y)))
 
 
+def held(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    """What was added is held from proceed on until the train is wholly in the last section: hostile routes by no two at
+    once, points commanded."""
+    after = f.system.after
+    for r in f.sym.routes:
+        if r.added is None:
+            continue
+        id_, holds = "S-DECLARED" if _among_hostile(f, r) else "S-DEMANDED", var(r.added)
+        yield id_, f"{r.id} held", implies(after(var(r.proceed)), after(holds))
+        ends = conj((holds, neg(after(holds))))
+        yield id_, f"{r.id} given up", implies(ends, neg(disj((var(r.active), after(var(r.active)), _last_lock(f, r)))))
+        for d in f.layout.demanded:
+            if (d.machine, d.position) in r.demands and _route_fits(f, d.routes, r):
+                commanded = after(var(f.sym.command[d.machine, d.position]))
+                yield "S-DEMANDED", f"{r.id} {d.machine} held", implies(after(holds), commanded)
+    for i, b in enumerate(f.layout.barred, 1):
+        ones, others = ([r for r in f.sym.routes if _route_fits(f, x, r)] for x in (b.one, b.other))
+        for r, x in ((r, x) for r in ones for x in others if r is not x):
+            both = conj(after(var(name)) for name in (r.added, x.added) if name is not None)
+            yield "S-DECLARED", f"{i}: {r.id} and {x.id}", neg(both)
+
+
+def _route_fits(f: Facts, choice: Choice, r: RouteSymbols) -> bool:
+    """Whether a route of the controller is among the author's choice."""
+    return fits(f, choice, r.entry, r.shunt, _run(f, r))
+
+
+def _among_hostile(f: Facts, r: RouteSymbols) -> bool:
+    return any(_route_fits(f, x, r) for b in f.layout.barred for x in (b.one, b.other))
+
+
+def _run(f: Facts, r: RouteSymbols) -> list[Traversal]:
+    """The ways over which a route of the controller leads, the berth at its end among them."""
+    keys = [*r.ways, *([r.berth] if r.berth is not None else [])]
+    return [f.topo.traversals[s][n - 1] for s, n in keys]
+
+
+def _last_lock(f: Facts, r: RouteSymbols) -> Expr:
+    """The lock that a train leaves behind when it is wholly in the last section; of a route that leads out over a
+    boundary, or that has one section, the last one."""
+    leaves = _run(f, r)[-1].exit in f.layout.boundary_at
+    through = r.ways if r.berth is not None or leaves else r.ways[:-1]
+    return f.lock(*(through or r.ways)[-1])
+
+
 def demanded(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """S-DEMANDED, path by path."""
     after = f.system.after

@@ -14,7 +14,7 @@ from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint
 from interlock.model.principles import Caution
 from interlock.model.traversal import Traversal, zone_joints
-from interlock.proof.claims.added import declared, demanded
+from interlock.proof.claims.added import declared, demanded, held
 from interlock.proof.claims.aspects import (
     allows_clear,
     at_speed,
@@ -55,7 +55,8 @@ CLAIMS: dict[str, str] = {
     "into a steadily clear first section, and onto no track in which vehicles may stand unless it is steadily clear.",
     "S-DETECTED": "Proceed is shown only when every point and device of the path is detected in that very scan.",
     "S-TRAILED": "No proceed is shown over a point that was trailed and has not been looked at since.",
-    "S-LOCKED": "Proceed is shown only when every section of the path is locked for it and its points really lie so.",
+    "S-LOCKED": "Proceed is shown only when every section of the path is locked for it and its points really lie so, "
+    "as they must for the route for which the signal opens.",
     "S-FLANK": "Proceed is shown over a point or diamond only when no vehicle can roll into it from the flank.",
     "S-SCISSORS": "Proceed is shown over one crossover of a scissors only while the other one lies normal.",
     "S-FLANK-SPACE": "Where the principles ask for it: proceed is shown only while the flank space is steadily clear, "
@@ -68,9 +69,10 @@ CLAIMS: dict[str, str] = {
     "signal at identifier light, that ends in a trap or leaves where trains only come in, that begins at a board, or "
     "that leads over a hand-worked point against its key, twice over one diamond, or through a section without "
     "detection.",
-    "S-DECLARED": "No two signals show proceed for routes that the author declares hostile.",
+    "S-DECLARED": "No two signals show proceed for routes that the author declares hostile, and no two such routes are "
+    "held at once, each from proceed on until its train is wholly in its last section.",
     "S-DEMANDED": "Proceed is shown only while the points that the author has the route lock are detected so in that "
-    "very scan, and were not trailed.",
+    "very scan, and were not trailed; they stay commanded so until the train is wholly in its last section.",
     "S-DIRECTION": "Proceed onto a line with a direction token is shown only while the direction is ours, and then the "
     "neighbour has it not.",
     "S-BLOCKED": "No proceed is shown over a blocked section.",
@@ -137,6 +139,7 @@ def claims(f: Facts) -> tuple[Claim, ...]:
         *((*x, False) for x in excluded(f)),
         *((*x, False) for x in declared(f)),
         *((*x, False) for x in demanded(f)),
+        *((*x, False) for x in held(f)),
         *((*x, False) for x in _signals(f)),
         *((*x, False) for x in terminals(f)),
         *((*x, False) for x in distants(f)),
@@ -367,6 +370,8 @@ def _requests(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         shown = implies(after(f.sym.signal(g, shunt)), after(f.sym.opened(g, shunt)))
         yield "S-REQUEST", f"{_who(g, shunt)} shown", shown
     for r in f.sym.routes:
+        lying = after(lie(f, tuple(f.topo.traversals[s][n - 1] for s, n in r.ways)))
+        yield "S-LOCKED", f"{r.id} lies", implies(after(var(r.proceed)), lying)
         yield "S-REQUEST", f"{r.id} open", implies(after(var(r.proceed)), after(var(r.active)))
         new = conj((after(var(r.active)), neg(var(r.active))))
         if r.identifier:

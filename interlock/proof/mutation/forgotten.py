@@ -1,4 +1,4 @@
-"""Controllers of another layout: something that the author forbids is forgotten, and everything else derived as always."""
+"""Controllers of another layout: something that the author forbids is forgotten, all else derived as always."""
 
 from __future__ import annotations
 
@@ -7,8 +7,9 @@ from dataclasses import replace
 
 from interlock.derivation import derive
 from interlock.diag import Sink
+from interlock.logic import names
 from interlock.logic.controller import Controller
-from interlock.logic.expr import FALSE
+from interlock.logic.expr import FALSE, disj, var
 from interlock.logic.lower import lower
 from interlock.model.elements import BoundaryKind, BufferKind
 from interlock.model.layout import Layout
@@ -67,3 +68,14 @@ def speeds_dark(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     for (g, kmh), name in c.symbols.speed_shown.items():
         dark = tuple(replace(o, expr=FALSE) if o.name == name else o for o in c.outputs)
         yield f"{kmh} km/h at {g}", c.with_outputs(dark)
+
+
+def let_go(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """What the author added is given up when the train has passed its signal."""
+    c = lower(layout, table)
+    for r in c.symbols.routes:
+        for e in c.next:
+            if e.name == r.added:
+                early = (e.terms[0], replace(e.terms[1], expr=disj((var(names.GRANTED(r.number)), var(r.active)))))
+                following = tuple(replace(e, terms=early) if x is e else x for x in c.next)
+                yield r.id, replace(c, next=following)

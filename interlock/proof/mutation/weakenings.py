@@ -24,7 +24,7 @@ from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.inductive import inductive, open_claims
 from interlock.proof.induction.search import search
 from interlock.proof.induction.story import tell
-from interlock.proof.mutation.forgotten import calls, entrances, exclusions, forgotten, speeds_dark, traps
+from interlock.proof.mutation.forgotten import calls, entrances, exclusions, forgotten, let_go, speeds_dark, traps
 from interlock.proof.mutation.points import Mutation
 from interlock.proof.mutation.ways import (
     Mutant,
@@ -458,6 +458,7 @@ KINDS: tuple[Kind, ...] = (
     Kind("trap-entered", "a route leads into a trap", forgotten(traps)),
     Kind("entrance-left-by", "a route leaves where trains only come in", forgotten(entrances)),
     Kind("call-on-unasked", "a signal calls on that the layout does not let call on", forgotten(calls)),
+    Kind("added-let-go", "what the author added is given up when the train has passed the signal", let_go),
     Kind("speed-not-shown", "a speed is not shown", speeds_dark),
     Kind("speed-too-high", "a signal shows the speed of another route", _too_fast),
     Kind("entry-speed-forgotten", "a route shows more than its overlap is made for", _entry_speed_forgotten),
