@@ -110,7 +110,12 @@ EDITS = {
         "VAR_IN_OUT\n  INP : IL_fig2_2_I;\nEND_VAR\nVAR\n  D : IL_fig2_2_D;\n",
         "B01 is called without one of its structures",
     ),
-    "a fourth structure": (
+    "a group that keeps a structure of its own": (
+        "  OUTP : IL_fig2_2_Q;\n  D : IL_fig2_2_D;\nEND_VAR\nVAR\n  B01",
+        "  OUTP : IL_fig2_2_Q;\nEND_VAR\nVAR\n  D : IL_fig2_2_D;\n  B01",
+        "G01 is called without one of its structures, or with another",
+    ),
+    "a structure beside those that are known": (
         "FUNCTION_BLOCK",
         "TYPE OTHER :\nSTRUCT\n  ZZ : BOOL;\nEND_STRUCT;\nEND_TYPE\nFUNCTION_BLOCK",
         "the structures are not those of the main block",

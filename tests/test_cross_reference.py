@@ -5,10 +5,13 @@ from __future__ import annotations
 import csv
 import io
 import re
+from pathlib import Path
 
 import pytest
 
-from interlock.app.texts import writers
+from interlock.app.certify import certify_file
+from interlock.app.compile import compile_file
+from interlock.app.texts import writers, written_for
 from interlock.emit.io import CROSS_REFERENCE
 from tests.layouts import built
 
@@ -38,6 +41,14 @@ def test_a_row_tells_place_meaning_terminal_and_blocks() -> None:
     assert lock["Place"] == "section DP" and lock["Written in"] == "S01" and "B01" in lock["Read in"]
     assert rows(files, "scl300")["REQ"]["Terminal"] == "operator"
     assert not [n for n in sheets("fig2_2") if n.startswith(CROSS_REFERENCE)]
+
+
+@pytest.mark.parametrize("dialects", [(), ("iec",), ("iec", "twincat", "c99")])
+def test_what_was_compiled_for_some_dialects_is_certified_as_it_is(tmp_path: Path, dialects: tuple[str, ...]) -> None:
+    """With the portable text asked for by name, too, the report page shows its cross-reference."""
+    compile_file("layouts/fig2_2.yaml", tmp_path, dialects=dialects)
+    assert written_for(tmp_path / "fig2_2") == dialects
+    assert "iec" not in dialects or certify_file("layouts/fig2_2.yaml", tmp_path, tmp_path / "proofs").ok
 
 
 @pytest.mark.parametrize("name", ["mine11", "incline_hoist"])

@@ -35,9 +35,10 @@ Written = tuple[TextVerdict, dict[str, bytes]]
 
 
 def written_for(folder: Path) -> tuple[str, ...]:
-    """The dialects, beside the portable one, whose texts a folder of outputs holds."""
-    vendors = [d.name for d in DIALECTS if d.name != "iec" and (folder / "st" / d.name).is_dir()]
-    return (*vendors, *([C99] if (folder / C99).is_dir() else []))
+    """The dialects that were asked for when a folder of outputs was written: the portable one, whose text is always
+    there, brings its cross-reference then."""
+    asked = {d.name: folder / "st" / d.name for d in DIALECTS} | {"iec": folder / f"{CROSS_REFERENCE}iec.csv"}
+    return tuple(n for n, place in {**asked, C99: folder / C99}.items() if place.exists())
 
 
 def writers(

@@ -1,7 +1,7 @@
 """What one call of the main function block computes: wires, next values, outputs and timers.
 
-All values lie in three structures: the main block is handed inputs and outputs, and holds the third; each block is
-handed those that it uses, under the same names, and is called once.  The statements are taken in the order of calls.
+All values lie in structures: the main block is handed inputs and outputs, and alone holds others; each block is handed
+those that it uses, under the same names, and is called once.  The statements are taken in the order of calls.
 A variable that the certificate knows by name stands for itself once it is written; any other is what was written to
 it.  What is read before it is written in a scan has the value of the scan before, so it must be state.
 """
@@ -69,17 +69,19 @@ class Execution:
     def _main(self, main: Block, structures: dict[str, dict[str, Variable]]) -> None:
         handed = list(main.handed.items())
         held = [(n, v) for n, v in main.locals.items() if v.type in structures]
-        three = [*handed, *held]
-        need(len(handed) == 2 and len(held) == 1, "the main block is not handed two structures, or holds not one")
-        need(all(v.initial is None for _, v in three), "a structure begins otherwise than it is declared")
-        self.types = {n: v.type for n, v in three}
-        need(set(self.types.values()) == set(structures), "the structures are not those of the main block")
-        self.given, self.shown, self.held = (structures[v.type] for _, v in three)
-        self.members = {n: structures[v.type] for n, v in three}
+        every = [*handed, *held]
+        need(len(handed) == 2 and held != [], "the main block is not handed two structures, or holds none")
+        need(all(v.initial is None for _, v in every), "a structure begins otherwise than it is declared")
+        self.types = {n: v.type for n, v in every}
+        once = sorted(self.types.values()) == sorted(structures)
+        need(once, "the structures are not those of the main block, each once")
+        self.given, self.shown = (structures[v.type] for _, v in handed)
+        self.held = {m: x for _, v in held for m, x in structures[v.type].items()}
+        self.members = {n: structures[v.type] for n, v in every}
         names = [m.upper() for members in structures.values() for m in members]
         need(len(set(names)) == len(names), "two structures have a member of one name")
         self._begin()
-        self._carry(main)
+        self._carry(main, {n for n, _ in held})
         need(self.called == set(self.kinds), "a function block is used by nobody")
         left = [n for n in self.shown if n not in self.values]
         need(not left, f"{min(left, default='')} is never written")
@@ -111,13 +113,16 @@ class Execution:
         need(x is None or x[0] == "bool", f"{name} has an initial value that is not TRUE or FALSE")
         return False if x is None else bool(x[1])
 
-    def _carry(self, block: Block) -> None:
-        """Carry out a function block once."""
+    def _carry(self, block: Block, holds: Container[str] = ()) -> None:
+        """Carry out a function block once; `holds`: structures of its own, which the main block alone has."""
         need(block.name not in self.called, f"{block.name} is called twice")
         self.called.add(block.name)
         for n, v in block.handed.items():
             known = self.types.get(n) == v.type and v.initial is None
             need(known, f"{block.name} is handed {n}, which is no structure of that name")
+        for n, v in block.locals.items():
+            own = v.type in self.types.values() and n not in holds
+            need(not own, f"{block.name} holds a structure {n}, which nobody else sees")
         b = _Own(block)
         inner = {n: v.type for n, v in block.locals.items() if v.type in self.kinds}
         for statement in block.body:

@@ -4,12 +4,16 @@ A main block that hands each value on grows with the station.  Here inputs, outp
 or kept are members of a structure each (`_I`, `_Q`, `_D`); every block gets those that it uses as VAR_IN_OUT, and none
 a value.  What belongs where, and which group calls what, is as in the data blocks of `interlock.st.shared`, by way of
 which a text is also read back.  The main block gets inputs and outputs from whoever calls it, and holds the rest.
+
+What is computed or kept lies in several structures (`_D1`, `_D2`, ...) where one would have more than MEMBERS members:
+a compiler that carries out VAR_IN_OUT by copying keeps a copy of each structure in each block that gets it.  What the
+same blocks use lies together, so that a block gets few of them.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from interlock.st.ast import HEADLINE, Assign, Block, Call, Declaration, Expression, Name, Statement, Unit
 from interlock.st.meaning import STANDARD
@@ -31,8 +35,15 @@ from interlock.st.shared import (
 
 GIVEN, SHOWN, HELD = "INP", "OUTP", "D"
 """By which names the blocks know the structures: inputs, outputs and words, all else."""
-NAMES = {GIVEN: INPUTS, SHOWN: OUTPUTS, HELD: INNER}
-"""With what each structure is called after the main block."""
+MEMBERS = 500
+"""Members that one structure of all else has, at most."""
+
+
+def named(count: int) -> dict[str, str]:
+    """The names of all structures, in the order in which they are handed on, and what each is called after the main
+    block, where all else lies in so many of them."""
+    held = {f"{HELD}{k}": f"{INNER}{k}" for k in range(1, count + 1)} if count > 1 else {HELD: INNER}
+    return {GIVEN: INPUTS, SHOWN: OUTPUTS, **held}
 
 
 # --- from parameters to structures ---------------------------------------------------------------
@@ -56,18 +67,50 @@ def _interlocking(blocks: Sequence[Block]) -> Iterator[Block]:
     made = list(in_data_blocks(blocks, told=False))
     main = made[-1].name
     known = frame(made)
-    variables = {main + ending: name for name, ending in NAMES.items()}
+    place = _parted(made)
+    names = named(len({s for (data, _), s in place.items() if data == main + INNER}))
     handed: dict[str, tuple[str, ...]] = {}
     for b in made:
         if b.kind == "DATA_BLOCK":
-            yield replace(b, kind="STRUCT")
+            yield from _structures(b, main, names, place)
         elif b.kind != "INSTANCE":
             called = [s.instance for s in b.body if isinstance(s, Call) and _hands(s, b)]
             calls = [known.instances.get(n, n) for n in called]
-            used = {variables.get(n.parts[0], "") for s in b.body for n in names_in(s)}
+            used = {place.get(n.parts, "") for s in b.body for n in names_in(s)}
             used |= {n for c in calls for n in handed[c]}
-            handed[b.name] = (GIVEN, SHOWN) if b.name == main else tuple(n for n in NAMES if n in used)
-            yield _handing(b, main, handed, known.instances, variables)
+            handed[b.name] = (GIVEN, SHOWN) if b.name == main else tuple(n for n in names if n in used)
+            yield _handing(b, main, names, handed, known.instances, place)
+
+
+def _parted(made: Sequence[Block]) -> dict[tuple[str, ...], str]:
+    """In which structure each member of a data block lies.
+
+    All else is sorted by the blocks that use it, in the order of calls, and cut into parts of one size.
+    """
+    users: dict[tuple[str, ...], list[int]] = {}
+    for k, b in enumerate(made):
+        for n in dict.fromkeys(n.parts for s in b.body for n in names_in(s)):
+            users.setdefault(n, []).append(k)
+    place: dict[tuple[str, ...], str] = {}
+    data = {b.name: [(b.name, d.name) for d in b.locals] for b in made if b.kind == "DATA_BLOCK"}
+    for name, ending in named(1).items():
+        members = data[made[-1].name + ending]
+        if name == HELD:
+            members.sort(key=lambda n: users.get(n, []))
+        parts = list(named(-(-len(members) // MEMBERS)))[2:] if name == HELD else [name]
+        place |= {n: parts[i * len(parts) // len(members)] for i, n in enumerate(members)}
+    return place
+
+
+def _structures(b: Block, main: str, names: Mapping[str, str], place: Mapping[tuple[str, ...], str]) -> Iterator[Block]:
+    """A data block as one structure or several."""
+    parts: dict[str, list[Declaration]] = {}
+    for d in b.locals:
+        parts.setdefault(place[b.name, d.name], []).append(d)
+    for n, ending in names.items():
+        if n in parts:
+            note = f"{b.note}, part {n.removeprefix(HELD)} of {len(parts)}" if len(parts) > 1 else b.note
+            yield replace(b, name=main + ending, locals=tuple(parts[n]), note=note, kind="STRUCT")
 
 
 def _hands(s: Call, b: Block) -> bool:
@@ -78,12 +121,13 @@ def _hands(s: Call, b: Block) -> bool:
 def _handing(
     b: Block,
     main: str,
+    names: Mapping[str, str],
     handed: Mapping[str, Sequence[str]],
     instances: Mapping[str, str],
-    variables: Mapping[str, str],
+    place: Mapping[tuple[str, ...], str],
 ) -> Block:
     """A block with its structures, and with an instance of each block that it calls."""
-    inner: list[Declaration] = [Declaration(HELD, main + INNER)] if b.name == main else []
+    inner = [Declaration(n, main + e) for n, e in names.items() if b.name == main and n not in handed[main]]
     body: list[Statement] = []
     for s in b.body:
         if isinstance(s, Call) and _hands(s, b):
@@ -92,8 +136,8 @@ def _handing(
             inner.append(Declaration(own, kind, None, s.note))
             body.append(Call(own, tuple((n, Name((n,))) for n in handed[kind])))
         else:
-            body.append(put(s, lambda n: Name((variables.get(n.parts[0], n.parts[0]), *n.parts[1:]))))
-    declared = tuple(Declaration(n, main + NAMES[n]) for n in handed[b.name])
+            body.append(put(s, lambda n: Name((place.get(n.parts, n.parts[0]), *n.parts[1:]))))
+    declared = tuple(Declaration(n, main + names[n]) for n in handed[b.name])
     note = b.note[:HEADLINE] if b.name != main else b.note
     return Block(b.name, (), (), (*b.locals, *inner), tuple(body), note, handed=declared)
 
@@ -135,8 +179,8 @@ def plain(unit: Unit) -> Unit:
     program = [_mapping(programs[0], main)] if programs else []
     if programs and not core and not structures:
         return replace(unit, blocks=(*helpers, *program))
-    main = next(iter(structures), "")[: -len(INPUTS)]
-    if set(structures) != {main + x for x in NAMES.values()}:
+    main = next((n.removesuffix(INPUTS) for n in structures if n.endswith(INPUTS)), "")
+    if set(structures) != {main + x for x in named(len(structures) - 2).values()}:
         raise NotInSubset("structures are not those of inputs, outputs and all else")
     (block,) = flat(Unit(tuple(_released(main, structures, core)))).blocks
     return Unit((*helpers, block, *program), task=unit.task)
@@ -144,37 +188,52 @@ def plain(unit: Unit) -> Unit:
 
 def _released(main: str, structures: Mapping[str, Block], core: Sequence[Block]) -> Iterator[Block]:
     """The blocks with their structures as data blocks, of which nobody hands anything on."""
-    for ending in NAMES.values():
-        yield replace(structures[main + ending], kind="DATA_BLOCK")
+    there = {n: structures[main + ending] for n, ending in named(len(structures) - 2).items()}
+    known = _Known(
+        tuple(Declaration(n, s.name) for n, s in there.items()),
+        {n: frozenset(d.name for d in s.locals) for n, s in there.items()},
+        {n: main + named(1).get(n, INNER) for n in there},
+    )
+    for name in dict.fromkeys(known.data.values()):
+        members = tuple(d for n, s in there.items() if known.data[n] == name for d in s.locals)
+        yield Block(name, (), (), members, (), kind="DATA_BLOCK")
     blocks = {b.name: b for b in core}
     for b in core:
         timed = any(d.type == "TON" for d in b.locals)
-        made = _Released(b, main, blocks).block()
+        made = _Released(b, b.name == main, blocks, known).block()
         yield replace(made, kind="FUNCTION_BLOCK" if timed else "FUNCTION")
         if timed:
             yield Block(instance(b.name), (), (), (Declaration("OF", b.name),), (), kind="INSTANCE")
 
 
-class _Released:
-    """A block of this form on its way back."""
+@dataclass(frozen=True)
+class _Known:
+    """The structures of a unit in the order in which they are handed on, the members of each, and by name the data
+    block that it becomes."""
 
-    def __init__(self, b: Block, main: str, blocks: Mapping[str, Block]) -> None:
-        self.b, self.blocks = b, blocks
-        types = {n: main + ending for n, ending in NAMES.items()}
-        held = [d for d in b.locals if b.name == main and d == Declaration(HELD, types[HELD])]
-        self.structures = {d.name: d.type for d in (*b.handed, *held)}
+    declared: tuple[Declaration, ...]
+    members: Mapping[str, frozenset[str]]
+    data: Mapping[str, str]
+
+
+class _Released:
+    """A block of this form on its way back; `main`: it is the one that holds the rest."""
+
+    def __init__(self, b: Block, main: bool, blocks: Mapping[str, Block], known: _Known) -> None:
+        self.b, self.blocks, self.known = b, blocks, known
+        own = [d for d in known.declared if main and d.name not in (GIVEN, SHOWN)]
+        self.structures = {d.name for d in (*b.handed, *own)}
         self.instances = {d.name: d.type for d in b.locals if d.type in blocks}
-        self.own = [d for d in b.locals if d not in held and d.name not in self.instances]
+        self.own = [d for d in b.locals if d not in own and d.name not in self.instances]
         self.mine = {d.name for d in self.own}
         names = [d.name.upper() for d in (*b.handed, *b.locals)]
         handed = {d.name for d in b.handed}
-        expected = tuple(Declaration(n, types[n]) for n in NAMES if n in handed)
         if (
             b.inputs
             or b.outputs
-            or b.handed != expected
+            or list(b.handed) != [d for d in known.declared if d.name in handed]
             or len(set(names)) != len(names)
-            or (b.name == main) != bool(held)
+            or [d for d in b.locals if d in known.declared] != own
             or any(d.initial is not None or d.address for d in b.locals)
         ):
             raise NotInSubset(f"{b.name}: declared otherwise than as a block of this form")
@@ -191,17 +250,16 @@ class _Released:
         if not isinstance(s, Call) or s.instance not in self.instances:
             return put(s, self._name)
         kind = self.blocks[self.instances[s.instance]]
-        if s.params != tuple((d.name, Name((d.name,))) for d in kind.handed) or {d.name for d in kind.handed} - set(
-            self.structures
-        ):
+        handed = [d.name for d in kind.handed]
+        if s.params != tuple((n, Name((n,))) for n in handed) or not self.structures.issuperset(handed):
             raise NotInSubset(f"{self.b.name}: {s.instance} is handed something else than its structures")
         timed = any(d.type == "TON" for d in kind.locals)
         return Call(instance(kind.name) if timed else kind.name, ())
 
     def _name(self, n: Name) -> Name:
         first = n.parts[0]
-        if first in self.structures and len(n.parts) == 2:
-            return Name((self.structures[first], n.parts[1]))
+        if first in self.structures and len(n.parts) == 2 and n.parts[1] in self.known.members[first]:
+            return Name((self.known.data[first], n.parts[1]))
         if first in self.mine:
             return n
         raise NotInSubset(f"{self.b.name}: {n} is not declared")

@@ -21,7 +21,7 @@ def early_timer(runtime: str) -> str:
 
 def _output_term(source: str) -> str:
     """The first lamp that several routes light no longer hears of one of them."""
-    found = re.search(r"^  OUTP\.Y[PYW]_\w+ := (?:D\.\w+ OR )+D\.\w+;", source, re.MULTILINE)
+    found = re.search(r"^  OUTP\.Y[PYW]_\w+ := (?:D\d*\.\w+ OR )+D\d*\.\w+;", source, re.MULTILINE)
     if found is None:
         raise ValueError("no lamp is lit by several routes")
     return _put(source, found[0], found[0].rpartition(" OR ")[0] + ";")
