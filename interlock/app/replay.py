@@ -19,6 +19,7 @@ from interlock.logic.names import Name
 from interlock.logic.plant import Plant
 from interlock.model.layout import Layout
 from interlock.sim.lanes import Driver, Lane, Lanes, Wish
+from interlock.sim.line import Lines
 from interlock.sim.trains import Rails, Train
 
 GRANT = 60
@@ -155,7 +156,7 @@ class Replay:
 
     def __init__(self, layout: Layout, controller: Controller, plant: Plant, dt_ms: int = 2_000) -> None:
         self.layout, self.controller = layout, controller
-        self.rails = Rails(layout)
+        self.rails, self.lines = Rails(layout), Lines(layout, controller.symbols)
         self.lanes = Lanes(controller, plant, dt_ms)
         self.route: dict[str, RouteSymbols] = {r.id: r for r in controller.symbols.routes}
 
@@ -260,7 +261,8 @@ class Replay:
             if t.there or t.under[0].section not in taken:
                 wishes += self.rails.wishes(lane, t)
             taken |= {s.section for s in t.under if s.metres == 0}
-        yield Wish(tuple(wishes), inputs)
+        events, told = self.lines.scan(lane, trains)
+        yield Wish((*wishes, *events), {**told, **inputs})
         for t in trains:
             self.rails.moved(lane, t)
         return None
