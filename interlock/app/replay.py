@@ -23,7 +23,8 @@ from interlock.sim.line import Lines
 from interlock.sim.trains import Rails, Train
 
 GRANT = 60
-"""Scans within which a route of a plan must be granted, and then its signal be open (our choice)."""
+"""Scans within which a route of a plan must be granted, and then its signal be open, beside the longest delay of the
+controller (our choice)."""
 
 RUN = 2_000
 """Scans within which a train must have run over its route (our choice)."""
@@ -158,6 +159,9 @@ class Replay:
         self.layout, self.controller = layout, controller
         self.rails, self.lines = Rails(layout), Lines(layout, controller.symbols)
         self.lanes = Lanes(controller, plant, dt_ms)
+        restart = controller.symbols.restart_timer  # it is over when a replay begins
+        delays = (-(-t.preset_ms // dt_ms) for t in controller.timers if t.name != restart)
+        self.grant = GRANT + max(delays, default=0)
         self.route: dict[str, RouteSymbols] = {r.id: r for r in controller.symbols.routes}
 
     def check(self, plans: Sequence[Plan], speed_m: float = 11.0) -> list[Replayed]:
@@ -222,7 +226,7 @@ class Replay:
                 if head.entry != joint or len(train.under) > 1:
                     return f"move {k}: {name} does not stand before {r.entry}"
                 train.turns.add(head.section)
-            for scan in range(GRANT):
+            for scan in range(self.grant):
                 if lane.is_on(r.active):
                     found.grant = max(found.grant, scan)
                     break
@@ -230,7 +234,7 @@ class Replay:
                 yield from self._scan(lane, rest, ask)
             else:
                 return f"move {k}: {route} is not granted to {name}: " + "; ".join(lane.missing(f"G_R{r.number}"))
-            for scan in range(GRANT):
+            for scan in range(self.grant):
                 if any(lane.is_on(x) for x in r.open_while):
                     found.opened = max(found.opened, scan)
                     break

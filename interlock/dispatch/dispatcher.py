@@ -186,7 +186,7 @@ class Dispatcher:
                     self._passing[stage.entry] = stage
                 run.at += 1
                 run.entering = stage
-            elif run.cancelling and not any(s.is_set(seen) or s.open(seen) for s in run.granted[run.at :]):
+            elif run.cancelling and not any(s.taken(seen) for s in run.granted[run.at :]):
                 self._taken_back(run)
             elif run.at in run.opened and not stage.held(seen):
                 self.said.append(f"{run.name} is given up: {stage.route} was taken back before its train came")

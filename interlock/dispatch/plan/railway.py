@@ -17,18 +17,27 @@ Nothing here depends on names: where several routes are possible they are ordere
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
+from heapq import heappop, heappush
+from itertools import count
+from math import inf
 
 from interlock.dispatch.plan.problem import Draft
-from interlock.model.elements import NodeId, RouteId, SectionId
+from interlock.model.elements import NodeId, Position, RouteId, SectionId
 from interlock.model.layout import Layout
 from interlock.model.portable import beside
 from interlock.model.traversal import topology
-from interlock.table.rows import ExitKind, InterlockingTable, RouteKind, RouteRow, TraversalKey
+from interlock.table.rows import ExitKind, InterlockingTable, Role, RouteKind, RouteRow, TraversalKey
 
 MOST_NODES = 20_000
 """Places of one train that are looked at (our choice)."""
+
+DIVERGES_S = 10.0
+"""Seconds that points on the curved leg cost: they have to be run, and trains are slow there (our choice)."""
+
+TURNS_S = 60.0
+"""Seconds that a change of direction costs (our choice)."""
 
 OUTSIDE = 0
 """The number of the way of a train that stands outside a boundary, whose name is then its section."""
@@ -111,6 +120,12 @@ class Railway:
         for r in sorted(table.routes, key=lambda r: (self.rank[r.id], r.number)):
             if r.kind not in (RouteKind.CALL_ON, RouteKind.IDENTIFIER) and r.onward is None:  # one signal after another
                 self._from.setdefault((r.entry_node, r.section_ids[0]), []).append(r)
+
+    def seconds(self, r: RouteRow) -> float:
+        """What a route costs a train: the time at its speed, and something for each of its points that lies reverse."""
+        kmh = r.speed.kmh or self.layout.principles.line_speed_kmh
+        curved = sum(d.role is Role.PATH and d.position is Position.REVERSE for d in r.points)
+        return round(r.length / (kmh / 3.6), 1) + DIVERGES_S * curved
 
     @cached_property
     def rank(self) -> dict[RouteId, int]:
@@ -315,11 +330,40 @@ class Railway:
         kept = _leading(steps, homes)
         if start not in kept:
             far = max((p.leg for p in steps), default=0)
-            raise NoVoyage(
-                f"no chain of routes takes {errand.train} to {errand.legs[min(far, len(errand.legs) - 1)].to}"
-            )
-        steps = _straight({p: [s for s in steps[p] if s.after in kept] for p in kept}, start)
-        return Journey(errand, start, steps, self)
+            to, long = errand.legs[min(far, len(errand.legs) - 1)].to, ""
+            if errand.length_m > 1 and self._goes(replace(errand, length_m=1.0)):
+                to, long = f"{to}; a shorter train could go", f", {errand.length_m:g} m long,"
+            raise NoVoyage(f"no chain of routes takes {errand.train}{long} to {to}")
+        steps = {p: [s for s in steps[p] if s.after in kept] for p in kept}
+        return Journey(errand, start, _straight(self._cheap_first(steps), start), self)
+
+    def _goes(self, errand: Errand) -> bool:
+        try:
+            self.draft(errand)
+        except (NoVoyage, TooManyPlaces):
+            return False
+        return True
+
+    def _cheap_first(self, steps: dict[Place, list[Step]]) -> dict[Place, list[Step]]:
+        """The same steps, those first with which a train that is alone comes to its end soonest."""
+        before: dict[Place, list[tuple[Place, float]]] = {}
+        for p, out in steps.items():
+            for s in out:
+                before.setdefault(s.after, []).append((p, self.cost(s)))
+        left = {p: 0.0 for p, out in steps.items() if not out}
+        turn = count()
+        todo = [(0.0, next(turn), p) for p in left]
+        while todo:
+            cost, _, place = heappop(todo)
+            for p, more in before.get(place, ()) if cost <= left[place] else ():
+                if cost + more < left.get(p, inf):
+                    left[p] = cost + more
+                    heappush(todo, (cost + more, next(turn), p))
+        return {p: sorted(out, key=lambda s: self.cost(s) + left[s.after]) for p, out in steps.items()}
+
+    def cost(self, step: Step) -> float:
+        """Seconds that a step costs."""
+        return sum(map(self.seconds, step.routes)) + TURNS_S * step.turned
 
     def _steps(self, errand: Errand, place: Place) -> list[Step]:
         leg = errand.legs[place.leg]
@@ -413,6 +457,7 @@ class Journey:
                 needs = behind.union(s.besides, *(self.railway.needs(r) for r in s.routes))
                 zones = tuple(dict.fromkeys(z.zone for r in s.routes for z in r.zones))
                 d.moves.setdefault(place, []).append((str(k), s.after, frozenset(needs), zones))
+                d.costs[place, str(k)] = self.railway.cost(s)
         return d
 
 
