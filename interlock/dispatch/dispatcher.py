@@ -192,6 +192,8 @@ class Dispatcher:
                 self.said.append(f"{run.name} is given up: {stage.route} was taken back before its train came")
                 self._remove(run)
                 return
+            elif run.at not in run.opened and not stage.is_set(seen) and not stage.entered(seen):
+                self._taken_back(run)  # it was refused, and what was locked there was an overlap
             elif not run.cancelling and (why := self._shut(run, stage, seen, dt_ms)):
                 self.said.append(f"{run.name}: {stage.route} is taken back, since {why}")
                 run.cancelling = True

@@ -161,7 +161,7 @@ def main() -> int:
         f"`python -m tests.campaigns.passages` at commit {commit.stdout.strip()}, {platform.machine()}, {processor()}, "
         f"{os.cpu_count()} cores (one is used), Python {platform.python_version()}.",
         "",
-        "Layouts on which a chain of routes leads from a boundary to a boundary; *ways*: how many such pairs.  One, two "
+        "Layouts on which a chain of routes leads from boundary to boundary; *ways*: how many such pairs.  One, two "
         f"and three trains of {', '.join(f'{x:g}' for x in LENGTHS)} m wait at their boundaries; *plans*: sets of "
         f"trains for which one exists, of all, or of {MOST} that were drawn.  Where none exists, every state was "
         "searched; *unknown*: where not.  *Fail*: plans that fail on the controller with its plant.  *Runs*: the "

@@ -183,8 +183,8 @@ class Railway:
         things |= {("lies", d.machine, d.position) for d in (lock.points if lock else ())}
 
     def kept(self, place: Place) -> frozenset[object]:
-        """What a train keeps of the routes by which it came, beyond what it stands on: the overlap of the last one while
-        it does not stand wholly before the signal, and what the author has added."""
+        """What a train keeps of the routes by which it came, beyond what it stands on: what the author has added, and
+        the overlap of the last one while it does not stand wholly before the signal."""
         things: set[object] = set()
         overlap = None if place.route is None else self.table.route[place.route].overlap
         if overlap is not None and len(place.under) > 1:
