@@ -144,7 +144,8 @@ def test_from_request_to_release_by_mouse_alone(server: Server) -> None:
 
 
 OVERLAPPING = """() => {
-    const box = e => e.getBBox(), all = [...document.querySelectorAll('#plan text:not(.title)')].filter(e => box(e).width);
+    const box = e => e.getBBox(), texts = [...document.querySelectorAll('#plan text:not(.title)')];
+    const all = texts.filter(e => box(e).width);
     const meet = (a, b) => a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
     return all.filter(e => e.matches('.number, .berth')).flatMap(n =>
         all.filter(e => e !== n && meet(box(n), box(e))).map(e => n.textContent + ' over ' + e.textContent));

@@ -26,7 +26,6 @@ from interlock.proof.mutation.texts import TEXT_FAMILIES, text_mutants
 from interlock.proof.mutation.weakenings import judge as searched
 from interlock.table.rows import InterlockingTable
 
-
 DEPTH = 20
 """Scans of a run in which a movement to harm is looked for (our choice)."""
 
