@@ -225,9 +225,9 @@ OVER_Q3 = ["7: X7-X1 is open", "7: X1-X3 is open"]
 @pytest.mark.parametrize(
     ("falsely", "stays", "said"),
     [
-        ((), "", OVER_Q4),
-        ((), "R", OVER_Q4),
-        ((), "N", [*OVER_Q3[:1], "7: X1-X5 is taken back, since P1 is not detected", *OVER_Q3[1:]]),
+        ((), "", OVER_Q3),
+        ((), "N", OVER_Q3),
+        ((), "R", [*OVER_Q4[:1], "7: X1-X3 is taken back, since P1 is not detected", *OVER_Q4[1:]]),
         (("q4",), "", OVER_Q3),
         (("q3",), "", OVER_Q4),
         (("q2",), "", [*OVER_Q3[:1], "no plan exists: 7 cannot go on, with q2 in the way"]),

@@ -20,6 +20,29 @@ def run(*arguments: str) -> tuple[int, str]:
     return done.exit_code, done.output
 
 
+@pytest.mark.parametrize(
+    ("layout", "commands", "routes"),
+    [
+        ("passing_loop", ("7:W>E",), "7 X-X1, 7 X1-E"),
+        ("passing_loop", ("7:E>W",), "7 S-S1, 7 S1-W"),
+        ("passing_loop", ("7:W>E", "8:E>W"), "7 X-X1, 8 S-S3, 8 S3-W, 7 X1-E"),
+        ("mine11", ("7:W>E",), "7 X7-X1, 7 X1-X3, 7 X3-E"),
+    ],
+)
+def test_a_plan_leads_straight_on_where_that_is_free(layout: str, commands: tuple[str, ...], routes: str) -> None:
+    code, text = run(f"layouts/{layout}.yaml", *commands)
+    told = text.splitlines()
+    assert ", ".join(" ".join(x.split()) for x in told[1:-1]) == routes
+    assert code == 0 and told[-1].startswith("replayed on the controller with its plant: each granted within ")
+
+
+def test_a_train_that_is_too_long_for_its_overlaps_is_told_so() -> None:
+    code, text = run("tests/layouts_for_tests/overlap_head.yaml", "1:W17>W")
+    assert code == 1 and "no chain of routes takes 1, 60 m long, to W; a shorter train could go" in text
+    code, text = run("tests/layouts_for_tests/overlap_head.yaml", "1:W17>W", "--length", "12")
+    assert code == 0 and "each granted within" in text
+
+
 def test_the_shortest_deadlock_is_told_and_shown_on_the_controller() -> None:
     code, text = run("layouts/mine11.yaml", "1:W>E", "2:E>W", "--explore")
     assert code == 0 and "states 18, unsafe 2, deadlocks 2" in text

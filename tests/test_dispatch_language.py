@@ -144,3 +144,19 @@ def test_the_page_names_every_key() -> None:
     for spec in (TrainSpec, PlaceSpec, OrderSpec, LineSpec):
         for name, field in spec.model_fields.items():
             assert f"{field.alias or name}: " in page or f"`{name}`" in page, name
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "fix"),
+    [
+        ("shift_h", "８", "write 8, in ASCII digits"),
+        ("traffic", "{shifts: 3, days: 300, train_t: 60, change_h: ０.5}", "write 0.5, in ASCII digits"),
+        ("traffic", "{shifts: ٣, days: 9, train_t: 6}", "write 3, in ASCII digits"),
+        ("fleet", "{1: {length: 60, wagons: ３, at: house}}", "write a whole number, 1 to 200, in ASCII digits"),
+    ],
+)  # fmt: skip
+def test_digits_of_other_scripts_are_refused(key: str, value: str, fix: str, tmp_path: Path) -> None:
+    file = tmp_path / "x.dispatch"
+    file.write_text(f"dispatch: 1\nlayout: heishan\n{key}: {value}\n", "utf-8")
+    done = CliRunner().invoke(command, ["layouts/heishan.yaml", "--orders", str(file)])
+    assert done.exit_code == 1 and f"fix: {fix}\n" in done.output, done.output

@@ -143,6 +143,33 @@ def test_from_request_to_release_by_mouse_alone(server: Server) -> None:
         assert wrong == []
 
 
+OVERLAPPING = """() => {
+    const box = e => e.getBBox(), texts = [...document.querySelectorAll('#plan text:not(.title)')];
+    const all = texts.filter(e => box(e).width);
+    const meet = (a, b) => a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+    return all.filter(e => e.matches('.number, .berth')).flatMap(n =>
+        all.filter(e => e !== n && meet(box(n), box(e))).map(e => n.textContent + ' over ' + e.textContent));
+}"""
+
+
+def test_numbers_stand_at_their_sections_and_over_no_name(server: Server) -> None:
+    with browser() as b:
+        page, wrong = opened(b, server.url)
+        for number, section in (("4711", "s5_xc2"), ("12", "s2"), ("13", "s10_xc4"), ("901", "s7")):
+            click(page, f"#section-{section} .track")
+            press(page, "Put a train here")
+            is_(page, f"#section-{section} .track", "occupied")
+            page.fill("#typed", f"{number}@{section}")
+            page.press("#typed", "Enter")
+            page.wait_for_selector(f"#plan text.number[data-of={section}]:has-text({number!r})", state="attached")
+            assert page.evaluate(OVERLAPPING) == []
+            at, on = (page.locator(f"#plan {x}").first.bounding_box() for x in
+                      (f"text.number[data-of={section}]", f"#section-{section}"))  # fmt: skip
+            assert on["x"] - 20 < at["x"] + at["width"] / 2 < on["x"] + on["width"] + 20
+            assert on["y"] - 60 < at["y"] + at["height"] / 2 < on["y"] + on["height"] + 60
+        assert wrong == []
+
+
 def test_by_keys_alone(server: Server) -> None:
     with browser() as b:
         page, wrong = opened(b, server.url)

@@ -194,3 +194,18 @@ def test_the_command_counts_by_family_and_fails_on_a_survivor_off_the_list(monke
     monkeypatch.setattr("interlock.proof.mutation.survivors.listed", dict)
     monkeypatch.setattr("interlock.cli.mutate.listed", dict)
     assert "NOT ON THE LIST" in (alive := CliRunner().invoke(command, line)).output and alive.exit_code == 1
+
+
+def test_searches_for_stories_are_bounded_together_and_what_is_left_is_unknown() -> None:
+    line = [
+        "layouts/fig2_2.yaml",
+        "--family",
+        "weakened: cancel-occupied",
+        "--family",
+        "weakened: two-grants",
+        "--stories",
+    ]
+    done = CliRunner().invoke(command, [*line, "--stories-seconds", "0.1"])
+    assert done.output.count("UNKNOWN: no movement to harm was looked for, since 0.1 s were over") == 1
+    assert done.exit_code == 3, done.output
+    assert CliRunner().invoke(command, [*line, "--search-seconds", "nan"]).exit_code == 2

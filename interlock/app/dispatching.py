@@ -14,6 +14,7 @@ from interlock.logic.names import Name
 from interlock.model.layout import Layout
 from interlock.proof.system.transition import System
 from interlock.sim.lanes import Driver, Lane, Lanes, Wish
+from interlock.sim.line import Lines
 from interlock.sim.trains import Rails, Train
 from interlock.table.rows import InterlockingTable
 
@@ -94,6 +95,7 @@ class Ground:
         self.controller = controller or lower(layout, table)
         self.railway = Railway(table, layout)
         self.rails = Rails(layout)
+        self.lines = Lines(layout, self.controller.symbols)
         system = System(layout, self.controller)
         self.lanes = Lanes(self.controller, system.plant, DT_MS)
         sym = self.controller.symbols
@@ -171,7 +173,8 @@ class Ground:
                 break
             before = [(t.done, t.due, len(t.under)) for t in trains.values()]
             wishes = self._wishes(lane, trains.values())
-            yield Wish(tuple(wishes), {k: v for k, v in inputs.items() if v})
+            events, told = self.lines.scan(lane, [*trains.values()])
+            yield Wish((*wishes, *events), {**told, **{k: v for k, v in inputs.items() if v}})
             for t in trains.values():
                 rails.moved(lane, t)
             moves = before != [(t.done, t.due, len(t.under)) for t in trains.values()] or todo

@@ -19,10 +19,12 @@ from interlock.logic.names import Name
 from interlock.logic.plant import Plant
 from interlock.model.layout import Layout
 from interlock.sim.lanes import Driver, Lane, Lanes, Wish
+from interlock.sim.line import Lines
 from interlock.sim.trains import Rails, Train
 
 GRANT = 60
-"""Scans within which a route of a plan must be granted, and then its signal be open (our choice)."""
+"""Scans within which a route of a plan must be granted, and then its signal be open, beside the longest delay of the
+controller (our choice)."""
 
 RUN = 2_000
 """Scans within which a train must have run over its route (our choice)."""
@@ -155,8 +157,11 @@ class Replay:
 
     def __init__(self, layout: Layout, controller: Controller, plant: Plant, dt_ms: int = 2_000) -> None:
         self.layout, self.controller = layout, controller
-        self.rails = Rails(layout)
+        self.rails, self.lines = Rails(layout), Lines(layout, controller.symbols)
         self.lanes = Lanes(controller, plant, dt_ms)
+        restart = controller.symbols.restart_timer  # it is over when a replay begins
+        delays = (-(-t.preset_ms // dt_ms) for t in controller.timers if t.name != restart)
+        self.grant = GRANT + max(delays, default=0)
         self.route: dict[str, RouteSymbols] = {r.id: r for r in controller.symbols.routes}
 
     def check(self, plans: Sequence[Plan], speed_m: float = 11.0) -> list[Replayed]:
@@ -221,7 +226,7 @@ class Replay:
                 if head.entry != joint or len(train.under) > 1:
                     return f"move {k}: {name} does not stand before {r.entry}"
                 train.turns.add(head.section)
-            for scan in range(GRANT):
+            for scan in range(self.grant):
                 if lane.is_on(r.active):
                     found.grant = max(found.grant, scan)
                     break
@@ -229,7 +234,7 @@ class Replay:
                 yield from self._scan(lane, rest, ask)
             else:
                 return f"move {k}: {route} is not granted to {name}: " + "; ".join(lane.missing(f"G_R{r.number}"))
-            for scan in range(GRANT):
+            for scan in range(self.grant):
                 if any(lane.is_on(x) for x in r.open_while):
                     found.opened = max(found.opened, scan)
                     break
@@ -260,7 +265,8 @@ class Replay:
             if t.there or t.under[0].section not in taken:
                 wishes += self.rails.wishes(lane, t)
             taken |= {s.section for s in t.under if s.metres == 0}
-        yield Wish(tuple(wishes), inputs)
+        events, told = self.lines.scan(lane, trains)
+        yield Wish((*wishes, *events), {**told, **inputs})
         for t in trains:
             self.rails.moved(lane, t)
         return None

@@ -190,7 +190,7 @@ def operate(ready: Ready, line: str) -> dict[str, int]:
     if "=" in verb and not name:
         written, _, value = verb.partition("=")
         given = inputs.get(written)
-        if given is not None and value.isdigit() and int(value) < (given.size - 1 if given.size else 2):
+        if given is not None and value.isdecimal() and int(value) < (given.size - 1 if given.size else 2):
             return {written: int(value)}
     raise BadCommand(
         "write set ROUTE, swing SIGNAL, voyage NAME, voyage NAME end, train NUMBER SECTION, cancel SIGNAL, release, "

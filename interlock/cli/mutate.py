@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import time
 from collections import Counter
 from collections.abc import Iterable
 from difflib import get_close_matches
@@ -12,7 +13,7 @@ from pathlib import Path
 import click
 
 from interlock.app.check import check_file
-from interlock.cli.common import FINDINGS, NOT_PROVED, OK, format_option, jobs_option, put_json, show
+from interlock.cli.common import FINDINGS, NOT_PROVED, OK, Amount, format_option, jobs_option, put_json, show
 from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
@@ -24,6 +25,9 @@ from interlock.proof.mutation.survivors import listed, off_the_list
 from interlock.proof.mutation.texts import TEXT_FAMILIES, text_mutants
 from interlock.proof.mutation.weakenings import judge as searched
 from interlock.table.rows import InterlockingTable
+
+DEPTH = 20
+"""Scans of a run in which a movement to harm is looked for (our choice)."""
 
 
 class _Shard(click.ParamType[tuple[int, int]]):
@@ -50,7 +54,18 @@ class _Shard(click.ParamType[tuple[int, int]]):
 @click.option("--shard", type=_Shard(), default=(1, 1), help="Judge only the K-th of N parts.")
 @click.option("--stories", is_flag=True, help="Search for a movement to harm for one mutant of each family.")
 @click.option(
-    "--search-seconds", type=float, default=30.0, show_default=True, help="Seconds to search for one movement to harm."
+    "--search-seconds",
+    type=Amount(0.1, 3600),
+    default=30.0,
+    show_default=True,
+    help="Seconds to search for one movement to harm.",
+)
+@click.option(
+    "--stories-seconds",
+    type=Amount(0.1, 36000),
+    default=300.0,
+    show_default=True,
+    help="Seconds after which no search is begun any more; the families left are UNKNOWN, exit code 3.",
 )
 @jobs_option
 @format_option
@@ -62,6 +77,7 @@ def command(
     shard: tuple[int, int],
     stories: bool,
     search_seconds: float,
+    stories_seconds: float,
     jobs: int,
     form: str,
 ) -> None:
@@ -77,12 +93,13 @@ def command(
     found = campaign.run(kept, jobs, shard)[layout]
     if shard[0] == 1:
         found += [(m, v) for m, v in text_mutants(_made(layout)[2], 0 if every else 1) if _wanted(m, families)]
-    told = _stories(layout, found, search_seconds) if stories else {}
+    told, left = _stories(layout, found, search_seconds, stories_seconds) if stories else ({}, 0)
     if form == "json":
         put_json([_row(m, v) | ({"story": told[m.family]} if m.family in told else {}) for m, v in found if v])
     else:
         _print(found, told)
-    sys.exit(FINDINGS if off_the_list(found) else OK if all(v for _, v in found) else NOT_PROVED)
+    whole = all(v for _, v in found) and not left
+    sys.exit(FINDINGS if off_the_list(found) else OK if whole else NOT_PROVED)
 
 
 @lru_cache(1)
@@ -111,17 +128,26 @@ def _row(m: Mutation, v: Verdict) -> dict[str, object]:
     return {"family": m.family, "form": m.form, "mutation": m.name, "fate": str(v.fate), "why": v.why}
 
 
-def _stories(layout: str, found: Iterable[Judged], seconds: float) -> dict[str, list[str]]:
-    """For each family a movement to harm with the first mutant that fails a claim, where one is found."""
+def _stories(layout: str, found: Iterable[Judged], seconds: float, in_all: float) -> tuple[dict[str, list[str]], int]:
+    """For each family what a search for a movement to harm has found, with the first mutant that fails a claim; and for
+    how many families none was begun, since the time was over."""
     told: dict[str, list[str]] = {}
-    tried = set()
+    left = 0
+    ends = time.monotonic() + in_all
     for m, v in found:
-        if v and v.fate is Fate.CLAIM and m.family not in tried:
-            tried.add(m.family)
-            outcome = searched(_made(layout)[0], m.family, m.name, m.make(), Limits(search_depth=20, search_s=seconds))
-            if outcome.story:
-                told[m.family] = [f"{m.name}: {', '.join(outcome.claims[:3])}", *outcome.story]
-    return told
+        if not v or v.fate is not Fate.CLAIM or m.family in told:
+            continue
+        rest = ends - time.monotonic()
+        if rest <= 0:
+            told[m.family] = [f"{m.name}: UNKNOWN: no movement to harm was looked for, since {in_all:g} s were over"]
+            left += 1
+            continue
+        limits = Limits(search_depth=DEPTH, search_s=min(seconds, rest))
+        outcome = searched(_made(layout)[0], m.family, m.name, m.make(), limits)
+        none = f"no movement to harm was found in runs of {DEPTH} scans within {limits.search_s:.3g} s"
+        first = ", ".join(outcome.claims[:3]) if outcome.story else none
+        told[m.family] = [f"{m.name}: {first}", *outcome.story]
+    return told, left
 
 
 def _print(found: list[Judged], told: dict[str, list[str]]) -> None:

@@ -16,7 +16,7 @@ LOOPBACK = "127.0.0.1"
 def parsed(text: str) -> tuple[str, int]:
     """[HOST:]PORT; without a host only this computer can reach it."""
     host, _, port = text.rpartition(":")
-    if not port.isdigit() or not 0 < int(port) < 65536:
+    if not port.isdecimal() or not 0 < int(port) < 65536:
         raise click.UsageError(f"{text}: write --operator-modbus [HOST:]PORT, with a port from 1 to 65535")
     return host.strip("[]") or LOOPBACK, int(port)
 

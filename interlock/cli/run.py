@@ -37,7 +37,7 @@ def _links(ready: Ready, given: tuple[str, ...]) -> dict[str, Link]:
         station = station or (stations[0] if len(stations) == 1 else "")
         host, _, tail = rest.rpartition(":")
         port, _, device = tail.partition("/")
-        if station not in stations or not host or not port.isdigit() or not (device or "1").isdigit():
+        if station not in stations or not host or not port.isdecimal() or not (device or "1").isdecimal():
             raise click.UsageError(f"{text}: write SUBSTATION=HOST:PORT[/DEVICE]; substations: {', '.join(stations)}")
         places.append(f"{host}:{port}/{device or 1}")
         links[station] = ModbusLink(ready.allocation, station, host, int(port), int(device or 1))

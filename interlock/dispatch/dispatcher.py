@@ -186,12 +186,14 @@ class Dispatcher:
                     self._passing[stage.entry] = stage
                 run.at += 1
                 run.entering = stage
-            elif run.cancelling and not any(s.is_set(seen) or s.open(seen) for s in run.granted[run.at :]):
+            elif run.cancelling and not any(s.taken(seen) for s in run.granted[run.at :]):
                 self._taken_back(run)
             elif run.at in run.opened and not stage.held(seen):
                 self.said.append(f"{run.name} is given up: {stage.route} was taken back before its train came")
                 self._remove(run)
                 return
+            elif run.at not in run.opened and not stage.is_set(seen) and not stage.entered(seen):
+                self._taken_back(run)  # it was refused, and what was locked there was an overlap
             elif not run.cancelling and (why := self._shut(run, stage, seen, dt_ms)):
                 self.said.append(f"{run.name}: {stage.route} is taken back, since {why}")
                 run.cancelling = True

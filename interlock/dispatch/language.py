@@ -6,7 +6,6 @@ Input: a YAML text.  Output: a `DispatchFile`, or diagnostics IL1004-IL1019 (sha
 from __future__ import annotations
 
 import re
-import unicodedata
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -45,12 +44,7 @@ _UNITS: dict[str, dict[str, float]] = {
 
 def _as_number(text: str, what: str) -> float:
     """A number in ASCII; the fix of one that is none names the unit of this quantity."""
-    plain = unicodedata.normalize("NFKC", text)
     try:
-        if not text.isascii():
-            number(plain)
-            fix = f"write {plain}, in ASCII digits"
-            raise PydanticCustomError("number", "'{v}' is not a number", {"v": text, "fix": fix})
         return number(text)
     except PydanticCustomError as error:
         if not text.isascii() or slip_of(text) == "a decimal comma":
@@ -112,7 +106,8 @@ class TrafficSpec(_Part):
 
 def _count(value: object) -> int:
     if not isinstance(value, str) or not re.fullmatch(r"[0-9]{1,4}", value) or not 1 <= int(value) <= MOST_TRAINS:
-        fix = f"write a whole number, 1 to {MOST_TRAINS}"
+        digits = "" if str(value).isascii() else ", in ASCII digits"
+        fix = f"write a whole number, 1 to {MOST_TRAINS}{digits}"
         raise PydanticCustomError("range", "{v} is out of range", {"v": str(value), "fix": fix})
     return int(value)
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from interlock.logic.controller import Symbols
 from interlock.model.elements import MachineId, RouteId, SectionId, SignalId
-from interlock.table.rows import InterlockingTable, RouteKind
+from interlock.table.rows import InterlockingTable, RouteKind, TraversalKey
 
 Indications = Mapping[str, int]
 """Inputs as sampled and outputs as shown, by name."""
@@ -30,6 +30,10 @@ class Stage:
     beyond: tuple[str, ...]
     on_sight: bool = False
     """A call-on: its sections may be reported occupied."""
+    direction: str = ""
+    """What tells that the direction of the line beyond is here, where a token tells it."""
+    own: frozenset[SectionId] = frozenset()
+    """Sections that may be locked as the overlap of its own signal: the route may be set over it all the same."""
 
     def stands(self, seen: Indications) -> bool:
         """A train is before the signal; where nothing detects it, the command says so."""
@@ -38,6 +42,10 @@ class Stage:
     def open(self, seen: Indications) -> bool:
         """All sections are locked and the signal shows proceed."""
         return self.is_set(seen) and any(seen.get(n, 0) for n in self.lamps)
+
+    def taken(self, seen: Indications) -> bool:
+        """It is set, as far as anybody can tell: where all of it may be locked as an overlap, only its lamp tells."""
+        return self.open(seen) or (self.is_set(seen) and not self.own.issuperset(self.locked))
 
     def is_set(self, seen: Indications) -> bool:
         """All sections are locked."""
@@ -53,8 +61,11 @@ class Stage:
         return name is not None and not seen.get(name, 1)
 
     def closed(self, seen: Indications) -> bool:
-        """It is set and shows stop, though its sections are clear: it closed while something was wrong."""
-        return self.is_set(seen) and not self.open(seen) and all(seen.get(n, 0) for n in self.clear.values())
+        """It is set and shows stop, though its sections are clear and the direction is here: it closed while something
+        was wrong."""
+        waits = bool(self.direction) and not seen.get(self.direction, 0)
+        clear = all(seen.get(n, 0) for n in self.clear.values())
+        return self.is_set(seen) and not self.open(seen) and clear and not waits
 
     def left(self, seen: Indications) -> bool:
         """Nothing is locked or occupied."""
@@ -66,7 +77,7 @@ class Stage:
             if s != self.berth and not self.on_sight and not seen.get(n, 0):
                 return f"{s} is not clear"
         for s, n in self.locked.items():
-            if seen.get(n, 1):
+            if seen.get(n, 1) and s not in self.own:
                 return f"{s} is locked"
         if any(not seen.get(n, 0) for n in self.beyond):
             return "the line beyond is not clear"
@@ -82,6 +93,10 @@ def stages(table: InterlockingTable, symbols: Symbols) -> dict[RouteId, Stage]:
     trains = (symbols.clear_aspect, symbols.caution_aspect, symbols.call_aspect, symbols.identifier_aspect)
     lamps = (*trains, symbols.shunt_aspect)
     found: dict[RouteId, Stage] = {}
+    overlaps: dict[SignalId, set[TraversalKey]] = {}
+    for r in table.routes:
+        if r.overlap is not None:
+            overlaps.setdefault(r.overlap.signal, set()).update(r.overlap.ways)
     for r in table.routes:
         before = symbols.approach_of.get(r.entry)
         late = {d.machine: f"late {d.machine}" for d in r.points}
@@ -97,6 +112,8 @@ def stages(table: InterlockingTable, symbols: Symbols) -> dict[RouteId, Stage]:
             berth=r.berth,
             late={m: symbols.indication[n] for m, n in late.items() if n in symbols.indication},
             on_sight=r.kind is RouteKind.CALL_ON,
+            direction="" if r.token is None else symbols.token[r.token.boundary].tells["has"],
+            own=frozenset(s for s, k in r.traversals if (SectionId(s), k) in overlaps.get(r.entry, ())),
             beyond=tuple(symbols.clear[c.section] for c in r.block if c.section in symbols.clear),
         )
     return found

@@ -18,9 +18,10 @@ _WORD = rf"[^\W_{_UNSEEN}]+#?"
 NAME = re.compile(rf"{_WORD}([ _/-]{_WORD})*")
 """Letters and digits of any script, a `#` after them, and single signs or spaces between."""
 MAX_LENGTH_M = 100_000.0
-ADDRESS = re.compile(r"([IQ])(\d{1,4})\.([0-7])")
+ADDRESS = re.compile(r"([IQ])([0-9]{1,4})\.([0-7])")
 """I or Q, byte, bit."""
-_NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)")
+_NUMBER = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)")
+"""In ASCII digits: nobody is to think of a digit of another script as a letter, nor the other way round."""
 
 
 def _name(value: object) -> object:
@@ -119,7 +120,10 @@ def slip_of(text: str) -> str:
 
 
 def number_fix(text: str) -> str:
-    """How a number with a comma or a unit is written; empty where nobody can tell."""
+    """How a number with a comma, a unit or digits of another script is written; empty where nobody can tell."""
+    plain = "".join(str(unicodedata.digit(c, c)) for c in unicodedata.normalize("NFKC", text))
+    if plain != text and _NUMBER.fullmatch(plain):
+        return f"write {plain}, in ASCII digits"
     if re.fullmatch(r"[1-9]\d{0,2}(,\d{3})+", text):
         plain = text.replace(",", "")
         return f"write {plain}, without the comma" + (
@@ -143,7 +147,7 @@ def _length(value: object) -> object:
     return x
 
 
-KILOMETRE = re.compile(r"(\d{1,4})\+(\d{3}(?:\.\d{1,3})?)")
+KILOMETRE = re.compile(r"([0-9]{1,4})\+([0-9]{3}(?:\.[0-9]{1,3})?)")
 """`12+345.6`: kilometres, and three digits of metres with decimals."""
 
 
@@ -307,7 +311,7 @@ YesNo = Annotated[bool, BeforeValidator(_yes_no), WithJsonSchema({"enum": [True,
 
 def _trains(value: object) -> object:
     """A number of trains."""
-    if not isinstance(value, str) or not re.fullmatch(r"\d{1,4}", value) or not 1 <= int(value) <= 99:
+    if not isinstance(value, str) or not re.fullmatch(r"[0-9]{1,4}", value) or not 1 <= int(value) <= 99:
         fix = "write how many trains may be there at once, for instance 4"
         raise PydanticCustomError("range", "{v} is no number of trains (1 to 99)", {"v": value, "fix": fix})
     return int(value)
@@ -315,7 +319,7 @@ def _trains(value: object) -> object:
 
 def _count(value: object) -> object:
     """A whole number of things, at least one."""
-    if not isinstance(value, str) or not re.fullmatch(r"\d{1,6}", value) or not int(value):
+    if not isinstance(value, str) or not re.fullmatch(r"[0-9]{1,6}", value) or not int(value):
         fix = "write a whole number, for instance 64"
         raise PydanticCustomError("range", "{v} is no whole number from 1 to 999999", {"v": value, "fix": fix})
     return int(value)
@@ -324,7 +328,7 @@ def _count(value: object) -> object:
 def _level(value: object) -> int:
     """Tracks above or below the longest run."""
     text = str(value).strip()
-    if not re.fullmatch(r"[+-]?\d{1,3}", text):
+    if not re.fullmatch(r"[+-]?[0-9]{1,3}", text):
         fix = "write how many tracks above (or, with a minus, below) the longest run it lies: 1, -2"
         raise PydanticCustomError("number", "{v} is not a whole number", {"v": repr(text), "fix": fix})
     return int(text)

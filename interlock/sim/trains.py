@@ -55,6 +55,12 @@ class Train:
         """Metres from the joint before its rear section to its head."""
         return self.done + sum(s.metres for s in self.under[1:-1])
 
+    @property
+    def leaves_at(self) -> NodeId | None:
+        """The boundary across which it stands with its head beyond; None where there is none."""
+        head = self.under[-1] if self.under and not self.gone else None
+        return head.entry if head is not None and head.section == BEYOND else None
+
 
 class Rails:
     """Where trains can go on a layout (with its lengths)."""

@@ -19,7 +19,8 @@ class GoesRound(Exception):
 
 @dataclass(frozen=True)
 class Move:
-    """A move: its label, the train, source and target bit, the nodes of others that block it, zones it leads into."""
+    """A move: its label, the train, source and target bit, the nodes of others that block it, zones it leads into; what
+    it costs: of several ways a train is given the cheapest that is free."""
 
     label: str
     train: int
@@ -27,6 +28,7 @@ class Move:
     target: int
     blocked: int
     zones: tuple[int, ...] = ()
+    cost: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -78,6 +80,8 @@ class Draft:
     """What a train in a node keeps from others."""
     moves: dict[object, list[tuple[str, object, frozenset[object], tuple[str, ...]]]] = field(default_factory=dict)
     """By node: label, target, the things that nobody else may hold, zones."""
+    costs: dict[tuple[object, str], float] = field(default_factory=dict)
+    """By node and label of a move: what it costs, 1 where nothing is stated."""
     home: set[object] = field(default_factory=set)
     gone: set[object] = field(default_factory=set)
     inside: dict[object, frozenset[str]] = field(default_factory=dict)
@@ -163,5 +167,6 @@ def build(drafts: Sequence[Draft], limits: Sequence[tuple[str, int]] = ()) -> Bu
                     if u != t:
                         for thing in needs:
                             blocked |= held.get(thing, 0)
-                out.append(Move(label, t, b, of[target], blocked, tuple(number[z] for z in zones)))
+                cost = d.costs.get((node, label), 1.0)
+                out.append(Move(label, t, b, of[target], blocked, tuple(number[z] for z in zones), cost))
     return Built(problem, tuple(bits), sum(of[d.start] for d, of in zip(drafts, bits, strict=True)))

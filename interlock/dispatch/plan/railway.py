@@ -3,8 +3,13 @@
 Made from the table alone (and the lengths of sections and trains).  A train that has come to the end of a route stands
 before the next signal; under it lie the last sections of its way, as many as it is long.  It holds them with their
 locks: their machines, and what they exclude (diamonds, foul joints).  A route needs what the table says: its sections
-and flank space clear, its overlap, the line beyond clear, machines that are not held otherwise, room in zones.  What
-the interlocking asks for besides (external conditions, detection, lamps, a direction token) is assumed to come.
+and flank space clear, its overlap, the line beyond clear, machines that are not held otherwise, room in zones, no route
+under way that the author declares hostile.  What the interlocking asks for besides (external conditions, detection,
+lamps, a direction token) is assumed to come.
+
+The overlap of a route is held until its train stands wholly before the signal (R4).  So a train that is longer than the
+last section of its route keeps it, and one behind which another may come over the boundary may keep it: these go on
+only by routes that go with the overlap.
 
 Nothing here depends on names: where several routes are possible they are ordered by their shape.
 """
@@ -12,18 +17,27 @@ Nothing here depends on names: where several routes are possible they are ordere
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
+from heapq import heappop, heappush
+from itertools import count
+from math import inf
 
 from interlock.dispatch.plan.problem import Draft
-from interlock.model.elements import NodeId, RouteId, SectionId
+from interlock.model.elements import NodeId, Position, RouteId, SectionId
 from interlock.model.layout import Layout
 from interlock.model.portable import beside
 from interlock.model.traversal import topology
-from interlock.table.rows import ExitKind, InterlockingTable, RouteKind, RouteRow, TraversalKey
+from interlock.table.rows import ExitKind, InterlockingTable, Role, RouteKind, RouteRow, TraversalKey
 
 MOST_NODES = 20_000
 """Places of one train that are looked at (our choice)."""
+
+DIVERGES_S = 10.0
+"""Seconds that points on the curved leg cost: they have to be run, and trains are slow there (our choice)."""
+
+TURNS_S = 60.0
+"""Seconds that a change of direction costs (our choice)."""
 
 OUTSIDE = 0
 """The number of the way of a train that stands outside a boundary, whose name is then its section."""
@@ -64,12 +78,16 @@ class Errand:
 
 @dataclass(frozen=True)
 class Place:
-    """Where a train stands between two routes: leg, what it passed of `via`, the route it came on, ways under it."""
+    """Where a train stands between two routes: leg, what it passed of `via`, the route it came on, ways under it.
+
+    under_way: routes by which it came that hold what the author has added to them (hostile routes, points).
+    """
 
     leg: int
     passed: frozenset[SectionId]
     route: RouteId | None
     under: tuple[TraversalKey, ...]
+    under_way: frozenset[RouteId] = frozenset()
 
     def __str__(self) -> str:
         return beside(s for s, _ in self.under) or GONE
@@ -77,11 +95,15 @@ class Place:
 
 @dataclass(frozen=True)
 class Step:
-    """A route, or routes in the order of travel, that take a train from one place to the next."""
+    """A route, or routes in the order of travel, that take a train from one place to the next.
+
+    besides: what nobody else may hold, beside what the routes need.
+    """
 
     routes: tuple[RouteRow, ...]
     after: Place
     turned: bool
+    besides: frozenset[object] = frozenset()
 
 
 class Railway:
@@ -98,6 +120,12 @@ class Railway:
         for r in sorted(table.routes, key=lambda r: (self.rank[r.id], r.number)):
             if r.kind not in (RouteKind.CALL_ON, RouteKind.IDENTIFIER) and r.onward is None:  # one signal after another
                 self._from.setdefault((r.entry_node, r.section_ids[0]), []).append(r)
+
+    def seconds(self, r: RouteRow) -> float:
+        """What a route costs a train: the time at its speed, and something for each of its points that lies reverse."""
+        kmh = r.speed.kmh or self.layout.principles.line_speed_kmh
+        curved = sum(d.role is Role.PATH and d.position is Position.REVERSE for d in r.points)
+        return round(r.length / (kmh / 3.6), 1) + DIVERGES_S * curved
 
     @cached_property
     def rank(self) -> dict[RouteId, int]:
@@ -139,15 +167,35 @@ class Railway:
         for section, number in under:
             if number == OUTSIDE:
                 approach = self.approach.get(section)
-                things |= {("section", approach)} if approach else set()
-                continue
-            things |= {("section", section), ("way", section, number)}
-            lock = self.table.lock.get((section, number))
-            if lock is None:
-                continue
-            for e in lock.exclusions:
-                things |= {("shut", e.section, k) for k in (e.numbers if not e.whole else (0,))}
-            things |= {("lies", d.machine, d.position) for d in lock.points}
+                things |= {("outside", section)} | ({("section", approach)} if approach else set())
+            else:
+                things.add(("section", section))
+                self._locks((section, number), things)
+        return frozenset(things)
+
+    def _locks(self, key: TraversalKey, things: set[object]) -> None:
+        """What the lock of a way keeps from others."""
+        section, number = key
+        things |= {("locked", section), ("way", section, number)}
+        lock = self.table.lock.get(key)
+        for e in lock.exclusions if lock else ():
+            things |= {("shut", e.section, k) for k in (e.numbers if not e.whole else (0,))}
+        things |= {("lies", d.machine, d.position) for d in (lock.points if lock else ())}
+
+    def kept(self, place: Place) -> frozenset[object]:
+        """What a train keeps of the routes by which it came, beyond what it stands on: what the author has added, and
+        the overlap of the last one while it does not stand wholly before the signal."""
+        things: set[object] = set()
+        overlap = None if place.route is None else self.table.route[place.route].overlap
+        if overlap is not None and len(place.under) > 1:
+            for key in overlap.ways:
+                self._locks(key, things)
+        return frozenset(things) | self._under_way(place)
+
+    def _under_way(self, place: Place) -> frozenset[object]:
+        things: set[object] = set()
+        for x in place.under_way:
+            things |= {("under way", x)} | {("lies", d.machine, d.position) for d in self.table.route[x].added}
         return frozenset(things)
 
     def needs(self, r: RouteRow) -> frozenset[object]:
@@ -163,17 +211,54 @@ class Railway:
                 things.add(("section", f.section))
         things |= {("section", c.name) for c in r.space if not c.lamp}
         things |= {("section", c.section) for c in r.block}
+        things |= {("under way", c.route) for c in r.barred}
+        things |= {("lies", d.machine, d.position.other) for d in r.added}
+        if r.token is not None:
+            things.add(("outside", str(r.token.boundary)))
         return frozenset(things)
 
     def _way(self, key: TraversalKey, berth: bool, things: set[object]) -> None:
         section, number = key
         if not berth:
-            things.add(("section", section))
+            things |= {("section", section), ("locked", section)}
         things |= {("shut", section, 0), ("shut", section, number)}
         lock = self.table.lock.get(key)
         for e in lock.exclusions if lock else ():
-            things |= {("section", e.section)} if e.whole else {("way", e.section, k) for k in e.numbers}
+            whole = {("section", e.section), ("locked", e.section)}
+            things |= whole if e.whole else {("way", e.section, k) for k in e.numbers}
         things |= {("lies", d.machine, d.position.other) for d in (lock.points if lock else ())}
+
+    def goes_with(self, before: RouteRow, r: RouteRow) -> bool:
+        """Whether a route can be set from the signal where another ends while the overlap of that is held."""
+        if before.overlap is None:
+            return True
+        held: set[object] = set()
+        needed: set[object] = set()
+        for key in before.overlap.ways:
+            self._locks(key, held)
+        for key in r.traversals:
+            if key not in before.overlap.ways or r.kind is not RouteKind.MAIN:
+                self._way(key, key[0] == r.berth, needed)
+        for key in r.overlap.ways if r.overlap else ():
+            self._way(key, False, needed)
+        needed |= {("lies", d.machine, d.position.other) for d in r.added}
+        return not held & needed
+
+    def released(self, place: Place, r: RouteRow) -> frozenset[object] | None:
+        """What must be free of others so that a train has given up its overlap before a route that does not go with it;
+        None where it never does."""
+        assert place.route is not None
+        if self.goes_with(self.table.route[place.route], r):
+            return frozenset()
+        if len(place.under) > 1:
+            return None
+        section, number = place.under[0]
+        entry = self.ends[section, number][0]
+        if entry in self.layout.boundary_at:
+            approach = self.approach.get(str(entry))
+            return frozenset({("outside", str(entry))} | ({("section", approach)} if approach else set()))
+        rear = self.topo.beyond(section, entry)
+        return frozenset({("section", rear)} if rear is not None else ())
 
     def inside(self, under: Iterable[TraversalKey]) -> frozenset[str]:
         """The zones in which a train on ways counts."""
@@ -220,7 +305,7 @@ class Railway:
         taken back."""
         found = Draft(name, place)
         queue = {("queue", name)} if coming else set[object]()
-        found.holds[place] = self.holds(place.under) | self.holds(back) | queue
+        found.holds[place] = self.holds(place.under) | self.kept(place) | self.holds(back) | queue
         found.home.add(place)
         found.inside[place] = self.inside(place.under)
         return found
@@ -245,11 +330,40 @@ class Railway:
         kept = _leading(steps, homes)
         if start not in kept:
             far = max((p.leg for p in steps), default=0)
-            raise NoVoyage(
-                f"no chain of routes takes {errand.train} to {errand.legs[min(far, len(errand.legs) - 1)].to}"
-            )
-        steps = _straight({p: [s for s in steps[p] if s.after in kept] for p in kept}, start)
-        return Journey(errand, start, steps, self)
+            to, long = errand.legs[min(far, len(errand.legs) - 1)].to, ""
+            if errand.length_m > 1 and self._goes(replace(errand, length_m=1.0)):
+                to, long = f"{to}; a shorter train could go", f", {errand.length_m:g} m long,"
+            raise NoVoyage(f"no chain of routes takes {errand.train}{long} to {to}")
+        steps = {p: [s for s in steps[p] if s.after in kept] for p in kept}
+        return Journey(errand, start, _straight(self._cheap_first(steps), start), self)
+
+    def _goes(self, errand: Errand) -> bool:
+        try:
+            self.draft(errand)
+        except (NoVoyage, TooManyPlaces):
+            return False
+        return True
+
+    def _cheap_first(self, steps: dict[Place, list[Step]]) -> dict[Place, list[Step]]:
+        """The same steps, those first with which a train that is alone comes to its end soonest."""
+        before: dict[Place, list[tuple[Place, float]]] = {}
+        for p, out in steps.items():
+            for s in out:
+                before.setdefault(s.after, []).append((p, self.cost(s)))
+        left = {p: 0.0 for p, out in steps.items() if not out}
+        turn = count()
+        todo = [(0.0, next(turn), p) for p in left]
+        while todo:
+            cost, _, place = heappop(todo)
+            for p, more in before.get(place, ()) if cost <= left[place] else ():
+                if cost + more < left.get(p, inf):
+                    left[p] = cost + more
+                    heappush(todo, (cost + more, next(turn), p))
+        return {p: sorted(out, key=lambda s: self.cost(s) + left[s.after]) for p, out in steps.items()}
+
+    def cost(self, step: Step) -> float:
+        """Seconds that a step costs."""
+        return sum(map(self.seconds, step.routes)) + TURNS_S * step.turned
 
     def _steps(self, errand: Errand, place: Place) -> list[Step]:
         leg = errand.legs[place.leg]
@@ -258,11 +372,16 @@ class Railway:
             return self._whole(errand, place, turns)
         found = []
         for r, turned in self.routes_on(place, turns):
-            if (r.kind is RouteKind.SHUNT) == leg.shunt and not self._own(place, (r,)):
+            besides = self._besides(place, r, turned)
+            if (r.kind is RouteKind.SHUNT) == leg.shunt and besides is not None and not self._own(place, (r,)):
                 after = self._after(errand, place, (r,), turned)
                 if after is not None:
-                    found.append(Step((r,), after, turned))
+                    found.append(Step((r,), after, turned, besides))
         return found
+
+    def _besides(self, place: Place, r: RouteRow, turned: bool) -> frozenset[object] | None:
+        """What else must be free for a route from where a train stands; None where it cannot be set."""
+        return frozenset() if place.route is None or turned else self.released(place, r)
 
     def _begins(self, errand: Errand, place: Place) -> bool:
         """The train has just ended a leg: it may change direction."""
@@ -278,20 +397,22 @@ class Railway:
         todo: list[tuple[tuple[RouteRow, ...], bool]] = [((r,), t) for r, t in self.routes_on(place, turns)]
         while todo:
             chain, turned = todo.pop(0)
-            if (chain[-1].kind is RouteKind.SHUNT) != leg.shunt or self._own(place, chain):
+            besides = self._besides(place, chain[0], turned)
+            if (chain[-1].kind is RouteKind.SHUNT) != leg.shunt or besides is None or self._own(place, chain):
                 continue
             after = self._after(errand, place, chain, turned)
             if after is not None and after.leg > place.leg:
-                found.append(Step(chain, after, turned))
+                found.append(Step(chain, after, turned, besides))
             elif chain[-1].exit_kind is ExitKind.SIGNAL and len(chain) < 12:
                 been = {s for r in chain for s in r.section_ids}
                 end = Place(0, frozenset(), chain[-1].id, chain[-1].traversals)
-                todo += [((*chain, r), turned) for r, _ in self.routes_on(end, False) if been.isdisjoint(r.section_ids)]
+                onward = [r for r, _ in self.routes_on(end, False) if been.isdisjoint(r.section_ids)]
+                todo += [((*chain, r), turned) for r in onward if self.goes_with(chain[-1], r)]
         return found
 
     def _own(self, place: Place, chain: Sequence[RouteRow]) -> bool:
         """The train itself is in the way."""
-        mine = self.holds(place.under)
+        mine = self.holds(place.under) | self._under_way(place)
         return any(mine & self.needs(r) for r in chain)
 
     def _after(self, errand: Errand, place: Place, chain: Sequence[RouteRow], turned: bool) -> Place | None:
@@ -302,8 +423,11 @@ class Railway:
         if last.exit_kind is ExitKind.BOUNDARY:
             return Place(at, frozenset(), last.id, ()) if at == len(errand.legs) else None
         rear = () if turned else place.under
-        ways = (*rear, *(k for r in chain for k in r.traversals))
-        return Place(at, frozenset() if done else passed, last.id, self.lies(ways, errand.length_m))
+        under = self.lies((*rear, *(k for r in chain for k in r.traversals)), errand.length_m)
+        firm = last.id if last.overlap is not None and len(under) > 1 else None
+        added = place.under_way | {r.id for r in chain if r.barred or r.added}
+        under_way = frozenset(x for x in added if x == firm or self.table.route[x].last_left in under)
+        return Place(at, frozenset() if done else passed, last.id, under, under_way)
 
 
 @dataclass
@@ -325,14 +449,15 @@ class Journey:
             outside = place.under[:1] == self.errand.start and place.route is None and place.under[0][1] == OUTSIDE
             own = {("queue", self.errand.train)} if outside else set()
             behind = {("queue", t) for t in before} if outside else set()
-            d.holds[place] = self.railway.holds(place.under) | own
+            d.holds[place] = self.railway.holds(place.under) | self.railway.kept(place) | own
             d.inside[place] = self.railway.inside(place.under)
             if not steps:
                 (d.home if place.under else d.gone).add(place)
             for k, s in enumerate(steps):
-                needs = behind.union(*(self.railway.needs(r) for r in s.routes))
+                needs = behind.union(s.besides, *(self.railway.needs(r) for r in s.routes))
                 zones = tuple(dict.fromkeys(z.zone for r in s.routes for z in r.zones))
                 d.moves.setdefault(place, []).append((str(k), s.after, frozenset(needs), zones))
+                d.costs[place, str(k)] = self.railway.cost(s)
         return d
 
 

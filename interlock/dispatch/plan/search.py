@@ -16,6 +16,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import cached_property
+from heapq import heappop, heappush
+from itertools import count
 
 from interlock.dispatch.plan.problem import Move, Problem
 
@@ -56,6 +58,16 @@ class _Frame:
     by: tuple[Move, ...]
     forced: bool
     why: dict[Move, int] = field(default_factory=dict)
+
+
+def _way(came: dict[int, tuple[float, Move | None]], goal: int) -> tuple[Move, ...]:
+    """The moves to a goal, from the last move to each node."""
+    way: list[Move] = []
+    step = came[goal][1]
+    while step is not None:
+        way.append(step)
+        step = came[step.source][1]
+    return tuple(way[::-1])
 
 
 class OutOfBudget(Exception):
@@ -206,25 +218,20 @@ class Planner:
         return None
 
     def alone(self, state: int, here: int, goal: int) -> tuple[Move, ...] | None:
-        """The moves of one train to a goal while all others stand."""
+        """The cheapest moves of one train to a goal while all others stand."""
         p = self.problem
         others = state & ~here
-        came: dict[int, Move | None] = {here: None}
-        todo = [here]
+        came: dict[int, tuple[float, Move | None]] = {here: (0.0, None)}
+        turn, todo = count(1), [(0.0, 0, here)]
         while todo:
-            n = todo.pop()
-            for m in p.moves[n]:
-                if m.target in came or not p.possible(others, m):
-                    continue
-                came[m.target] = m
-                if m.target & goal:
-                    way: list[Move] = []
-                    step: Move | None = m
-                    while step is not None:
-                        way.append(step)
-                        step = came[step.source]
-                    return tuple(way[::-1])
-                todo.append(m.target)
+            cost, _, n = heappop(todo)
+            if n & goal:
+                return _way(came, n)
+            for m in p.moves[n] if cost <= came[n][0] else ():
+                after = cost + m.cost
+                if (m.target not in came or after < came[m.target][0]) and p.possible(others, m):
+                    came[m.target] = after, m
+                    heappush(todo, (after, next(turn), m.target))
         return None
 
     def _moves(self, state: int) -> list[tuple[Move, ...]]:

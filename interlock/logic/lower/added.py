@@ -15,18 +15,12 @@ from interlock.logic.expr import Expr, disj, neg, var
 from interlock.logic.lower.draft import Draft
 from interlock.logic.names import Name
 from interlock.model.elements import MachineId, Position
-from interlock.table.rows import ExitKind, RouteRow, TraversalKey
+from interlock.table.rows import RouteRow
 
 
 def holds(r: RouteRow) -> Name | None:
     """The bit that tells that a route holds what was added to it; None where nothing was."""
     return names.HOLDS_ADDED(r.number) if r.barred or r.added else None
-
-
-def last_held(r: RouteRow) -> TraversalKey:
-    """The way whose lock a train of the route leaves behind when it is wholly in the last section."""
-    through = r.locked if r.berth is not None or r.exit_kind is ExitKind.BOUNDARY else r.locked[:-1]
-    return (through or r.locked)[-1]
 
 
 def free(d: Draft, r: RouteRow) -> list[Term]:
@@ -78,7 +72,7 @@ def keep(d: Draft) -> None:
         if r.overlap is not None:
             options = {r.overlap.option, *r.overlap.swings}
             overlaps = [d.overlap(o) for o in d.overlaps_of[r.overlap.signal] if o[1] in options]
-        under_way = disj((var(names.GRANTED(r.number)), var(names.ACTIVE(r.number)), d.lock(*last_held(r)), *overlaps))
+        under_way = disj((var(names.GRANTED(r.number)), var(names.ACTIVE(r.number)), d.lock(*r.last_left), *overlaps))
         d.kept(
             name,
             False,

@@ -29,6 +29,7 @@ function heard(m) {
   if ("alarms" in m) alarms();
   if ("reminders" in m) plan.reminders(rest.reminders);
   if ("trains" in m) { plan.trains(rest.trains); trains(); }
+  if ("sys" in m || "trains" in m) plan.numbers(rest.sys?.numbers ?? [], rest.trains);
   if ("sys" in m || m.still) system();
   for (const e of m.events ?? []) log(e, Boolean(m.still));
   if (chosen && (chosen in m.c || "sys" in m || "reminders" in m || "trains" in m)) offer();

@@ -50,7 +50,10 @@ export class Plan {
     this.whole = [x, y, Math.max(...b.map(r => r.x + r.width)) + 20 - x, Math.max(...b.map(r => r.y + r.height)) + 30 - y];
     this.fit();
     this.layer = make("g", {class: "trains"}, svg);
+    this.berths = make("g", {class: "berths"}, svg);
     this.notes = make("g", {class: "notes"}, svg);
+    this.names = [...svg.querySelectorAll("text:not(.title)")].map(e => e.getBBox()).filter(r => r.width);
+    this.heads = [];
     svg.addEventListener("click", e => this.clicked(e));
     svg.addEventListener("keydown", e => { if (e.key === "Enter" || e.key === " ") { e.preventDefault(); this.clicked(e); } });
     svg.addEventListener("wheel", e => { e.preventDefault(); this.zoom(e.deltaY < 0 ? 0.8 : 1.25, this.at(e)); }, {passive: false});
@@ -180,6 +183,7 @@ export class Plan {
 
   trains(all) {
     this.layer.replaceChildren();
+    this.heads = [];
     for (const [name, spans, , , under, held, way] of all) {
       let head = spans.length ? null : this.middle(`s:${under[0]}`);
       for (const [edge, lo, hi] of spans) {
@@ -191,8 +195,53 @@ export class Plan {
         make("polyline", {class: held ? "train held" : "train", points: points.map(p => `${p.x},${p.y}`).join(" ")}, this.layer);
         head = e.path.getPointAtLength(f(way > 0 ? hi : lo));
       }
-      if (head) make("text", {class: "berth", x: head.x, y: head.y + 17}, this.layer).textContent = name;
+      if (!head) continue;
+      const text = make("text", {class: "berth"}, this.layer);
+      text.textContent = name;
+      const places = [17, -9, 30, -22].flatMap(y => [0, -14, 14].map(x => ({x: head.x + x, y: head.y + y})));
+      this.heads.push(this.place(text, places, [...this.names, ...this.heads]));
     }
+  }
+
+  // numbers of trains, each at the section in which its head is, clear of all that is written there
+  numbers(all, trains) {
+    const drawn = ([number, under]) => trains.some(t => t[0] === number && t[4].includes(under.at(-1)));
+    const before = new Map([...this.berths.children].map(e => [`${e.textContent} ${e.dataset.of}`, {x: Number(e.getAttribute("x")), y: Number(e.getAttribute("y"))}]));
+    this.berths.replaceChildren();
+    const taken = [...this.names, ...this.heads, ...[...this.notes.children].map(e => e.getBBox())];
+    for (const [number, under] of all.filter(x => !drawn(x))) {
+      const name = under.at(-1), text = make("text", {class: "number"}, this.berths), was = before.get(`${number} ${name}`);
+      text.textContent = number;
+      text.dataset.of = name;
+      taken.push(this.place(text, [...(was ? [was] : []), ...this.beside(name)], taken));
+    }
+  }
+
+  // put a text in the first of some places where it covers nothing that is written; what it covers then
+  place(text, places, taken) {
+    let b = null;
+    for (const at of places) {
+      text.setAttribute("x", at.x); text.setAttribute("y", at.y);
+      b = text.getBBox();
+      if (!taken.some(t => b.x < t.x + t.width && t.x < b.x + b.width && b.y < t.y + t.height && t.y < b.y + b.height)) return b;
+    }
+    if (!b) text.remove();
+    return b ?? {x: 0, y: 0, width: 0, height: 0};
+  }
+
+  // places beside a section, those near its name first
+  beside(name) {
+    const paths = (this.still.sections[name]?.edges ?? []).map(e => this.edge[e]?.path).filter(Boolean);
+    const group = by(`section-${name}`), label = this.svg.querySelector(`text.section[data-of="${CSS.escape(name)}"]`)?.getBBox();
+    if (!paths.length && group) paths.push(...group.querySelectorAll("path.track"));
+    paths.sort((a, b) => b.getTotalLength() - a.getTotalLength());
+    const found = [];
+    for (const off of [17, -9, 30, -22, 43, -35]) for (const part of [0.5, 0.3, 0.7, 0.1, 0.9]) for (const p of paths) {
+      const at = p.getPointAtLength(p.getTotalLength() * part);
+      found.push({x: at.x, y: at.y + off});
+    }
+    const far = p => Math.hypot(p.x - label.x - label.width / 2, p.y - label.y - label.height / 2);
+    return label?.width ? found.sort((p, q) => far(p) - far(q)) : found;
   }
 
   mark(name, keys) {
