@@ -258,7 +258,9 @@ class Trial:
         return trains > z.trains
 
     def _overlap(self, r: RouteSymbols) -> tuple[tuple[SectionId, int], ...]:
-        return () if r.overlap is None else self.system.symbols.overlap_ways[r.overlap]
+        """Of a route that leads past a signal the overlap of that signal, too."""
+        held = [x.overlap for x in self.system.symbols.routes if x.number == r.number or x.number == r.onward]
+        return tuple(way for o in held if o is not None for way in self.system.symbols.overlap_ways[o])
 
     def _standing(self, *routes: RouteSymbols) -> dict[str, int] | None:
         """Trains before some signals, points lying under them as they stand; None if they would lie both ways."""
