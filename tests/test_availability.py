@@ -206,3 +206,29 @@ def test_the_sections_of_a_train_that_is_called_on_fill_a_zone() -> None:
     found = availability(System(layout, controller), table)
     manners = {(p.first, p.second): p.manner for p in found.pairs}
     assert found.shown and manners["G-E.c", "Y-S"] is Manner.ZONE and manners["G-E", "Y-S"] is Manner.BESIDE
+
+
+def test_a_route_drives_a_point_along_to_where_a_parallel_route_needs_it() -> None:
+    layout, table, controller = built("../tests/layouts_for_tests/driven_reverse")
+    assert audit(layout, table) == ()
+    assert {r.id: [f"{p.machine} {p.position}" for p in r.driven] for r in table.routes if r.driven} == {"A-A3": ["M R"]}
+    assert availability(System(layout, controller), table).shown
+    otherwise = replace(table.route["A-A3"], driven=())
+    rows = tuple(otherwise if r.id == "A-A3" else r for r in table.routes)
+    assert [f.column for f in audit(layout, replace(table, routes=rows))] == ["driven"]
+
+
+def test_points_that_are_driven_along_are_waited_for() -> None:
+    layout, table, controller = built("../tests/layouts_for_tests/driven_reverse")
+    system = System(layout, controller)
+    bounds = {r.bound.route: (r.bound.machines, r.bound.at_most_scans) for r in availability(system, table).routes}
+    assert bounds["A-A3"] == (1, 7) and bounds["B-B2"] == (1, 5), "the second of two machines waits for its turn"
+
+
+def test_points_that_two_routes_want_both_ways_are_not_driven_along() -> None:
+    text = Path("tests/diagnostics/IL7011.yaml").read_text("utf-8").replace("name: demo", "name: demo\nprofile: cn")
+    made = derived(text)
+    assert made is not None
+    layout, table = made
+    assert not any(r.driven for r in table.routes if r.id == "X1-A") and audit(layout, table) == ()
+    assert availability(System(layout, lower(layout, table)), table).shown

@@ -89,6 +89,7 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
         if r.id in matched:
             found += _row(layout, r, matched[r.id])
             found += _flank(layout, r, matched[r.id], movements)
+    found += _driven(layout, table, matched)
     found += _in_the_way(layout, table, matched)
     found += _hostile(layout, table, matched)
     found += [Finding(*x) for x in added(layout, table, matched)]
@@ -166,14 +167,6 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
     secured = {d.id for d in layout.devices if set(d.over) & taken}
     if {p.machine for p in r.points if p.role == "device"} != secured:
         yield Finding(r.id, "devices", f"to be closed are {', '.join(sorted(secured)) or 'none'}")
-    beside = {
-        p.machine: Position.NORMAL
-        for s in trip.sections
-        for p in layout.points_in.get(s, ())
-        if p.machine not in frozen_machines(r)
-    }
-    if {p.machine: p.position for p in r.driven} != (beside if layout.principles.drive_points else {}):
-        yield Finding(r.id, "driven", f"beside the path lie {', '.join(sorted(beside)) or 'no points'}")
     if (r.aspect.shows, r.aspect.next) != (shown := aspect(layout, trip, _slowest(layout, trip))):
         yield Finding(r.id, "aspect", f"an open {r.entry} shows {shown[0]}")
     out = {b.node for b in layout.boundaries if b.block == "token" and b.node == trip.moves[-1].node and not trip.shunt}
@@ -209,6 +202,25 @@ def _flank(layout: Layout, r: RouteRow, trip: Trip, movements: Movements) -> Ite
     if not needed_clear <= asked <= possible:
         odd = sorted(name for name, _ in (needed_clear - asked) | (asked - possible))
         yield Finding(r.id, "space", f"differs in {', '.join(odd)}")
+
+
+def _driven(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) -> Iterator[Finding]:
+    """Points beside the path are driven to where the routes that may be set together with it hold them, to normal where
+    none does."""
+    holders: dict[MachineId, dict[RouteId, Position]] = {}
+    for r in table.routes:
+        for d in r.points:
+            holders.setdefault(d.machine, {})[r.id] = d.position
+    for r in table.routes if layout.principles.drive_points else ():
+        apart = {r.id, r.onward, *r.hostile.routes, *(o.id for o in table.routes if o.onward == r.id)}
+        beside: dict[MachineId, Position] = {}
+        for p in (p for s in matched[r.id].sections for p in layout.points_in.get(s, ())) if r.id in matched else ():
+            ways = {x for o, x in holders.get(p.machine, {}).items() if o not in apart} or {Position.NORMAL}
+            if p.machine not in frozen_machines(r) and len(ways) == 1:
+                (beside[p.machine],) = ways
+        if r.id in matched and {p.machine: p.position for p in r.driven} != beside:
+            where = ", ".join(f"{m} {x}" for m, x in sorted(beside.items()))
+            yield Finding(r.id, "driven", f"driven along are {where or 'no points'}")
 
 
 def _rear(layout: Layout, trip: Trip) -> frozenset[SectionId]:

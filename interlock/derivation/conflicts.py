@@ -63,6 +63,10 @@ class Conflicts:
         found = next(reasons(replace(path, onward=None), as_train, self._locks, self._needs), None)
         return None if found is None else found[1].format(one=path.id, other=onward.id)
 
+    def bits(self, route: RouteId) -> int:
+        """The hostile routes of a route, as bits by number less one."""
+        return self._hostile[route]
+
     def of(self, path: Path) -> HostileRoutes:
         """The hostile routes of a route."""
         return HostileRoutes(self._ids, self._hostile[path.id], partial(self.tell, path.id))

@@ -1,7 +1,7 @@
 """The derivation as a visible order of steps.
 
 Input: a `Layout`.  Output: an `InterlockingTable`; diagnostics
-IL4001-IL4005, IL4010-IL4012, IL2007, IL2008, IL2019, IL2024, IL3012.
+IL4001-IL4005, IL4010-IL4012, IL2007, IL2008, IL2019, IL2024, IL3012; warning IL7011.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from collections.abc import Collection, Mapping, Sequence
 from math import isinf
 
 from interlock.derivation.added import derive_barred, idle_barred, with_added
+from interlock.derivation.beside import Beside
 from interlock.derivation.conflicts import Conflicts
 from interlock.derivation.locking import (
     derive_approach,
@@ -29,7 +30,7 @@ from interlock.derivation.routes import Path, find_routes
 from interlock.derivation.voyages import derive_voyages
 from interlock.diag import Element, Sink
 from interlock.diag.called import called
-from interlock.model.elements import BufferKind, MachineId, Position, RouteId, SignalId
+from interlock.model.elements import BufferKind, RouteId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.overlap import entry_speed
 from interlock.model.traversal import topology
@@ -39,8 +40,6 @@ from interlock.table.rows import (
     FoulCell,
     InterlockingTable,
     OverlapCell,
-    PointDemand,
-    Role,
     RouteKind,
     RouteRow,
     TraversalKey,
@@ -76,6 +75,8 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     hostile = Conflicts(paths, by_key, demands, barred)
     _apart(paths, hostile, sink)
     idle_barred(layout, paths, hostile.derived, sink)
+    near = Beside(layout, paths, demands, hostile.bits)
+    driven = {p.id: near.driven(p) for p in paths}
     names = derive_names(layout, paths, sink)
     hidden = {_way(p) for p in paths if set(names.get(p.id, ())) & set(layout.unlisted)}
     _notes(layout, paths, sink)
@@ -94,7 +95,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             berth=p.berth,
             length=p.length,
             points=demands[p.id],
-            driven=_driven(layout, p, demands[p.id]),
+            driven=driven[p.id],
             sections=_clear(layout, p),
             foul=_foul(p, by_key),
             flank=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].flank)),
@@ -122,6 +123,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     voyages = derive_voyages(layout, rows, by_key, sink)
     automatic = derive_automatic(layout, paths, sink)
     check_practice(layout, paths, sink)
+    near.report(driven, sink)
     return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
 
 
@@ -189,20 +191,6 @@ def _overlap(layout: Layout, path: Path, swinging: Mapping[SignalId, tuple[int, 
         why = Because("R2", f"successive route: a train that does not stop before {path.exit} runs on over {over}")
     swings = tuple(k for k in swinging.get(SignalId(path.exit), ()) if k != path.option)
     return OverlapCell(SignalId(path.exit), path.option, swings, tuple(t.key for t in path.overlap), metres, why)
-
-
-def _driven(layout: Layout, path: Path, demands: tuple[PointDemand, ...]) -> tuple[PointDemand, ...]:
-    """The other machines in the route's sections, driven to normal where the principle says so (R10)."""
-    if not layout.principles.drive_points:
-        return ()
-    demanded = {d.machine for d in demands}
-    out: dict[MachineId, PointDemand] = {}
-    for t in path.ways:
-        for p in layout.points:
-            if layout.section_of(p.toe) == t.section and p.machine not in demanded:
-                why = Because("R10", f"{p.id} lies in {t.section} beside the path; driven, never a condition")
-                out.setdefault(p.machine, PointDemand(p.machine, Position.NORMAL, Role.DRIVEN, t.section, why))
-    return tuple(out.values())
 
 
 def _foul(path: Path, locks: Mapping[TraversalKey, TraversalRow]) -> tuple[FoulCell, ...]:

@@ -146,6 +146,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL7006": (_W, "an approach shorter than the braking distance"),
     "IL7007": (_W, "a signal directly behind points"),
     "IL7010": (_W, "two names that look alike"),
+    "IL7011": (_W, "a point that another route may keep from moving"),
 }
 
 LINTS: tuple[str, ...] = ("IL3012", *(code for code in CODES if code.startswith("IL7")))

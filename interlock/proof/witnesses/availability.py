@@ -21,7 +21,7 @@ from itertools import pairwise
 
 from interlock.logic import names
 from interlock.logic.controller import RouteSymbols
-from interlock.model.elements import RouteId
+from interlock.model.elements import RouteId, SectionId
 from interlock.proof.induction.search import Frame
 from interlock.proof.induction.story import Story, narrated
 from interlock.proof.system.transition import System
@@ -53,6 +53,7 @@ from interlock.proof.witnesses.together import (
 from interlock.sim.lanes import Driver, Lane, Lanes
 from interlock.table.rows import InterlockingTable
 
+ZONE_FULL = f"{REFUSED}not no more than"
 BATCH = 2048  # so many runs are carried out side by side
 
 
@@ -143,10 +144,13 @@ class _Failure:
     standing: bool = False
     """The route was refused because of where the trains stand: it is refused too while the other one is not set."""
 
+    counted: bool = False
+    """A zone was full, and a train counts twice there."""
+
     @property
     def coming(self) -> bool:
         """It was about how trains came to be where they are: over other routes, or there since a restart."""
-        return self.standing or self.text.startswith(BEFORE) or "the restart" in self.text
+        return self.standing or self.counted or self.text.startswith(BEFORE) or "the restart" in self.text
 
 
 class Trial:
@@ -241,7 +245,8 @@ class Trial:
     def _full(self, zone: int, a: RouteSymbols, b: RouteSymbols) -> bool:
         """Whether a zone does not admit the trains of both routes, where they stand or are called.
 
-        Where a train is called on, vehicles may stand in each section of its route: all of them count (R17).
+        Where a train is called on, vehicles may stand in each section of its route: all of them count, and so do the
+        sections of an overlap (R17).
         """
         z = self.railway.layout.zones[zone]
         trains = 0
@@ -249,7 +254,13 @@ class Trial:
             over = [_before(self.railway, r), *(s for s, _ in r.ways)]
             trains += over[0] in z.sections
             trains += sum(y in z.sections and (r.call_on or x not in z.sections) for x, y in pairwise(over))
+            trains += sum(s in z.sections for s, _ in self._overlap(r))
         return trains > z.trains
+
+    def _overlap(self, r: RouteSymbols) -> tuple[tuple[SectionId, int], ...]:
+        """Of a route that leads past a signal the overlap of that signal, too."""
+        held = [x.overlap for x in self.system.symbols.routes if x.number == r.number or x.number == r.onward]
+        return tuple(way for o in held if o is not None for way in self.system.symbols.overlap_ways[o])
 
     def _standing(self, *routes: RouteSymbols) -> dict[str, int] | None:
         """Trains before some signals, points lying under them as they stand; None if they would lie both ways."""
@@ -300,13 +311,29 @@ class Trial:
         self._unmet |= {x for x, why in zip(runs, found, strict=True) if why is not None and why.coming}
         return found
 
+    def _counted_twice(self, run: PairRun) -> bool:
+        """A train stands in a zone since a restart, or turns about there: it counts where it stands, and where its
+        route leads (R17)."""
+        zones = self.railway.layout.zones
+        chains = zip(run.trains, run.before, strict=False)
+        twice = [r for r, chain in chains if not chain or not self._straight_on(chain[-1], r)]
+        return any(_before(self.railway, r) in z.sections for r in twice for z in zones)
+
+    def _straight_on(self, a: RouteSymbols, b: RouteSymbols) -> bool:
+        """A train that has run one route stands before the signal of the other without turning about."""
+        section, number = a.ways[-1]
+        return self.railway.topo.traversals[section][number - 1].exit == self.railway.layout.signal[b.entry].node
+
     def _once(self, runs: Sequence[PairRun]) -> list[_Failure | None]:
         found: list[_Failure | None] = []
         for at in range(0, len(runs), BATCH):
             some = runs[at : at + BATCH]
             drivers = [partial(pair_run, self.system, self.railway, x) for x in some]
             done = self._lanes.run([self.start(x) for x in some], drivers)
-            found += [None if text is None else _Failure(text) for text, _ in done]
+            found += [
+                None if text is None else _Failure(text, counted=ZONE_FULL in text and self._counted_twice(x))
+                for x, (text, _) in zip(some, done, strict=True)
+            ]
         refused = [
             (i, r)
             for i, (run, why) in enumerate(zip(runs, found, strict=True))
@@ -347,12 +374,15 @@ class Trial:
         return narrated(self.system, frames, ("AVAILABILITY", place, sentence), ending)
 
     def start(self, run: PairRun) -> dict[str, int]:
-        """The restart with the trains of a run, points lying for it where no train stands on them."""
+        """The restart with the trains of a run, points lying for it where no train stands on them: a point that one
+        route needs may not move once the other has locked its section (IL7011)."""
         trains = zip((run.first, run.second), run.before, strict=True)
         from_ = [chain[0] if chain else r for r, chain in trains if r in run.trains]
         state: dict[str, int] = {}
         for r in (*from_, run.first, run.second):
             state = _lying(self.railway, r) | state
+        for r in (run.first, run.second):
+            state = _lying(self.railway, r, overlap=True) | state
         return state | (self._standing(*from_) or {})
 
     def opened(self) -> tuple[Opened, ...]:

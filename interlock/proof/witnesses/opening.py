@@ -3,7 +3,7 @@
 In one scan it is set, in the next its points are found as it needs them and it is locked, and in the third the signal
 is open.  Where machines must move first they are commanded when it is set, and found in place one scan after they have
 arrived.  A level crossing or bridge that has just begun to open by itself arrives there before it closes again.  With
-staggered starts each machine after the first waits for its turn.
+staggered starts each machine after the first waits for its turn, those that the route drives along among them.
 """
 
 from __future__ import annotations
@@ -51,8 +51,9 @@ def opening(system: System, r: RouteSymbols) -> Opening:
         back = bool(needed & devices(system))
         scans, seconds = OPEN + 1 + back, rules.point_run_s * (1 + back)
         if rules.point_start_gap_s > 0:  # a turn is given, the start seen, and the gap waited for
-            scans += 2 * machines - 1
-            seconds += (machines - 1) * rules.point_start_gap_s
+            turns = len(needed.union(r.along))
+            scans += 2 * turns - 1
+            seconds += (turns - 1) * rules.point_start_gap_s
     exit_ = system.topo.traversals[r.ways[-1][0]][r.ways[-1][1] - 1].exit
     token = exit_ in system.symbols.token and not r.shunt
     return Opening(r.id, machines, OPEN, scans, seconds, rules.token_delay_s if token else 0.0)
@@ -77,11 +78,16 @@ def devices(system: System) -> set[MachineId]:
     return {d.id for d in system.layout.devices}
 
 
-def steps(system: System, r: RouteSymbols, dt_ms: int, moved: int | None = None) -> int:
+def steps(
+    system: System, r: RouteSymbols, dt_ms: int, moved: int | None = None, after: RouteSymbols | None = None
+) -> int:
     """The scans of a run, `dt_ms` apart, in which machines need no time to move, until the signal is open; `moved`: so
-    many machines have to, else all."""
+    many machines of those that it needs have to, else all; `after`: what that route drives along may wait before them.
+    """
     needed = machines_of(system, r)
     n = len(needed) if moved is None else moved
+    if n:
+        n += len({*r.along, *(after.along if after is not None else ())} - needed)
     gap_ms = system.layout.principles.point_start_gap_s * 1000
     if not n:
         return OPEN

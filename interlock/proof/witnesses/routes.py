@@ -351,10 +351,10 @@ def _not(lane: Lane, equation: str) -> str:
     return "; ".join("not " + t for t in lane.missing(equation)) or "a condition came and went"
 
 
-def _lying(railway: Railway, r: RouteSymbols) -> dict[str, int]:
+def _lying(railway: Railway, r: RouteSymbols, overlap: bool = False) -> dict[str, int]:
     """Points as the route needs them, so that none has to move under the waiting train."""
     state: dict[str, int] = {}
-    for m, x in opening.demanded(railway.symbols, r, overlap=False):
+    for m, x in opening.demanded(railway.symbols, r, overlap):
         state |= {
             names.LIES(m, Position.NORMAL): int(x is Position.NORMAL),
             names.LIES(m, Position.REVERSE): int(x is Position.REVERSE),

@@ -111,7 +111,8 @@ def _there(railway: Railway, lane: Lane, r: RouteSymbols) -> Generator[Wish, Non
 def _used(system: System, railway: Railway, run: PairRun, lane: Lane) -> Driver:
     first, second = run.first, run.second
     for r in (first, second):
-        failure = yield from _opens(railway, lane, r, opening.steps(system, r, lane.lanes.dt_ms))
+        after = first if r is second else None
+        failure = yield from _opens(railway, lane, r, opening.steps(system, r, lane.lanes.dt_ms, after=after))
         if failure is not None:
             return f"{r.id}: {failure}"
     yield NOTHING
