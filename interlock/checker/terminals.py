@@ -209,7 +209,8 @@ class Terminals(Lamps):
 
     def w_identifier_routes(self) -> list[int]:
         """Those that are set with a route past their signal, and light its identifier."""
-        return sorted({r for g in self.w_opening() for r in self._routes_by(g, IDENTIFIER)})
+        lit = {r for g in self.w_opening() if self.w_may_identify(g) == TRUE for r in self._routes_by(g, IDENTIFIER)}
+        return sorted(lit - {r for g in self.w_opening() for r in self._routes_by(g, (*MAIN, *CALL_ON, *WHITE))})
 
     def w_own_routes(self) -> list[int]:
         return [r for r in self.w_routes() if r not in self.w_identifier_routes()]
@@ -335,7 +336,7 @@ class Terminals(Lamps):
         taken = set()
         for g in self.w_opening():
             for c in self.r.callings(g):
-                calls = bool(self.lamps(g, CALL_ON)) and not c.shunt
+                calls = g.call_on and bool(self.lamps(g, CALL_ON)) and not c.shunt
                 for p in self.r.paths(c):
                     if not self.r.excluded(c, p):
                         taken |= {w for w in p.ways if calls} | {w for w in p.ways[-1:] if p.berth}
