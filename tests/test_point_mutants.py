@@ -13,6 +13,7 @@ from interlock.logic.controller import Equation
 from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.verdict import Verdict as Proved
 from interlock.proof.mutation.campaign import Campaign, one_of_each
+from interlock.proof.mutation.elsewhere import read_elsewhere, read_late
 from interlock.proof.mutation.judge import LATER, Fate, Judge, Verdict
 from interlock.proof.mutation.lines import Lines
 from interlock.proof.mutation.points import Mutation, mutations
@@ -76,6 +77,26 @@ def test_a_survivor_that_is_not_listed_is_a_finding(judge: Judge) -> None:
     alive = next(x for x in mutations(judge.controller) if x.shape in listed())
     assert off_the_list([(alive, judge.judge(alive))]) == []
     assert off_the_list([(alive, Verdict(Fate.SURVIVES))]) == [alive.name]
+
+
+@pytest.mark.parametrize("name", ["fig2_2", "fig2_3_split"])
+def test_what_reads_its_neighbours_variable_is_noticed_or_the_same(name: str) -> None:
+    layout, _, controller = built(name)
+    judge = Judge(layout, controller)
+    fates = {m.name: judge.judge(m) for m in read_elsewhere(controller)}
+    alive = {n: v for n, v in fates.items() if v.fate in (Fate.SURVIVES, Fate.TRAIN, Fate.OPERATOR)}
+    assert len(fates) > 200 and not alive, alive
+    assert Counter(v.fate for v in fates.values())[Fate.CLAIM] > len(fates) / 4
+
+
+@pytest.mark.parametrize("name", ["passing_loop", "../tests/layouts_for_tests/shunt_yard"])
+def test_what_is_read_late_fails_a_claim(name: str) -> None:
+    layout, _, controller = built(name)
+    late = list(read_late(controller))
+    assert len(late) > 6
+    for m in late:
+        result = prove(System(layout, m.make()), Limits(search_depth=0, search_s=0))
+        assert any(c.verdict is not Proved.PROVED for c in result.claims), m.name
 
 
 def test_no_mutant_of_an_output_or_of_a_preset_survives(judge: Judge) -> None:

@@ -12,8 +12,10 @@ import pytest
 from interlock.checker import specification
 from interlock.checker.check import agree
 from interlock.checker.moves import World
+from interlock.checker.railway import Railway
 from interlock.checker.reading import loaded
 from interlock.checker.specification import FOLDER, Specification
+from interlock.checker.written import written
 from interlock.logic.plant import ASSUMPTIONS
 from interlock.model.principles import KNOBS, PROFILES
 from interlock.proof.claims import CLAIMS
@@ -167,6 +169,25 @@ def test_a_controller_of_the_layout_without_its_overlaps_is_refused_with_its_own
     _, system, text = told(source + "\nprinciples: {overlap_m: 0}\n")
     with pytest.raises(Rejected):
         agree(loaded(source), system, text, specification.shipped())
+
+
+def test_a_lamp_that_the_layout_does_not_give_a_signal_relaxes_nothing() -> None:
+    """A call-on lamp, or an identifier light, that is never lit: what it reads makes no route a call-on route, or one
+    that nobody asks for."""
+    body, system, _ = shipped("fig2_2")
+    more = "".join(f"state {x}_X1\ndef {x}_X1' (& S_R1 !S_R1)\n" for x in ("YO", "YI"))
+    plain, forged = (World(Railway(body), written(text)) for text in (system, system + more))
+    assert forged.w_own_routes() == plain.w_own_routes() == forged.w_routes()
+    for s in plain.r.sections:
+        ways = plain.w_lockable_for_a_clear_movement(s)
+        assert forged.w_lockable_for_a_clear_movement(s) == ways == plain.w_lockable(s)
+
+
+def test_a_signal_without_a_stop_lamp_has_no_others() -> None:
+    body, system, _ = shipped("fig2_2")
+    dark = re.sub("(?m)^state YS_X1$\n", "", system)
+    with pytest.raises(Rejected, match="has lamps, and none for stop"):
+        World(Railway(body), written(dark)).w_opening()
 
 
 # --- weakenings of the specification: each is noticed at a shipped layout ----------------------------

@@ -179,7 +179,8 @@ class Railway:
             if v.get("block", "none") not in ("none", "semi-automatic", "automatic", "token"):
                 raise Unread(f"the block of boundary {b}")
         for g, v in (self.body.get("signals") or {}).items():
-            if set(v) - {"from", "into", "at", "kind", "call_on", "stops_trains", "release", "identifier"}:
+            known = {"from", "into", "at", "km", "xy", "kind", "call_on", "stops_trains", "release", "identifier"}
+            if set(v) - known:
                 raise Unread(f"something of signal {g}")
         for g, v in (self.body.get("overlaps") or {}).items():
             known = {"length", "speed", "falling", "successive", "swing", "entry_speed", "release", "release_by_length"}

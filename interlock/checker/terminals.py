@@ -209,7 +209,8 @@ class Terminals(Lamps):
 
     def w_identifier_routes(self) -> list[int]:
         """Those that are set with a route past their signal, and light its identifier."""
-        return sorted({r for g in self.w_opening() for r in self._routes_by(g, IDENTIFIER)})
+        lit = {r for g in self.w_opening() if self.w_may_identify(g) == TRUE for r in self._routes_by(g, IDENTIFIER)}
+        return sorted(lit - {r for g in self.w_opening() for r in self._routes_by(g, (*MAIN, *CALL_ON, *WHITE))})
 
     def w_own_routes(self) -> list[int]:
         return [r for r in self.w_routes() if r not in self.w_identifier_routes()]
@@ -254,13 +255,14 @@ class Terminals(Lamps):
 
     @cached_property
     def _runs(self) -> dict[int, tuple[Calling, Path]]:
-        sets = {w: f"GW_{safe(w.section)}_{w.number}" for s in self.r.sections for w in self.w_lockable(s)}
-        set_by = {w: set(names(self.w.definitions.get(name, FALSE))) for w, name in sets.items()}
+        set_by: dict[str, set[Way]] = {}
+        for w in (w for s in self.r.sections for w in self.w_lockable(s)):
+            for name in names(self.w.definitions.get(f"GW_{safe(w.section)}_{w.number}", FALSE)):
+                set_by.setdefault(name, set()).add(w)
         found: dict[int, tuple[Calling, Path]] = {}
         for c in (c for g in self.w_opening() for c in self.r.callings(g)):
             for r in self.w_routes_for(c):
-                over = {w for w, read in set_by.items() if f"G_R{r}" in read}
-                own = [p for p in self.r.paths(c) if set(self.w_kept_clear(p)) <= over]
+                own = [p for p in self.r.paths(c) if set(self.w_kept_clear(p)) <= set_by.get(f"G_R{r}", set())]
                 if len(own) == 1:
                     found[r] = c, own[0]
         return found
@@ -335,7 +337,7 @@ class Terminals(Lamps):
         taken = set()
         for g in self.w_opening():
             for c in self.r.callings(g):
-                calls = bool(self.lamps(g, CALL_ON)) and not c.shunt
+                calls = g.call_on and bool(self.lamps(g, CALL_ON)) and not c.shunt
                 for p in self.r.paths(c):
                     if not self.r.excluded(c, p):
                         taken |= {w for w in p.ways if calls} | {w for w in p.ways[-1:] if p.berth}

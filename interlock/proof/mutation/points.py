@@ -71,9 +71,9 @@ def _all(c: Controller) -> Iterator[Mutation]:
     for where, those in (("", wires), ("next ", {e.name: e.expr for e in c.next})):
         for name, form, words, put in _of_values(those):
             kind = f"{where}{name.sort}"
-            yield Mutation(kind, form, (where, name, " ", *words), partial(_with, c, where != "", put))
+            yield Mutation(kind, form, (where, name, " ", *words), partial(with_values, c, where != "", put))
     for name, form, words, put in _of_values({o.name: o.expr for o in c.outputs}):
-        yield Mutation(f"output {name.sort}", form, (name, " ", *words), partial(_with_outputs, c, put))
+        yield Mutation(f"output {name.sort}", form, (name, " ", *words), partial(with_outputs, c, put))
     yield from _of_timers(c)
     for i, s in enumerate(c.state):
         state = (*c.state[:i], replace(s, initial=not s.initial), *c.state[i + 1 :])
@@ -88,7 +88,7 @@ Change = tuple[Name, str, Words, Mapping[Name, Expr]]
 
 def _of_values(values: Mapping[Name, Expr]) -> Iterator[Change]:
     """The changes of named expressions."""
-    following = _following(list(values))
+    after = following(list(values))
     for name, x in values.items():
         seen: set[Expr] = {x}
         for form, words, new in (
@@ -100,7 +100,7 @@ def _of_values(values: Mapping[Name, Expr]) -> Iterator[Change]:
             if new not in seen:
                 seen.add(new)
                 yield name, form, words, {name: new}
-        other = following.get(name)
+        other = after.get(name)
         if other is not None and values[other] is not x:
             yield name, "exchanged", ("exchanged with ", other), {name: values[other], other: x}
 
@@ -120,13 +120,13 @@ def _operands(x: Expr) -> Iterator[tuple[str, Words, Expr]]:
 
 def _of_timers(c: Controller) -> Iterator[Mutation]:
     timers = {t.name: t for t in c.timers}
-    following = _following(list(timers))
+    after = following(list(timers))
     for t in c.timers:
         kind = f"timer {t.name.sort}"
         inputs = [("input true", TRUE), ("input false", FALSE), ("input negated", neg(var(t.input)))]
         for form, x in inputs:
             yield Mutation(kind, form, (t.name, f" {form}"), partial(_with_input, c, t, x))
-        other = following.get(t.name)
+        other = after.get(t.name)
         if other is not None:
             words = (t.name, " with the input of ", other)
             yield Mutation(kind, "input exchanged", words, partial(_with_input, c, t, var(timers[other].input)))
@@ -136,7 +136,7 @@ def _of_timers(c: Controller) -> Iterator[Mutation]:
                 yield Mutation(kind, form, (t.name, f" {form}"), partial(_with_step, c, t, (new,)))
 
 
-def _following(names: Sequence[Name]) -> dict[Name, Name]:
+def following(names: Sequence[Name]) -> dict[Name, Name]:
     """The next name of the family, after each; after the last the first, if there are more; where a family has one
     name only, the next name of all."""
     families: dict[str, list[Name]] = {}
@@ -157,14 +157,16 @@ def _new(e: Equation, x: Expr) -> Equation:
     return replace(e, join=Join.ALL, terms=(Term(x, "changed"),))
 
 
-def _with(c: Controller, following: bool, put: Mapping[Name, Expr]) -> Controller:
-    if following:
+def with_values(c: Controller, later: bool, put: Mapping[Name, Expr]) -> Controller:
+    """The controller with other expressions for some wires, or next values."""
+    if later:
         return replace(c, next=tuple(_new(e, put[e.name]) if e.name in put else e for e in c.next))
     steps = (_new(s, put[s.name]) if isinstance(s, Equation) and s.name in put else s for s in c.steps)
     return replace(c, steps=tuple(steps))
 
 
-def _with_outputs(c: Controller, put: Mapping[Name, Expr]) -> Controller:
+def with_outputs(c: Controller, put: Mapping[Name, Expr]) -> Controller:
+    """The controller with other expressions for some outputs."""
     return c.with_outputs(tuple(replace(o, expr=put.get(o.name, o.expr)) for o in c.outputs))
 
 
