@@ -331,7 +331,7 @@ def test_ladder_fits_the_classes_too_and_has_a_rung_for_each_equation() -> None:
     strict = ParserConfig(fail_on_unknown_properties=True, fail_on_unknown_attributes=True)
     text = write_st(controller, BY_NAME["ladder"], ["made for a test"])["mine11.xml"]
     assert XmlParser(config=strict).from_string(text, Project)
-    coils = re.findall(r"<coil .*?<variable>(?:D\.|OUTP\.)?(\w+)</variable>", text)
+    coils = re.findall(r"<coil .*?<variable>(?:D\d*\.|OUTP\.)?(\w+)</variable>", text)
     drawn = [c for c in coils if not c.startswith("T_")]
     steps = [*controller.steps, *controller.state, *controller.outputs]
     assert len(drawn) == len(steps) + len(controller.next) and {str(s.name) for s in steps} <= set(drawn)

@@ -9,9 +9,10 @@ layouts: all of layouts/ and a yard of 37 tracks (`interlock init --yard 37`).
 Each layout is proved, and what is then written is compiled.  Its trains run on the runtime in its cabinet, with stalled
 cycles, lost heartbeats and power cuts; then come inputs at random.  Inputs and outputs of every scan are laid down as
 they stand on the wires, and each compiled program has to answer the same inputs with the same outputs (see
-tests/foreign).  Then faults are planted in one layout, which must be noticed.  Writes proofs/foreign.md.  Exit code 1:
-a difference, a text that is refused, a file against the schema, a fault that is not noticed; 2: a compiler that does
-not pass the probe, or one given as --unfit (such as beremiz/matiec since 2024) that does.
+tests/foreign).  The C runtime is compiled by gcc and driven for a tenth of the scans.  Then faults are planted in one
+layout, which must be noticed.  Writes proofs/foreign.md.  Exit code 1: a difference, a text that is refused, a file
+against the schema, a fault that is not noticed; 2: a compiler that does not pass the probe, or one given as --unfit
+(such as beremiz/matiec since 2024) that does.
 """
 
 from __future__ import annotations
@@ -29,7 +30,13 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
+from interlock.app.check import derive_file
 from interlock.app.init import yard
+from interlock.emit.c99.runtime import runtime_c
+from interlock.logic.lower import lower
+from interlock.proof.equivalence.c_text import compare_c
+from tests.c_driver import answers as c_answers
+from tests.c_driver import built_by_gcc, driven
 from tests.foreign.bundle import Bundle, bundle
 from tests.foreign.compilers import UNOPTIMIZED, Compiler, Matiec, Refused, StrucPp, answers
 from tests.foreign.planted import TEXTS, early_timer
@@ -112,6 +119,41 @@ def _row(path: str, compilers: Sequence[Compiler], xsd: str, scans: int, seed: i
     return Row(made.name, made.routes, told, outputs, compared, digest(segments), verdicts, schema)
 
 
+@dataclass(frozen=True)
+class CRow:
+    """A layout's line of the table of the C runtime."""
+
+    name: str
+    told: tuple[int, ...]
+    verdict: Verdict
+
+
+def c_row(path: str, scans: int, seed: int) -> CRow:
+    """The C runtime, proved and compiled by gcc without a warning, against the Python runtime: so many scans with
+    trains, as many with inputs at random; outputs, state and the words of routes."""
+    derived = derive_file(path)
+    layout, table = derived.layout, derived.table
+    assert layout is not None and table is not None
+    controller = lower(layout, table)
+    pair, movements = driven(layout, table, controller, scans, seed)
+    told = (scans, movements, pair.scans - scans, pair.stalls, pair.restarts)
+    files = runtime_c(controller, [])
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            if not compare_c(controller, files).proved:
+                raise Refused("not proved")
+            answer = c_answers(built_by_gcc(controller, files, Path(folder)), bytes(pair.given))
+        except (Refused, subprocess.SubprocessError) as error:
+            return CRow(Path(path).stem, told, Verdict(0, str(error)))
+    size = len(pair.told) // pair.scans
+    parts = (slice(k * size, (k + 1) * size) for k in range(pair.scans))
+    wrong = [k for k, part in enumerate(parts) if answer[part] != pair.told[part]]
+    first = f"scan {wrong[0] + 1}" if wrong else ("" if answer == pair.told else "another number of answers")
+    row = CRow(Path(path).stem, told, Verdict(len(wrong), first))
+    print(f"{row.name}, C runtime: {told}: {_told(row.verdict)}", flush=True)
+    return row
+
+
 def plant(made: Bundle, compilers: Sequence[Compiler], scans: int, seed: int) -> list[tuple[str, tuple[Verdict, ...]]]:
     """Each planted fault and what the comparison says of it, by compiler."""
     other = replace(made.railway, runtime=early_timer(made.railway.runtime))
@@ -143,6 +185,18 @@ def _table(rows: Sequence[Row], compilers: Sequence[Compiler]) -> list[str]:
     differing = [sum(r.verdicts[k].differing for r in rows) for k in range(len(compilers))]
     cells = ["all", sum(r.routes for r in rows), *sums, "", sum(r.compared for r in rows), *differing, ""]
     return [*lines, f"| {' | '.join(map(str, cells))} |", ""]
+
+
+def _c_table(rows: Sequence[CRow]) -> list[str]:
+    lines = [
+        "The C runtime (`--dialect c99`), proved, and compiled by gcc -O1 without a warning, against the Python "
+        "runtime: outputs,\nstate and words of routes in every scan, without wires, as there is no mapping program in "
+        "C.  Faults in it are noticed:\n`pytest --external tests/test_c99.py`.",
+        "",
+        "| layout | scans with trains | movements | scans at random | stalls | power-ons | scans that differ |",
+        f"|---|{'---:|' * 6}",
+    ]
+    return [*lines, *(f"| {r.name} | {' | '.join(map(str, r.told))} | {_told(r.verdict)} |" for r in rows), ""]
 
 
 def _schema(rows: Sequence[Row]) -> list[str]:
@@ -270,17 +324,20 @@ def main() -> int:
         return 2
     with tempfile.TemporaryDirectory() as folder, ProcessPoolExecutor(args.jobs) as pool:
         work = partial(_row, compilers=compilers, xsd=args.xsd, scans=args.scans, seed=args.seed)
-        rows = list(pool.map(work, reversed(_beside(args.layouts, folder))))[::-1]  # the largest first
+        paths = _beside(args.layouts, folder)
+        rows = list(pool.map(work, reversed(paths)))[::-1]  # the largest first
+        in_c = list(pool.map(partial(c_row, scans=max(args.scans // 10, 1), seed=args.seed), reversed(paths)))[::-1]
     made = bundle(args.planted)
     planted = plant(made, compilers, args.scans, args.seed)
     lines = [INTRODUCTION, *_tools(probes, args.seed), *_table(rows, compilers)]
-    lines += _planted(made, planted, compilers) + (_schema(rows) if args.xsd else [])
+    lines += _planted(made, planted, compilers) + _c_table(in_c) + (_schema(rows) if args.xsd else [])
     text = "\n".join(lines)
     if args.out:
         Path(args.out).write_text(text, encoding="utf-8")
     print(text)
     print(f"{time.time() - began:.0f} s")
     bad = [r.name for r in rows if not all(v.equal for v in r.verdicts) or any(why for _, why in r.schema)]
+    bad += [f"{r.name} in C" for r in in_c if not r.verdict.equal]
     missed = [what for what, verdicts in planted if not all(v.differing for v in verdicts)]
     print(f"differences: {', '.join(bad) or 'none'}; planted faults not noticed: {', '.join(missed) or 'none'}")
     return 1 if bad or missed else 0
