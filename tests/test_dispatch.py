@@ -205,6 +205,20 @@ def test_a_point_that_fails_makes_another_plan() -> None:
     assert p.opened() & {"X1"}
 
 
+def test_a_train_that_runs_out_is_not_in_the_way_of_plans() -> None:
+    """Its head is beyond the boundary for longer than it takes to see a stranger, its tail still within."""
+    p = panel("mine11")
+    for command in ("7:W>E", "8:W>E"):
+        p.dispatcher.carry_out(errand(p.dispatcher.railway, command, 60.0)[0])
+    p.stand("ap_W")
+    p.run(20)
+    for way in (("ap_W", "q1"), ("q1", "q2", "q3"), ("q3", "q5", "q7", "q9", "q11")):
+        p.drive(*way)
+    p.stand("q11", "ap_E", "ap_W")
+    p.run(100)
+    assert not [x for x in p.dispatcher.said if "no plan exists" in x], p.dispatcher.said
+
+
 def driven_to_the_points(falsely: tuple[str, ...] = (), stays: str = "") -> Panel:
     """Train 7 on mine11 from W before P1, bound for E over any way.  falsely: sections reported occupied; stays: a
     position that P1 does not leave."""

@@ -264,8 +264,10 @@ def _setting(
         except BadOrder as error:
             fix: str | Suggestion = error.fix or (did_you_mean(error.word, error.known) if error.known else "")
             sink.add(error.code, f"{c}: {error.text}", None, fix)
-        except (NoVoyage, TooManyPlaces) as error:
-            sink.add("IL6005", f"{c}: {error}", None, "name another destination, or a place on the way")
+        except NoVoyage as error:
+            sink.add("IL6005", f"{c}: {error}", None, error.fix)
+        except TooManyPlaces as error:
+            sink.add("IL6005", f"{c}: {error}", None, "name a place on the way")
     return None if sink.has_errors else Setting(railway, errands, obstacles)
 
 

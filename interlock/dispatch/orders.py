@@ -112,7 +112,8 @@ class Derivation:
                 self._ore(name, order)
             if (order.trains is None) == (order.tonnes is None):
                 here = self.orders.at("orders", name, key=True)
-                self.sink.add("IL6003", f"order {name} says neither or both of trains and tonnes", here, "say one")
+                says = "neither trains nor tonnes" if order.trains is None else "both trains and tonnes"
+                self.sink.add("IL6003", f"order {name} says {says}", here, "say one of them")
         if file.orders and not file.fleet:
             self.sink.add("IL6003", "there are orders and no fleet", self.orders.at("orders", key=True), "add `fleet`")
 
@@ -173,7 +174,8 @@ class Derivation:
                 journeys[number] = self.railway.draft(self.errand(number, order))
             except (NoVoyage, TooManyPlaces) as error:
                 why = f"order {name}: {error}"
-                self.sink.add("IL6005", why, self.orders.at("orders", name, key=True), "see `interlock draw`")
+                fix = error.fix if isinstance(error, NoVoyage) else "name sections on the way with `via`"
+                self.sink.add("IL6005", why, self.orders.at("orders", name, key=True), fix)
                 return
             if not self._open(name, journeys[number]):
                 return

@@ -28,6 +28,8 @@ class Stage:
     berth: SectionId | None
     late: Mapping[MachineId, str]
     beyond: tuple[str, ...]
+    out: tuple[SectionId, ...] = ()
+    """The sections beyond the boundary over which it leads out."""
     on_sight: bool = False
     """A call-on: its sections may be reported occupied."""
     direction: str = ""
@@ -114,6 +116,7 @@ def stages(table: InterlockingTable, symbols: Symbols) -> dict[RouteId, Stage]:
             on_sight=r.kind is RouteKind.CALL_ON,
             direction="" if r.token is None else symbols.token[r.token.boundary].tells["has"],
             own=frozenset(s for s, k in r.traversals if (SectionId(s), k) in overlaps.get(r.entry, ())),
+            out=tuple(c.section for c in r.block),
             beyond=tuple(symbols.clear[c.section] for c in r.block if c.section in symbols.clear),
         )
     return found

@@ -50,7 +50,11 @@ class TooManyPlaces(Exception):
 
 
 class NoVoyage(Exception):
-    """No chain of routes makes an errand; says which leg."""
+    """No chain of routes makes an errand; says which leg, and in `fix` what could be done."""
+
+    def __init__(self, text: str, fix: str) -> None:
+        super().__init__(text)
+        self.fix = fix
 
 
 @dataclass(frozen=True)
@@ -329,13 +333,26 @@ class Railway:
             todo.extend(s.after for s in steps[place])
         kept = _leading(steps, homes)
         if start not in kept:
-            far = max((p.leg for p in steps), default=0)
-            to, long = errand.legs[min(far, len(errand.legs) - 1)].to, ""
-            if errand.length_m > 1 and self._goes(replace(errand, length_m=1.0)):
-                to, long = f"{to}; a shorter train could go", f", {errand.length_m:g} m long,"
-            raise NoVoyage(f"no chain of routes takes {errand.train}{long} to {to}")
+            raise self._none(errand, steps)
         steps = {p: [s for s in steps[p] if s.after in kept] for p in kept}
         return Journey(errand, start, _straight(self._cheap_first(steps), start), self)
+
+    def _none(self, errand: Errand, steps: Mapping[Place, Sequence[Step]]) -> NoVoyage:
+        """Why no chain of routes makes an errand: the first leg that none makes, and where routes lead on it."""
+        far = min(max(p.leg for p in steps), len(errand.legs) - 1)
+        start, to = errand.legs[far - 1].to if far else str(errand.start[-1][0]), errand.legs[far].to
+        if far < len(errand.legs) - 1 and NodeId(to) in self.layout.boundary_at:
+            why = f"{errand.train} leaves at {to}, and does not come back in the same command"
+            return NoVoyage(why, f"end the command at {to}, and give another one from there")
+        if errand.length_m > 1 and self._goes(replace(errand, length_m=1.0)):
+            long = f"{errand.train}, {errand.length_m:g} m long,"
+            return NoVoyage(
+                f"no chain of routes takes {long} from {start} to {to}", "take a shorter train: one could go"
+            )
+        exits = sorted({str(s.routes[-1].exit) for p, out in steps.items() if p.leg == far for s in out})
+        leads = f"routes lead from {start} to {', '.join(exits[:8])}{', ...' if exits[8:] else ''}; name another place"
+        no = f"no route leads on from {start}: put a signal there, or name another place"
+        return NoVoyage(f"no chain of routes takes {errand.train} from {start} to {to}", leads if exits else no)
 
     def _goes(self, errand: Errand) -> bool:
         try:
