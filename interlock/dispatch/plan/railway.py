@@ -341,6 +341,7 @@ class Railway:
         """Why no chain of routes makes an errand: the first leg that none makes, and where routes lead on it."""
         far = min(max(p.leg for p in steps), len(errand.legs) - 1)
         start, to = errand.legs[far - 1].to if far else str(errand.start[-1][0]), errand.legs[far].to
+        over = f"over {', '.join(sorted(errand.legs[far].via))} " if errand.legs[far].via else ""
         if far < len(errand.legs) - 1 and NodeId(to) in self.layout.boundary_at:
             why = f"{errand.train} leaves at {to}, and does not come back in the same command"
             return NoVoyage(why, f"end the command at {to}, and give another one from there")
@@ -352,7 +353,8 @@ class Railway:
         exits = sorted({str(s.routes[-1].exit) for p, out in steps.items() if p.leg == far for s in out})
         leads = f"routes lead from {start} to {', '.join(exits[:8])}{', ...' if exits[8:] else ''}; name another place"
         no = f"no route leads on from {start}: put a signal there, or name another place"
-        return NoVoyage(f"no chain of routes takes {errand.train} from {start} to {to}", leads if exits else no)
+        why = f"no chain of routes takes {errand.train} from {start} {over}to {to}"
+        return NoVoyage(why, leads if exits else no)
 
     def _goes(self, errand: Errand) -> bool:
         try:
