@@ -65,9 +65,12 @@ class Stage:
     def closed(self, seen: Indications) -> bool:
         """It is set and shows stop, though its sections are clear and the direction is here: it closed while something
         was wrong."""
-        waits = bool(self.direction) and not seen.get(self.direction, 0)
         clear = all(seen.get(n, 0) for n in self.clear.values())
-        return self.is_set(seen) and not self.open(seen) and clear and not waits
+        return self.is_set(seen) and not self.open(seen) and clear and not self.waits(seen)
+
+    def waits(self, seen: Indications) -> bool:
+        """It leads over a line whose direction is not here."""
+        return bool(self.direction) and not seen.get(self.direction, 0)
 
     def left(self, seen: Indications) -> bool:
         """Nothing is locked or occupied."""
