@@ -50,8 +50,8 @@ def test_a_train_that_is_too_long_for_its_overlaps_is_told_so() -> None:
         (("1:q4/X5>E", "--length", "500"), "1:q4/X5>E: a train of 500 m does not stand in q4, which has 300 m there"),
         (("1:W>E>W",), "1:W>E>W: 1 leaves at E, and does not come back in the same command"),
         (("1:W>E+q4+q3",), "1:W>E+q4+q3: no chain of routes takes 1 from W over q3, q4 to E"),
-        (("1:q4/X5>W",), "no route leads on from q4: put a signal there, or name another place"),
-        (("1:W>q7",), "routes lead from W to X1, X3, X5; name another place"),
+        (("1:q4/X5>W",), "routes lead from q4 to E; name another place"),
+        (("1:W>q7",), "routes lead from W to E, X1, X3, X5; name another place"),
     ],
 )
 def test_what_cannot_be_commanded_is_told_with_its_reason(arguments: tuple[str, ...], told: str) -> None:

@@ -226,6 +226,14 @@ class Derivation:
             text = f"{len(self.file.fleet)} trains have {room} places to stand"
             self.sink.add("IL6009", text, self.orders.at("fleet", key=True), "add waiting places, or their capacity")
 
+        first: dict[str, str] = {}
+        for number, train in self.file.fleet.items():
+            at = self.file.places[train.at].at
+            if at in self.sections and first.setdefault(at, number) != number:
+                text = f"{number} begins in {at}, where {first[at]} stands: plans know one train in a section"
+                fix = "let it begin in another section, or outside"
+                self.sink.add("IL6009", text, self.orders.at("fleet", number, "at"), fix)
+
     def _leaves(self, under: tuple[TraversalKey, ...]) -> bool:
         return bool(self.railway.routes_on(Place(0, frozenset(), None, under), True))
 

@@ -350,7 +350,8 @@ class Railway:
             return NoVoyage(
                 f"no chain of routes takes {long} from {start} to {to}", "take a shorter train: one could go"
             )
-        exits = sorted({str(s.routes[-1].exit) for p, out in steps.items() if p.leg == far for s in out})
+        on = [r for p in steps if p.leg == far for r, _ in self.routes_on(p, self._turns(errand, p))]
+        exits = sorted({str(r.exit) for r in on if (r.kind is RouteKind.SHUNT) == errand.legs[far].shunt})
         leads = f"routes lead from {start} to {', '.join(exits[:8])}{', ...' if exits[8:] else ''}; name another place"
         no = f"no route leads on from {start}: put a signal there, or name another place"
         why = f"no chain of routes takes {errand.train} from {start} {over}to {to}"
@@ -385,8 +386,7 @@ class Railway:
         return sum(map(self.seconds, step.routes)) + TURNS_S * step.turned
 
     def _steps(self, errand: Errand, place: Place) -> list[Step]:
-        leg = errand.legs[place.leg]
-        turns = place.route is None or (bool(place.leg) and not place.passed and self._begins(errand, place))
+        leg, turns = errand.legs[place.leg], self._turns(errand, place)
         if leg.far_first:
             return self._whole(errand, place, turns)
         found = []
@@ -402,9 +402,12 @@ class Railway:
         """What else must be free for a route from where a train stands; None where it cannot be set."""
         return frozenset() if place.route is None or turned else self.released(place, r)
 
-    def _begins(self, errand: Errand, place: Place) -> bool:
-        """The train has just ended a leg: it may change direction."""
-        return place.route is not None and self._reached(self.table.route[place.route], errand.legs[place.leg - 1])
+    def _turns(self, errand: Errand, place: Place) -> bool:
+        """The train begins, or has just ended a leg: it may change direction."""
+        if place.route is None:
+            return True
+        ended = errand.legs[place.leg - 1] if place.leg and not place.passed else None
+        return ended is not None and self._reached(self.table.route[place.route], ended)
 
     def _reached(self, r: RouteRow, leg: Leg) -> bool:
         return leg.to in (r.exit, r.section_ids[-1])
