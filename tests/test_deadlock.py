@@ -174,8 +174,10 @@ def test_a_command_that_makes_no_sense_is_told(command: str, says: str) -> None:
 
 def test_a_place_to_which_no_chain_of_routes_leads() -> None:
     railway = case(MINE).ground.railway
-    with pytest.raises(NoVoyage, match="takes 1 to E"):
+    with pytest.raises(NoVoyage, match="1 leaves at E, and does not come back"):
         railway.draft(errand(railway, "1:W>E>W", 60.0)[0])
+    with pytest.raises(NoVoyage, match="takes 1 from W to q7"):
+        railway.draft(errand(railway, "1:W>q7", 60.0)[0])
 
 
 # --- the replay --------------------------------------------------------------------------------

@@ -205,6 +205,32 @@ def test_a_point_that_fails_makes_another_plan() -> None:
     assert p.opened() & {"X1"}
 
 
+def test_a_train_that_runs_out_is_not_in_the_way_of_plans() -> None:
+    """Its head is beyond the boundary for longer than it takes to see a stranger, its tail still within."""
+    p = panel("mine11")
+    for command in ("7:W>E", "8:W>E"):
+        p.dispatcher.carry_out(errand(p.dispatcher.railway, command, 60.0)[0])
+    p.stand("ap_W")
+    p.run(20)
+    for way in (("ap_W", "q1"), ("q1", "q2", "q3"), ("q3", "q5", "q7", "q9", "q11")):
+        p.drive(*way)
+    p.stand("q11", "ap_E", "ap_W")
+    p.run(100)
+    assert not [x for x in p.dispatcher.said if "no plan exists" in x], p.dispatcher.said
+
+
+def test_a_route_waits_for_the_direction_of_the_line_beyond_and_is_not_taken_back() -> None:
+    p = panel("passing_loop")
+    p.dispatcher.carry_out(errand(p.dispatcher.railway, "7:IG/S1>W", 60.0)[0])
+    p.stand("IG")
+    p.run(400, LC_W=1)
+    assert p.dispatcher.said == [] and p.opened() == set() and len(p.asked) == 1
+    assert p.dispatcher.runs[0].reason == "S1-W is set; the direction of the line beyond is not here"
+    p.run(400, LC_W=1, TKN_W=1)
+    assert p.dispatcher.said == ["7: S1-W is open"] and p.opened() == {"S1"}
+    assert p.dispatcher.runs[0].reason == "" and len(p.asked) == 1
+
+
 def driven_to_the_points(falsely: tuple[str, ...] = (), stays: str = "") -> Panel:
     """Train 7 on mine11 from W before P1, bound for E over any way.  falsely: sections reported occupied; stays: a
     position that P1 does not leave."""

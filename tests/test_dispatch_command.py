@@ -38,9 +38,25 @@ def test_a_plan_leads_straight_on_where_that_is_free(layout: str, commands: tupl
 
 def test_a_train_that_is_too_long_for_its_overlaps_is_told_so() -> None:
     code, text = run("tests/layouts_for_tests/overlap_head.yaml", "1:W17>W")
-    assert code == 1 and "no chain of routes takes 1, 60 m long, to W; a shorter train could go" in text
+    assert code == 1 and "no chain of routes takes 1, 60 m long, from W17 to W" in text
     code, text = run("tests/layouts_for_tests/overlap_head.yaml", "1:W17>W", "--length", "12")
     assert code == 0 and "each granted within" in text
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (("12:q4/X5>E", "13:q4/X5>E"), "13:q4/X5>E: 13 begins in q4, where 12 stands"),
+        (("1:q4/X5>E", "--length", "500"), "1:q4/X5>E: a train of 500 m does not stand in q4, which has 300 m there"),
+        (("1:W>E>W",), "1:W>E>W: 1 leaves at E, and does not come back in the same command"),
+        (("1:W>E+q4+q3",), "1:W>E+q4+q3: no chain of routes takes 1 from W over q3, q4 to E"),
+        (("1:q4/X5>W",), "routes lead from q4 to E; name another place"),
+        (("1:W>q7",), "routes lead from W to E, X1, X3, X5; name another place"),
+    ],
+)
+def test_what_cannot_be_commanded_is_told_with_its_reason(arguments: tuple[str, ...], told: str) -> None:
+    code, text = run("layouts/mine11.yaml", *arguments)
+    assert code == 1 and told in text, text
 
 
 def test_the_shortest_deadlock_is_told_and_shown_on_the_controller() -> None:

@@ -160,3 +160,9 @@ def test_digits_of_other_scripts_are_refused(key: str, value: str, fix: str, tmp
     file.write_text(f"dispatch: 1\nlayout: heishan\n{key}: {value}\n", "utf-8")
     done = CliRunner().invoke(command, ["layouts/heishan.yaml", "--orders", str(file)])
     assert done.exit_code == 1 and f"fix: {fix}\n" in done.output, done.output
+
+
+def test_two_trains_do_not_begin_in_one_section() -> None:
+    text = HEISHAN.replace("house: {kind: waiting, at: W, capacity: 8}", "house: {kind: waiting, at: s9, capacity: 4}")
+    found = told(text)
+    assert found.count("IL6009") == 3, "the second, third and fourth"

@@ -225,7 +225,7 @@ def test_a_cluster_whose_worker_is_killed_loses_nothing() -> None:
 def test_a_shift_does_all_that_is_ordered() -> None:
     w = one(HEISHAN, None, 0, Options())
     assert w.tipped == {"a": 6, "b": 8, "c": 4} and w.tonnes == {"lean": 480.0, "rich": 600.0}
-    assert not any(summary(w).values()) and w.alarms == []
+    assert not any(summary(w).values()) and w.alarms == [] and w.late == {"b": 0}
     events = read(w.log).events
     assert {e["cause"] for e in events if e["kind"] == "waits"} <= set(CAUSES) - {"other"}
     inside, most = set[str](), 0
@@ -392,6 +392,18 @@ def test_what_is_not_a_number_is_within_no_bounds(option: str) -> None:
     for value in ("nan", "inf", "-1", "0"):
         done = CliRunner().invoke(command, [HEISHAN, option, value, "--steady"], catch_exceptions=False)
         assert done.exit_code == 2 and "not in the range" in done.output, done.output
+
+
+def test_what_comes_after_the_time_of_its_order_is_told(tmp_path: Path) -> None:
+    file = tmp_path / "x.dispatch"
+    file.write_text(
+        Path("layouts/heishan.dispatch")
+        .read_text("utf-8")
+        .replace("tonnes: 480", "trains: 2")
+        .replace("by: 6", "by: 0.75")
+    )
+    done = CliRunner().invoke(command, [HEISHAN, "--dispatch", str(file), "--hours", "2"], catch_exceptions=False)
+    assert done.exit_code == 0 and "order b: 2 of 2 trains from c3, 2 of them after 0.75 h" in done.output, done.output
 
 
 def test_the_command_writes_records_and_tells_its_counts(tmp_path: Path) -> None:

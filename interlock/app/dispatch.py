@@ -259,14 +259,25 @@ def _setting(
                     code, text = "IL6004", f"{one.train} is commanded twice"
                 how = "give each train a number of its own, or one command with both ways: 12:W>q4>E"
                 raise BadOrder(code, text, (), "", how)
+            there = next((e for e in errands if _one_place(e, one)), None)
+            if there is not None:
+                text = f"{one.train} begins in {one.start[-1][0]}, where {there.train} stands"
+                raise BadOrder("IL6004", text, fix="begin in another section, or outside")
             railway.draft(one)
             errands.append(one)
         except BadOrder as error:
             fix: str | Suggestion = error.fix or (did_you_mean(error.word, error.known) if error.known else "")
             sink.add(error.code, f"{c}: {error.text}", None, fix)
-        except (NoVoyage, TooManyPlaces) as error:
-            sink.add("IL6005", f"{c}: {error}", None, "name another destination, or a place on the way")
+        except NoVoyage as error:
+            sink.add("IL6005", f"{c}: {error}", None, error.fix)
+        except TooManyPlaces as error:
+            sink.add("IL6005", f"{c}: {error}", None, "name a place on the way")
     return None if sink.has_errors else Setting(railway, errands, obstacles)
+
+
+def _one_place(a: Errand, b: Errand) -> bool:
+    """Two trains would begin in one section of the layout."""
+    return not {s for s, n in a.start if n != OUTSIDE}.isdisjoint(s for s, n in b.start if n != OUTSIDE)
 
 
 def _shift(

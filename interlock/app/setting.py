@@ -165,8 +165,8 @@ def _simulable(orders: Orders, layout: Layout, derived: tuple[Derived, ...], sin
             sink.add("IL6012", text, orders.at("fleet", number, "at"), "see the page of shifts")
     for b in layout.boundaries:
         if b.block is BlockKind.TOKEN:
-            text = f"at {b.node} a direction token is exchanged, with whom no shift is simulated"
-            sink.add("IL6012", text, orders.root.span, "simulate the layout without it")
+            text = f"a direction token is exchanged at {b.node}: on such lines no shift is simulated"
+            sink.add("IL6012", text, orders.root.span, "leave out `block: token` in a copy of the layout")
 
 
 @lru_cache(maxsize=8)

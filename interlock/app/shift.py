@@ -382,6 +382,9 @@ class Shift:
         tonnes = self.file.fleet[trip.train].tonnes * (1 - self.lost[trip.train] / self.file.fleet[trip.train].wagons)
         self.lost[trip.train] = 0
         self.worked.tipped[order.name] = self.worked.tipped.get(order.name, 0) + 1
+        if order.order.by is not None:
+            late = self.agenda.now_ms > order.order.by * 3_600_000
+            self.worked.late[order.name] = self.worked.late.get(order.name, 0) + late
         ore = order.order.ore or "ore"
         self.worked.tonnes[ore] = self.worked.tonnes.get(ore, 0.0) + tonnes
         self._say(

@@ -30,6 +30,8 @@ class Worked:
     seed: int
     tipped: dict[str, int] = field(default_factory=dict)
     """Trains by order."""
+    late: dict[str, int] = field(default_factory=dict)
+    """Of them, by order with a time until when (`by`): those after it."""
     tonnes: dict[str, float] = field(default_factory=dict)
     """By kind of ore."""
     seconds: float = 0.0

@@ -158,6 +158,7 @@ def _body(done: Sequence[Worked], files: Sequence[str]) -> dict[str, object]:
                 "seed": w.seed,
                 "trains": w.trains,
                 "tipped": w.tipped,
+                "late": w.late,
                 "tonnes": w.tonnes,
                 "scans": w.scans,
                 "movements": w.movements,
@@ -186,7 +187,10 @@ def _print(setting: Setting, done: Sequence[Worked], files: Sequence[str], took:
         click.echo(f"  tonnes of {ore} a shift: {t.value:.6g}" + (f" ± {t.half:.4g}" if t.count > 1 else ""))
     for d in setting.derived:
         x = mean([w.tipped.get(d.name, 0) for w in done])
-        click.echo(f"  order {d.name}: {x.value:.4g} of {d.trains} trains from {d.order.from_}")
+        late = mean([w.late.get(d.name, 0) for w in done]).value
+        many_late = f"{late:.4g}" if late else "none"
+        after = "" if d.order.by is None else f", {many_late} of them after {d.order.by:g} h"
+        click.echo(f"  order {d.name}: {x.value:.4g} of {d.trains} trains from {d.order.from_}{after}")
     for name in summary(done[0]):
         count = sum(summary(w)[name] for w in done)
         click.echo(f"  {name}: {click.style(str(count), fg='red' if count else 'green')}")

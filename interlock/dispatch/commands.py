@@ -39,15 +39,24 @@ def errand(railway: Railway, command: str, length_m: float, train: str = "") -> 
     if command in voyages:
         v = next(x for x in layout.voyages if x.name == command)
         leg = Leg(v.exit, frozenset(v.via), v.shunt, v.far_first)
-        return Errand(train or command, length_m, voyage_start(railway, voyages[command]), (leg,)), voyages[
-            command
-        ].priority
+        start = _fits(railway, voyage_start(railway, voyages[command]), length_m)
+        return Errand(train or command, length_m, start, (leg,)), voyages[command].priority
     found = _COMMAND.fullmatch(_SIGN.sub(r"\1", command.strip()))
     if found is None:
         text = f"'{command}' is neither a voyage nor a command NUMBER:ORIGIN>DESTINATION"
         raise BadOrder("IL6004", text, tuple(voyages), command, _written(command))
     legs = tuple(_leg(railway, x) for x in found["legs"].split(">")[1:])
-    return Errand(train or found["train"], length_m, _start(railway, found["start"]), legs), 0
+    start = _fits(railway, _start(railway, found["start"]), length_m)
+    return Errand(train or found["train"], length_m, start, legs), 0
+
+
+def _fits(railway: Railway, start: tuple[TraversalKey, ...], length_m: float) -> tuple[TraversalKey, ...]:
+    """Where a train begins, if it stands there wholly.  Raises `BadOrder`."""
+    section, metres = start[-1][0], railway.metres.get(start[-1])
+    if start[-1][1] != OUTSIDE and metres is not None and metres < length_m:
+        text = f"a train of {length_m:g} m does not stand in {section}, which has {metres:g} m there"
+        raise BadOrder("IL6004", text, fix="take a shorter train, or begin outside")
+    return start
 
 
 def _written(command: str) -> str:

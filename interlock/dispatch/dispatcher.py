@@ -204,10 +204,14 @@ class Dispatcher:
     def _shut(self, run: Run, stage: Stage, seen: Indications, dt_ms: int) -> str:
         """Why a route that is set will not take its train on, if it is to be taken back: so that another may come out
         of the way, or the train take another way."""
+        run.reason = ""
         if stage.open(seen):
             run.shut_ms = 0
             return ""
         run.shut_ms += dt_ms
+        if stage.waits(seen):  # whoever has the direction may take his time
+            run.reason = f"{stage.route} is set; the direction of the line beyond is not here"
+            run.shut_ms = min(run.shut_ms, STRANGER_MS + 1)
         machine = stage.fails(seen)
         if machine is not None:
             return f"{machine} is not detected"
@@ -252,6 +256,7 @@ class Dispatcher:
                 run.asking.clear()
             return
         self.asked.append((run.name, stage.route))
+        run.reason = ""
         run.asking.remove(stage)
         if run.asking:
             return

@@ -112,7 +112,8 @@ class Derivation:
                 self._ore(name, order)
             if (order.trains is None) == (order.tonnes is None):
                 here = self.orders.at("orders", name, key=True)
-                self.sink.add("IL6003", f"order {name} says neither or both of trains and tonnes", here, "say one")
+                says = "neither trains nor tonnes" if order.trains is None else "both trains and tonnes"
+                self.sink.add("IL6003", f"order {name} says {says}", here, "say one of them")
         if file.orders and not file.fleet:
             self.sink.add("IL6003", "there are orders and no fleet", self.orders.at("orders", key=True), "add `fleet`")
 
@@ -173,7 +174,8 @@ class Derivation:
                 journeys[number] = self.railway.draft(self.errand(number, order))
             except (NoVoyage, TooManyPlaces) as error:
                 why = f"order {name}: {error}"
-                self.sink.add("IL6005", why, self.orders.at("orders", name, key=True), "see `interlock draw`")
+                fix = error.fix if isinstance(error, NoVoyage) else "name sections on the way with `via`"
+                self.sink.add("IL6005", why, self.orders.at("orders", name, key=True), fix)
                 return
             if not self._open(name, journeys[number]):
                 return
@@ -223,6 +225,14 @@ class Derivation:
         if self.file.places and len(self.file.fleet) > room:
             text = f"{len(self.file.fleet)} trains have {room} places to stand"
             self.sink.add("IL6009", text, self.orders.at("fleet", key=True), "add waiting places, or their capacity")
+
+        first: dict[str, str] = {}
+        for number, train in self.file.fleet.items():
+            at = self.file.places[train.at].at
+            if at in self.sections and first.setdefault(at, number) != number:
+                text = f"{number} begins in {at}, where {first[at]} stands: plans know one train in a section"
+                fix = "let it begin in another section, or outside"
+                self.sink.add("IL6009", text, self.orders.at("fleet", number, "at"), fix)
 
     def _leaves(self, under: tuple[TraversalKey, ...]) -> bool:
         return bool(self.railway.routes_on(Place(0, frozenset(), None, under), True))

@@ -28,6 +28,8 @@ class Stage:
     berth: SectionId | None
     late: Mapping[MachineId, str]
     beyond: tuple[str, ...]
+    out: tuple[SectionId, ...] = ()
+    """The sections beyond the boundary over which it leads out."""
     on_sight: bool = False
     """A call-on: its sections may be reported occupied."""
     direction: str = ""
@@ -63,9 +65,12 @@ class Stage:
     def closed(self, seen: Indications) -> bool:
         """It is set and shows stop, though its sections are clear and the direction is here: it closed while something
         was wrong."""
-        waits = bool(self.direction) and not seen.get(self.direction, 0)
         clear = all(seen.get(n, 0) for n in self.clear.values())
-        return self.is_set(seen) and not self.open(seen) and clear and not waits
+        return self.is_set(seen) and not self.open(seen) and clear and not self.waits(seen)
+
+    def waits(self, seen: Indications) -> bool:
+        """It leads over a line whose direction is not here."""
+        return bool(self.direction) and not seen.get(self.direction, 0)
 
     def left(self, seen: Indications) -> bool:
         """Nothing is locked or occupied."""
@@ -114,6 +119,7 @@ def stages(table: InterlockingTable, symbols: Symbols) -> dict[RouteId, Stage]:
             on_sight=r.kind is RouteKind.CALL_ON,
             direction="" if r.token is None else symbols.token[r.token.boundary].tells["has"],
             own=frozenset(s for s, k in r.traversals if (SectionId(s), k) in overlaps.get(r.entry, ())),
+            out=tuple(c.section for c in r.block),
             beyond=tuple(symbols.clear[c.section] for c in r.block if c.section in symbols.clear),
         )
     return found

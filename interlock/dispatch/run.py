@@ -73,6 +73,7 @@ class Run:
         """The sections in which its train may be, or that are set for it."""
         found = {s for p in (self.places[max(0, self.at - 2) :], [self.place]) for x in p for s, n in x.under if n}
         found |= {s for stage in self.granted[max(0, self.at - 1) :] for s in stage.sections}
+        found |= {s for stage in self.granted[max(0, self.at - 1) : self.at] for s in stage.out}  # it runs out there
         for p in (*self.places[:1], self.place):
             for b, n in p.under:
                 approach = self.journey.railway.approach.get(b) if n == OUTSIDE else None

@@ -50,7 +50,11 @@ class TooManyPlaces(Exception):
 
 
 class NoVoyage(Exception):
-    """No chain of routes makes an errand; says which leg."""
+    """No chain of routes makes an errand; says which leg, and in `fix` what could be done."""
+
+    def __init__(self, text: str, fix: str) -> None:
+        super().__init__(text)
+        self.fix = fix
 
 
 @dataclass(frozen=True)
@@ -329,13 +333,29 @@ class Railway:
             todo.extend(s.after for s in steps[place])
         kept = _leading(steps, homes)
         if start not in kept:
-            far = max((p.leg for p in steps), default=0)
-            to, long = errand.legs[min(far, len(errand.legs) - 1)].to, ""
-            if errand.length_m > 1 and self._goes(replace(errand, length_m=1.0)):
-                to, long = f"{to}; a shorter train could go", f", {errand.length_m:g} m long,"
-            raise NoVoyage(f"no chain of routes takes {errand.train}{long} to {to}")
+            raise self._none(errand, steps)
         steps = {p: [s for s in steps[p] if s.after in kept] for p in kept}
         return Journey(errand, start, _straight(self._cheap_first(steps), start), self)
+
+    def _none(self, errand: Errand, steps: Mapping[Place, Sequence[Step]]) -> NoVoyage:
+        """Why no chain of routes makes an errand: the first leg that none makes, and where routes lead on it."""
+        far = min(max(p.leg for p in steps), len(errand.legs) - 1)
+        start, to = errand.legs[far - 1].to if far else str(errand.start[-1][0]), errand.legs[far].to
+        over = f"over {', '.join(sorted(errand.legs[far].via))} " if errand.legs[far].via else ""
+        if far < len(errand.legs) - 1 and NodeId(to) in self.layout.boundary_at:
+            why = f"{errand.train} leaves at {to}, and does not come back in the same command"
+            return NoVoyage(why, f"end the command at {to}, and give another one from there")
+        if errand.length_m > 1 and self._goes(replace(errand, length_m=1.0)):
+            long = f"{errand.train}, {errand.length_m:g} m long,"
+            return NoVoyage(
+                f"no chain of routes takes {long} from {start} to {to}", "take a shorter train: one could go"
+            )
+        on = [r for p in steps if p.leg == far for r, _ in self.routes_on(p, self._turns(errand, p))]
+        exits = sorted({str(r.exit) for r in on if (r.kind is RouteKind.SHUNT) == errand.legs[far].shunt})
+        leads = f"routes lead from {start} to {', '.join(exits[:8])}{', ...' if exits[8:] else ''}; name another place"
+        no = f"no route leads on from {start}: put a signal there, or name another place"
+        why = f"no chain of routes takes {errand.train} from {start} {over}to {to}"
+        return NoVoyage(why, leads if exits else no)
 
     def _goes(self, errand: Errand) -> bool:
         try:
@@ -366,8 +386,7 @@ class Railway:
         return sum(map(self.seconds, step.routes)) + TURNS_S * step.turned
 
     def _steps(self, errand: Errand, place: Place) -> list[Step]:
-        leg = errand.legs[place.leg]
-        turns = place.route is None or (bool(place.leg) and not place.passed and self._begins(errand, place))
+        leg, turns = errand.legs[place.leg], self._turns(errand, place)
         if leg.far_first:
             return self._whole(errand, place, turns)
         found = []
@@ -383,9 +402,12 @@ class Railway:
         """What else must be free for a route from where a train stands; None where it cannot be set."""
         return frozenset() if place.route is None or turned else self.released(place, r)
 
-    def _begins(self, errand: Errand, place: Place) -> bool:
-        """The train has just ended a leg: it may change direction."""
-        return place.route is not None and self._reached(self.table.route[place.route], errand.legs[place.leg - 1])
+    def _turns(self, errand: Errand, place: Place) -> bool:
+        """The train begins, or has just ended a leg: it may change direction."""
+        if place.route is None:
+            return True
+        ended = errand.legs[place.leg - 1] if place.leg and not place.passed else None
+        return ended is not None and self._reached(self.table.route[place.route], ended)
 
     def _reached(self, r: RouteRow, leg: Leg) -> bool:
         return leg.to in (r.exit, r.section_ids[-1])
