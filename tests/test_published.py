@@ -60,6 +60,7 @@ def test_what_differs_and_what_does_not() -> None:
     assert count(compared("railml")) == {"route": 7, "points": 4, "clear": 15}
     assert count(compared("swtbahn")) == {"points": 65}
     assert count(compared("cranz")) == {"route": 19, "points": 25, "clear": 48}
+    assert count(compared("spurs")) == {"route": 1, "clear": 18}
     assert count(compared("tatehama")) == {"points": 12, "clear": 1, "locked": 4}
 
 
@@ -100,6 +101,7 @@ def changed(name: str, route: str, column: str, cell: str) -> Station:
         ("cranz", "R_09", "points", "Sw06R Sw07RR"),
         ("cranz", "R_01", "crossings", ""),
         ("cranz", "R_12", "route", "R_99"),
+        ("spurs", "R_07", "clear", "41"),
         ("tatehama", "5LB", "points", "27R 26 25 24 23"),
     ],
 )
