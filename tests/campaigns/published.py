@@ -72,7 +72,7 @@ def of_station(c: Comparison) -> list[str]:
     lines += [f"**What was read.** {s.about['read'].strip()}  {s.about['drawn'].strip()}", ""]
     same = sum(not any(d.route == n for d in c.differences) for n in s.published)
     lines += [
-        f"{len(s.rows)} published rows, {len(s.table.routes)} derived routes; {same} rows have no difference.",
+        f"{len(s.rows)} published rows, {len(s.table.routes)} derived routes; {same} row{'s have' if same != 1 else ' has'} no difference.",
         "",
     ]
     added = additions(s.name)
