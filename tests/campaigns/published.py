@@ -71,8 +71,9 @@ def of_station(c: Comparison) -> list[str]:
     lines = [f"## {s.layout.title}", "", f"**Source.** {s.about['source'].strip()}", ""]
     lines += [f"**What was read.** {s.about['read'].strip()}  {s.about['drawn'].strip()}", ""]
     same = sum(not any(d.route == n for d in c.differences) for n in s.published)
+    have = "row has" if same == 1 else "rows have"
     lines += [
-        f"{len(s.rows)} published rows, {len(s.table.routes)} derived routes; {same} row{'s have' if same != 1 else ' has'} no difference.",
+        f"{len(s.rows)} published rows, {len(s.table.routes)} derived routes; {same} {have} no difference.",
         "",
     ]
     added = additions(s.name)
