@@ -23,7 +23,7 @@ from interlock.table.rows import InterlockingTable, Role, RouteRow
 from tests.layouts import grown
 
 HERE = Path(__file__).resolve().parent / "stations"
-STATIONS = ("komano", "shinnozaki", "akayama", "hbg", "railml", "swtbahn", "cranz", "tatehama")
+STATIONS = ("komano", "shinnozaki", "akayama", "hbg", "railml", "swtbahn", "cranz", "tatehama", "spurs")
 COLUMNS = ("route", "ends", "points", "clear", "locked", "hostile", "delay")
 ROLES = {Role.PATH: "", Role.DEVICE: "", Role.FLANK: " (flank)", Role.ADDED: " (added)", Role.OVERLAP: " (overlap)"}
 

@@ -31,6 +31,7 @@ from interlock.proof.engines.tseitin import Cnf
 from interlock.proof.induction.verdict import Verdict
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
+from interlock.proof.witnesses.availability import availability
 from interlock.table.columns import COLUMNS
 from interlock.table.national import national_sheets
 from interlock.table.printed import Printed
@@ -38,7 +39,7 @@ from interlock.table.rows import InterlockingTable, RouteKind
 from interlock.verify import Rejected
 from tests.grow import grow
 from tests.grow_all import hostile_and_demand
-from tests.layouts import grown
+from tests.layouts import built, grown
 from tests.written import told
 
 TEXT = Path("tests/layouts_for_tests/added.yaml").read_text("utf-8")
@@ -189,3 +190,23 @@ def test_on_layouts_that_grow_at_random_an_addition_only_restricts() -> None:
             assert agree(*told(texts[1]), specification.shipped()).left == (), seed
         compared += 1
     assert compared > 2
+
+
+def test_of_two_doors_of_an_air_lock_only_one_is_open() -> None:
+    layout, table, controller = built("../tests/layouts_for_tests/air_lock")
+    assert audit(layout, table) == ()
+    assert set(table.route["X1-X2"].hostile.routes) == {"X2-E", "Y1-Y2", "Y2-W"}
+    result = prove(System(layout, controller), Limits(search_s=0))
+    assert result.proved and not result.dropped
+    assert (
+        agree(*told(Path("tests/layouts_for_tests/air_lock.yaml").read_text("utf-8")), specification.shipped()).left
+        == ()
+    )
+    assert availability(System(layout, controller), table).shown
+
+
+def test_a_door_that_could_always_be_opened_to_trains_is_driven_both_ways(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("interlock.logic.lower.added.demanded", lambda d: set())
+    layout, table, _ = built("../tests/layouts_for_tests/air_lock")
+    result = prove(System(layout, lower(layout, table)), Limits(search_s=0))
+    assert {c.id for c in result.claims if c.open} >= {"P-DRIVEN"}

@@ -211,7 +211,9 @@ def test_the_sections_of_a_train_that_is_called_on_fill_a_zone() -> None:
 def test_a_route_drives_a_point_along_to_where_a_parallel_route_needs_it() -> None:
     layout, table, controller = built("../tests/layouts_for_tests/driven_reverse")
     assert audit(layout, table) == ()
-    assert {r.id: [f"{p.machine} {p.position}" for p in r.driven] for r in table.routes if r.driven} == {"A-A3": ["M R"]}
+    assert {r.id: [f"{p.machine} {p.position}" for p in r.driven] for r in table.routes if r.driven} == {
+        "A-A3": ["M R"]
+    }
     assert availability(System(layout, controller), table).shown
     otherwise = replace(table.route["A-A3"], driven=())
     rows = tuple(otherwise if r.id == "A-A3" else r for r in table.routes)

@@ -14,6 +14,7 @@ from click.testing import CliRunner
 from interlock.cli.main import cli
 from interlock.diag import Sink
 from interlock.emit.drawing import Drawing, place, plan_svg
+from interlock.emit.drawing.canvas import device_spots
 from interlock.emit.drawing.slips import CHORDS, blades, double_slips
 from interlock.frontend import load_text
 from interlock.model.elements import BufferKind, EdgeId
@@ -330,3 +331,21 @@ def test_two_elements_in_one_place_have_one_pair_of_coordinates() -> None:
     assert load_text("loop.yaml", wrong, sink)[0] is None
     assert [d.code for d in sink.diagnostics if d.severity == "error"] == ["IL3030"]
     assert load_text("loop.yaml", wrong.replace("301", "300"), Sink())[0] is not None
+
+
+def test_doors_stand_clear_of_the_signals_before_them_and_names_clear_of_distant_signals() -> None:
+    text = Path("tests/layouts_for_tests/air_lock.yaml").read_text("utf-8")
+    layout, _ = load_text("lock.yaml", f"{text}distants:\n  DX: {{of: X1}}\n  DY: {{of: Y1}}\n", Sink())
+    assert layout is not None
+    d = place(layout)
+    for device in layout.devices:
+        ((x, _),) = device_spots(d, device.over)
+        joints = [d.at[g.node][0] for g in layout.signals if layout.section_of(g.into) in device.over]
+        assert len(joints) == 2 and min(abs(x - at) for at in joints) > 9, "the frame is 18 pixels wide"
+    for x, y, ahead in d.distants.values():
+        mark = (x - 5, y - 19, x + 5, y) if ahead else (x - 5, y, x + 5, y + 19)
+        assert not [
+            t.text
+            for t in d.labels
+            if t.box[0] < mark[2] and mark[0] < t.box[2] and t.box[1] < mark[3] - 1 and mark[1] + 1 < t.box[3]
+        ]

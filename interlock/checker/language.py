@@ -108,7 +108,8 @@ def elements(body: Mapping[str, Any]) -> dict[str, set[str]]:
     slips = body.get("slips") or {}
     points = {*(body.get("points") or ()), *(body.get("derailers") or ())}
     points |= {m for s, v in slips.items() for m in v.get("machines") or (f"{s}a", f"{s}b")}
-    found = {"section": _sections(body), "machine": points}
+    devices = {*(body.get("level_crossings") or ()), *(body.get("interlocks") or ())}
+    found = {"section": _sections(body), "machine": points, "held": points | devices}
     for kind, key in (("signal", "signals"), ("boundary", "boundaries"), ("zone", "zones"), ("distant", "distants")):
         found[kind] = {*(body.get(key) or ())}
     return {**found, "condition": {*(body.get("conditions") or ())}}

@@ -304,10 +304,14 @@ class Terminals(Lamps):
     def w_added_demands(self, c: Calling, p: Path) -> list[Demand]:
         """The points that the author has a route over this path lock."""
         return [
-            Demand(self.r.points[x["point"]].machine, "N" if x["lies"] == "normal" else "R")
+            Demand(self._machine_of(x["point"]), "N" if x["lies"] == "normal" else "R")
             for x in self.r.body.get("demand") or ()
             if self.r.chosen(x["routes"], c, p)
         ]
+
+    def _machine_of(self, name: str) -> str:
+        """The machine of a point; a level crossing or another interlock is its own."""
+        return self.r.points[name].machine if name in self.r.points else name
 
     def w_added_powered_demands(self, c: Calling, p: Path) -> list[Demand]:
         return [d for d in self.w_added_demands(c, p) if d.machine in self.w_powered()]

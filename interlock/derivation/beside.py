@@ -30,8 +30,9 @@ class Beside:
         for i, p in enumerate(paths):
             for d in demands[p.id]:
                 self._holders[d.machine, d.position] = self._holders.get((d.machine, d.position), 0) | 1 << i
+        self.driven = {p.id: self._driven(p) for p in paths}
 
-    def wanted(self, path: Path, m: MachineId, x: Position) -> list[Path]:
+    def _wanted(self, path: Path, m: MachineId, x: Position) -> list[Path]:
         """The routes that hold a machine in a position and can be set together with a route."""
         apart = self._hostile(path.id) | 1 << path.number - 1
         for p in self._paths:
@@ -39,26 +40,26 @@ class Beside:
                 apart |= 1 << p.number - 1
         return [self._paths[i] for i in bits_of(self._holders.get((m, x), 0) & ~apart)]
 
-    def driven(self, path: Path) -> tuple[PointDemand, ...]:
+    def _driven(self, path: Path) -> tuple[PointDemand, ...]:
         """The machines that a route drives along, where the principle says so: to where routes beside it want them,
         to normal where none does, and not at all where they want them both ways (R10)."""
         out: dict[MachineId, PointDemand] = {}
         if self._layout.principles.drive_points:
             for s, p in self._of(path, [t.section for t in path.ways]):
-                wanted = [x for x in Position if self.wanted(path, p.machine, x)] or [Position.NORMAL]
+                wanted = [x for x in Position if self._wanted(path, p.machine, x)] or [Position.NORMAL]
                 if len(wanted) == 1:
                     why = Because("R10", f"{p.id} lies in {s} beside the path; driven, never a condition")
                     out.setdefault(p.machine, PointDemand(p.machine, wanted[0], Role.DRIVEN, s, why))
         return tuple(out.values())
 
-    def report(self, driven: Demands, sink: Sink) -> None:
+    def report(self, sink: Sink) -> None:
         """IL7011."""
         found: dict[tuple[PointId, SectionId], tuple[dict[RouteId, None], dict[str, None]]] = {}
         for q in self._paths:
-            lies = {d.machine: d.position for d in driven[q.id]}
+            lies = {d.machine: d.position for d in self.driven[q.id]}
             for s, p in self._of(q, [t.section for t in (*q.ways, *q.overlap)]):
                 for x in (x for x in Position if lies.get(p.machine) is not x):
-                    for late in self.wanted(q, p.machine, x):
+                    for late in self._wanted(q, p.machine, x):
                         before, after = found.setdefault((p.id, s), ({}, {}))
                         before[q.id], after[f"{late.id} ({x})"] = None, None
         for (point, s), (before, after) in found.items():

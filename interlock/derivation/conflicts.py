@@ -188,7 +188,7 @@ def _excluded(lock: TraversalRow) -> Iterator[object]:
         yield from (ex.section,) if ex.whole else ((ex.section, number) for number in ex.numbers)
 
 
-_HELD = (Role.FLANK, Role.PATH, Role.OVERLAP, Role.ADDED)
+_HELD = (Role.FLANK, Role.PATH, Role.OVERLAP, Role.ADDED, Role.DEVICE)
 
 
 def _positions(demands: Sequence[PointDemand], roles: tuple[Role, ...]) -> dict[MachineId, Position]:

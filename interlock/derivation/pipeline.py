@@ -70,13 +70,11 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     by_key = {t.key: t for t in locks}
     demands = with_added(layout, paths, {p.id: route_demands(p, by_key) for p in paths}, sink)
     barred = derive_barred(layout, paths, sink)
-    swinging = _swinging(layout, paths)
-    _cannot_swing(layout, swinging, sink)
+    swinging = _swinging(layout, paths, sink)
     hostile = Conflicts(paths, by_key, demands, barred)
     _apart(paths, hostile, sink)
     idle_barred(layout, paths, hostile.derived, sink)
-    near = Beside(layout, paths, demands, hostile.bits)
-    driven = {p.id: near.driven(p) for p in paths}
+    beside = Beside(layout, paths, demands, hostile.bits)
     names = derive_names(layout, paths, sink)
     hidden = {_way(p) for p in paths if set(names.get(p.id, ())) & set(layout.unlisted)}
     _notes(layout, paths, sink)
@@ -95,7 +93,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             berth=p.berth,
             length=p.length,
             points=demands[p.id],
-            driven=driven[p.id],
+            driven=beside.driven[p.id],
             sections=_clear(layout, p),
             foul=_foul(p, by_key),
             flank=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].flank)),
@@ -123,7 +121,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     voyages = derive_voyages(layout, rows, by_key, sink)
     automatic = derive_automatic(layout, paths, sink)
     check_practice(layout, paths, sink)
-    near.report(driven, sink)
+    beside.report(sink)
     return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
 
 
@@ -166,7 +164,7 @@ def _clear(layout: Layout, path: Path) -> tuple[ClearCell, ...]:
     return tuple(out)
 
 
-def _swinging(layout: Layout, paths: tuple[Path, ...]) -> dict[SignalId, tuple[int, ...]]:
+def _swinging(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> dict[SignalId, tuple[int, ...]]:
     """The alternatives of each overlap that may swing: those that every path to its signal permits (R4)."""
     common: dict[SignalId, dict[tuple[object, ...], set[int]]] = {}
     swing = {o.signal for o in layout.overlaps if o.swing}
@@ -176,7 +174,9 @@ def _swinging(layout: Layout, paths: tuple[Path, ...]) -> dict[SignalId, tuple[i
             way = (p.entry, p.kind, tuple(t.key for t in p.ways))
             common.setdefault(g, {}).setdefault(way, set()).add(p.option)
     found = {g: tuple(sorted(set.intersection(*ways.values()))) for g, ways in common.items()}
-    return {g: options for g, options in found.items() if len(options) > 1}
+    swinging = {g: options for g, options in found.items() if len(options) > 1}
+    _cannot_swing(layout, swinging, sink)
+    return swinging
 
 
 def _overlap(layout: Layout, path: Path, swinging: Mapping[SignalId, tuple[int, ...]]) -> OverlapCell | None:

@@ -29,13 +29,14 @@ def resolve_barred(ctx: Context, wiring: Wiring) -> tuple[Barred, ...]:
 
 def resolve_demanded(ctx: Context, wiring: Wiring) -> tuple[Demanded, ...]:
     """Points that routes demand, in the order in which they are written."""
-    machines: Mapping[str, MachineId] = {p.id: p.machine for p in wiring.points}
+    devices = {n: MachineId(n) for n in (*ctx.file.level_crossings, *ctx.file.interlocks)}
+    machines: Mapping[str, MachineId] = {p.id: p.machine for p in wiring.points} | devices
     out = []
     for i, x in enumerate(ctx.file.demand):
         if not machines and ctx.sink.has_errors:
             continue  # there is no graph yet
         if x.point not in machines:
-            text = f"a demand names {x.point}, which is no point"
+            text = f"a demand names {x.point}, which is no point, level crossing or other interlock"
             ctx.add("IL2001", text, ctx.at("demand", i, "point"), did_you_mean(x.point, machines))
             continue
         routes = resolve_choice(ctx, wiring, x.routes, ("demand", i, "routes"), "a demand")

@@ -353,11 +353,11 @@ class HostileSpec(_Part):
 
 
 class DemandSpec(_Part):
-    """A point that routes lock, though nothing in the layout tells."""
+    """A point or device that routes lock, though nothing in the layout tells."""
 
-    point: Name = key("the point, derailer or half of a slip")
+    point: Name = key("the point, derailer, half of a slip, level crossing or other interlock")
     lies: Annotated[Literal["normal", "reverse"], choice("position", ("normal", "reverse"))] = key(
-        "the position in which its machine lies, is detected and stays locked"
+        "the position in which it lies, is detected and stays locked; a level crossing is open to its road in `normal`"
     )
     routes: ChoiceSpec = key("the routes that demand it")
     reason: Reason = key("why they do; not empty")

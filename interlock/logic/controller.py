@@ -187,8 +187,6 @@ class RouteSymbols:
     """Numbers of the routes that the author declares hostile."""
     demands: tuple[tuple[MachineId, Position], ...] = ()
     """Machines that the author has it lock."""
-    along: tuple[MachineId, ...] = ()
-    """Machines beside its path that it drives along, if they are free to move."""
 
     @property
     def open_while(self) -> tuple[Name, ...]:

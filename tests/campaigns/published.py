@@ -1,4 +1,4 @@
-"""Published interlocking tables of seven stations and lines, row by row; each proved and verified.
+"""Published interlocking tables of nine stations and lines, row by row; each proved and verified.
 
 python -m tests.campaigns.published [-o proofs/stations.md]
 
@@ -71,8 +71,9 @@ def of_station(c: Comparison) -> list[str]:
     lines = [f"## {s.layout.title}", "", f"**Source.** {s.about['source'].strip()}", ""]
     lines += [f"**What was read.** {s.about['read'].strip()}  {s.about['drawn'].strip()}", ""]
     same = sum(not any(d.route == n for d in c.differences) for n in s.published)
+    have = "row has" if same == 1 else "rows have"
     lines += [
-        f"{len(s.rows)} published rows, {len(s.table.routes)} derived routes; {same} rows have no difference.",
+        f"{len(s.rows)} published rows, {len(s.table.routes)} derived routes; {same} {have} no difference.",
         "",
     ]
     added = additions(s.name)

@@ -119,6 +119,9 @@ def flat(line: list[Spot]) -> tuple[Spot, Spot]:
 
 # --- names and signals ---------------------------------------------------------------------------
 
+APART = 36.0
+"""Pixels along the track from the joint of a signal to the middle of a device that stands clear of it."""
+
 
 def bend(d: Drawing, point: str) -> Spot:
     """The next spot on the turned leg of a point."""
@@ -137,12 +140,15 @@ def fouling_mark(d: Drawing, point: str) -> Spot | None:
 
 
 def device_spots(d: Drawing, over: tuple[SectionId, ...]) -> list[Spot]:
-    """Where a device lies over each of its sections."""
+    """Where a device lies over each of its sections: clear of the signals that lead into it, if there is room."""
     out = []
     for s in over:
         stretches = [flat(d.edges[e.id]) for e in d.layout.edges if e.section == s]
         (x0, y0), (x1, y1) = max(stretches, key=lambda p: abs(p[1][0] - p[0][0]))
-        out.append((x0 + (x1 - x0) * 0.25, y0 + (y1 - y0) * 0.25))
+        masts = [d.at[g.node][0] for g in d.layout.signals if d.layout.section_of(g.into) == s]
+        off = [(x, APART) for x in masts] + [(x, 12.0) for x in (x0, x1)]
+        k = next((k for k in (0.25, 0.5, 0.75) if all(abs(x0 + (x1 - x0) * k - x) >= m for x, m in off)), 0.5)
+        out.append((x0 + (x1 - x0) * k, y0 + (y1 - y0) * k))
     return out
 
 

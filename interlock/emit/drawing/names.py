@@ -113,6 +113,9 @@ def _signals(d: Drawing) -> None:
         ahead = d.signals[k.of][2]
         way = 1 if ahead else -1
         d.distants[k.id] = (x - way * 24, y, ahead)
+        if d.layout.signal[k.of].node in d.layout.boundary_at:  # beside the name of the approach section
+            up = ahead is leftward
+            d.taken.add((x - way * 24 - 6, y - 20 if up else y, x - way * 24 + 6, y if up else y + 20))
         _put(d, Label("signal", k.id, k.id, x - way * 24, y - 24 if ahead is leftward else y + 32))
 
 

@@ -55,6 +55,11 @@ def held(d: Draft, m: MachineId) -> list[Expr]:
     return [var(names.HOLDS_ADDED(r.number)) for r in d.table.routes if any(p.machine == m for p in r.added)]
 
 
+def demanded(d: Draft) -> set[tuple[MachineId, Position]]:
+    """Machines with the positions in which the author has some route hold them."""
+    return {(p.machine, p.position) for r in d.table.routes for p in r.added}
+
+
 def granted(d: Draft) -> Iterator[tuple[MachineId, Position, Expr]]:
     """The grants that demand a machine that was added."""
     for r in d.table.routes:

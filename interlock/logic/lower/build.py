@@ -108,7 +108,6 @@ def _route(d: Draft, r: RouteRow) -> RouteSymbols:
         added.holds(r),
         tuple(d.table.route[c.route].number for c in r.barred),
         tuple((p.machine, p.position) for p in r.added),
-        tuple(p.machine for p in r.driven),
     )
 
 

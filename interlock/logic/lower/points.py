@@ -88,8 +88,9 @@ def movable(d: Draft) -> None:
 
 
 def _closing(d: Draft, m: MachineId, x: Position) -> bool:
-    """To close a level crossing, a bridge or another device is always permitted: it opens nothing for a train (R13)."""
-    return m in d.layout.device and x is Position.REVERSE
+    """To close a level crossing, a bridge or another device is always permitted: it opens nothing for a train (R13);
+    but for one that the author has routes hold open to its road, as the doors of an air lock."""
+    return m in d.layout.device and x is Position.REVERSE and (m, x.other) not in added.demanded(d)
 
 
 def commands(d: Draft) -> None:

@@ -168,7 +168,8 @@ def _standing_section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
         if s in f.layout.sections_of_machine[m]:
             told = [(p, x) for p in Position for x in (var(f.sym.command[m, p]), old_command(m, p))]
             quiet = [implies(x, lies(m, p)) for p, x in told]
-            if m in f.layout.device:  # it may be closed, and nothing opens it
+            held_open = any((d.machine, d.position) == (m, Position.NORMAL) for d in f.layout.demanded)
+            if m in f.layout.device and not held_open:  # it may be closed, and nothing opens it
                 quiet = [neg(x) for p, x in told if p is Position.NORMAL]
             yield f"S-QUIET:{m}", implies(f.restart(s), conj(quiet))
 

@@ -12,7 +12,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from math import ceil
 
+from interlock.logic import names
 from interlock.logic.controller import RouteSymbols, Symbols
+from interlock.logic.expr import variables
 from interlock.model.elements import MachineId, Position
 from interlock.proof.system.transition import System
 
@@ -51,7 +53,7 @@ def opening(system: System, r: RouteSymbols) -> Opening:
         back = bool(needed & devices(system))
         scans, seconds = OPEN + 1 + back, rules.point_run_s * (1 + back)
         if rules.point_start_gap_s > 0:  # a turn is given, the start seen, and the gap waited for
-            turns = len(needed.union(r.along))
+            turns = len(needed | along(system, r))
             scans += 2 * turns - 1
             seconds += (turns - 1) * rules.point_start_gap_s
     exit_ = system.topo.traversals[r.ways[-1][0]][r.ways[-1][1] - 1].exit
@@ -73,6 +75,18 @@ def machines_of(system: System, r: RouteSymbols) -> set[MachineId]:
     return {m for m, _ in demanded(system.symbols, r)}
 
 
+def along(system: System, r: RouteSymbols) -> set[MachineId]:
+    """The machines beside its path that a route drives along, if they are free to move."""
+    granted = {names.GRANTED(n) for n in (r.number, r.onward) if n is not None}
+    found = set()
+    for e in system.controller.equations:
+        if e.name.family is names.DEMANDED:
+            driven = [t.expr for t in e.terms if t.kind == "driven along"]
+            if granted & set(variables(driven)):
+                found.add(MachineId(str(e.name.at[0])))
+    return found
+
+
 def devices(system: System) -> set[MachineId]:
     """Level crossings, bridges and other interlocks: what opens by itself."""
     return {d.id for d in system.layout.devices}
@@ -86,10 +100,10 @@ def steps(
     """
     needed = machines_of(system, r)
     n = len(needed) if moved is None else moved
-    if n:
-        n += len({*r.along, *(after.along if after is not None else ())} - needed)
     gap_ms = system.layout.principles.point_start_gap_s * 1000
     if not n:
         return OPEN
+    if gap_ms > 0:
+        n += len((along(system, r) | (along(system, after) if after is not None else set())) - needed)
     back = bool(needed & devices(system))
     return OPEN + 1 + back + (1 + (n - 1) * (2 + ceil(gap_ms / dt_ms)) if gap_ms > 0 else 0)
