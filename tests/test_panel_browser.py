@@ -198,6 +198,10 @@ def test_two_browsers_agree_and_the_page_outlives_its_server(server: Server, tmp
             is_(page, "body", "stale")
         assert time.monotonic() - began < 2.5
         assert "older than a second" in one.inner_text("#grey")
+        colours = "ids => ids.map(i => getComputedStyle(document.getElementById(i)).backgroundColor)"
+        unknown = one.evaluate("getComputedStyle(document.getElementById('releases')).backgroundColor")
+        assert one.evaluate(colours, ["inputs", "power"]) == [unknown] * 2, "what is not known is not green"
+        assert one.get_attribute("#title", "title") == one.inner_text("#title"), "a title that is cut is told whole"
         again = Server(tmp_path / "heishan.yaml", server.port)
         try:
             for page in (one, two):
