@@ -52,6 +52,8 @@ MODULE = [
 ]
 
 TABLES = [
+    (r"(INPUTS = \{\n)(    [^\n]*\n)(    [^\n]*\n)", r"\1\3\2"),
+    (r"(STATE = \{\n)(    [^\n]*\n)(    [^\n]*\n)", r"\1\3\2"),
     (r"'VALID': \(0, 2\)", "'VALID': (0.0, 2)"),
     (r"'VALID': \(0, 2\)", "'VALID': (False, 2)"),
     (r"('REQ': \(\d+, \d+)\)", r"\1.0)"),
@@ -148,6 +150,16 @@ def test_no_edit_that_python_takes_otherwise_is_accepted(old: str, new: str) -> 
     controller, text = emitted()
     changed = re.sub(old, new, text, count=1)
     assert changed != text and not compare_runtime(controller, changed).proved
+
+
+def test_the_state_is_not_taken_again_when_it_has_been_committed() -> None:
+    """Then a name would stand for what is, where it is read as what was."""
+    controller, text = emitted()
+    assert compare_runtime(controller, text).proved
+    begin = text.index("        (\n            PWR")
+    block = text[begin : text.index("STATE)\n", begin) + len("STATE)\n")]
+    before, after = (text.replace(at, at + block, 1) for at in (block, "        ))))\n"))
+    assert compare_runtime(controller, before).proved and not compare_runtime(controller, after).proved
 
 
 def test_the_encoding_that_a_comment_names_lets_a_comment_run() -> None:

@@ -80,6 +80,7 @@ class _Reader:
             raise BadRuntime("the parts of the module")
         tables = [_table(x, n) for x, n in zip(rest, TABLES, strict=False)]
         inputs, self.state, self.presets, self.restrictive, routes, timers, codes = tables
+        self.inputs = [*inputs]
         if not _same(inputs, {i.name: (i.restrictive, i.size or 2) for i in controller.inputs}):
             raise BadRuntime("INPUTS are not those of the controller")
         if set(self.state) != {s.name for s in controller.state}:
@@ -161,9 +162,11 @@ class _Reader:
         raise self._bad("a list of names does not end")
 
     def _unpacked(self) -> None:
-        """All inputs, or all of what is remembered, each under its own name and in the order of its table."""
+        """All inputs, or all of what is remembered, each under its own name and in the order of its table in the text."""
         names, end = self._listed()
-        if end == _READ and names == [*self.sizes]:
+        if self.after:
+            raise self._bad("what is remembered is taken again when it has changed")
+        if end == _READ and names == self.inputs:
             taken: Iterable[Term] = [Symbol(n) if self.sizes[n] else var(spelled(n)) for n in names]
         elif end == _OLD and names == [*self.state]:
             taken = [var(spelled(n)) for n in names]
