@@ -12,6 +12,7 @@ import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -166,6 +167,21 @@ def test_by_keys_alone(server: Server) -> None:
         assert page.locator("#plan svg").get_attribute("viewBox") == before
         click(page, "#test")
         page.wait_for_selector("#said:has-text('lamp test: over')")
+        assert wrong == []
+
+
+def test_on_a_phone_the_plan_has_its_width_and_nothing_lies_over_anything(server: Server) -> None:
+    with browser() as b:
+        page, wrong = opened(b, server.url)
+        page.set_viewport_size({"width": 390, "height": 800})
+        parts = (
+            "['#plan', '#said', '#line', 'aside'].map(x => document.querySelector(x).getBoundingClientRect().toJSON())"
+        )
+        boxes = page.evaluate(parts)
+        assert page.evaluate("document.documentElement.scrollWidth") <= 390 and boxes[0]["width"] > 380
+        assert boxes[0]["height"] > 200
+        for above, below in pairwise(boxes):
+            assert above["bottom"] <= below["top"] + 1
         assert wrong == []
 
 
