@@ -162,7 +162,7 @@ class _Reader:
         raise self._bad("a list of names does not end")
 
     def _unpacked(self) -> None:
-        """All inputs, or all of what is remembered, each under its own name and in the order of its table in the text."""
+        """All inputs, or all of what is remembered, under their names and in the order of their table in the text."""
         names, end = self._listed()
         if self.after:
             raise self._bad("what is remembered is taken again when it has changed")
