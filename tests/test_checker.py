@@ -160,7 +160,7 @@ EDITS = {
     "parameters": ("FUNCTION_BLOCK", f"{OWN_TIMER.replace('TON', 'TOFF')}FUNCTION_BLOCK", "expected"),
     "a variable called as a type": ("  T_1 : BOOL;", "  TON : BOOL;", "the text defines TON itself"),
     "NOT before a number": (
-        "INP.VALID (* inputs valid *)\n    AND (INP.REQ = 0);",
+        "INP.VALID AND (INP.REQ = 0);",
         "NOT (NOT INP.VALID OR NOT INP.REQ = 0);",
         "a number",
     ),

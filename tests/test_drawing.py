@@ -159,6 +159,17 @@ def test_names_with_anything_in_them_do_not_break_the_drawing() -> None:
     assert "<script" not in drawn and ElementTree.fromstring(drawn) is not None
 
 
+@pytest.mark.parametrize("name", ["mine11", "slip_junction", "depot", "flank_lab"])
+def test_no_fouling_mark_stands_before_a_length_as_if_it_multiplied_it(name: str) -> None:
+    svg = plan_svg(built(name)[0])
+    crosses = [(float(x) + 2.5, float(y) + 2.5) for x, y in re.findall(r'class="foul" d="M([\d.]+) ([\d.]+) l5 5', svg)]
+    lengths = re.findall(r'<text class="length"[^>]* x="([\d.]+)" y="([\d.]+)">([^<]*)', svg)
+    assert crosses and lengths
+    for x, y, text in ((float(x), float(y), text) for x, y, text in lengths):
+        near = [c for c in crosses if abs(c[1] - y + 3) < 7 and abs(c[0] - x) < 2.9 * len(text) + 6]
+        assert not near, (text, x, y, near)
+
+
 def test_a_hint_of_the_layout_wins() -> None:
     with open("layouts/mine11.yaml", encoding="utf-8") as f:
         text = f.read()

@@ -13,6 +13,7 @@ import pytest
 from interlock.emit.tables.export import sheet_csv
 from interlock.emit.tables.railml import railml_json
 from interlock.table.national import SHEETS, Sheet, national_sheets
+from interlock.table.rows import ProviderKind
 from tests.layouts import SHIPPED, built, grown
 
 Rows = list[dict[str, str]]
@@ -130,14 +131,24 @@ def test_every_form_is_a_rectangle_and_names_every_route(name: str) -> None:
         assert all(len(r) == len(sheet.headings) for r in sheet.rows), sheet.key
     body = json.loads(railml_json(layout, table))
     assert [r["id"] for r in body["routes"]] == [r.id for r in table.routes]
+    named = {r["elementNumber"]: r["id"] for r in body["routes"]}
     told = [
-        (c["refersToRoute"], other, c["reasonForConflict"])
+        (c["refersToRoute"], named[other], c["reasonForConflict"])
         for c in body["conflictingRoutes"]
-        for other in c["conflictsWithRoute"]
+        for group in c["conflictsWithRoutes"]
+        for other in body["routeGroups"][group]
     ]
-    number = {r.id: r.number for r in table.routes}
-    once = [(r.id, h.route, h.kind) for r in table.routes for h in r.hostile if r.number < number[h.route]]
-    assert sorted(told) == sorted(once)
+    assert sorted(told) == sorted((r.id, h.route, h.kind) for r in table.routes for h in r.hostile)
+    stops = {
+        r["refersToRoute"]: {
+            g for a in r["requiredSignalAspect"] for k in a["refersTo"] for g in body["signalGroups"][k]
+        }
+        for r in body["routeRelations"]
+    }
+    signals = {
+        r.id: {p.name for c in r.flank for p in c.providers if p.kind is ProviderKind.SIGNAL} for r in table.routes
+    }
+    assert stops == signals
 
 
 def test_a_chinese_through_route_bears_the_numbers_of_its_two_routes() -> None:

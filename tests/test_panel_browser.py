@@ -12,6 +12,7 @@ import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -196,6 +197,21 @@ def test_by_keys_alone(server: Server) -> None:
         assert wrong == []
 
 
+def test_on_a_phone_the_plan_has_its_width_and_nothing_lies_over_anything(server: Server) -> None:
+    with browser() as b:
+        page, wrong = opened(b, server.url)
+        page.set_viewport_size({"width": 390, "height": 800})
+        parts = (
+            "['#plan', '#said', '#line', 'aside'].map(x => document.querySelector(x).getBoundingClientRect().toJSON())"
+        )
+        boxes = page.evaluate(parts)
+        assert page.evaluate("document.documentElement.scrollWidth") <= 390 and boxes[0]["width"] > 380
+        assert boxes[0]["height"] > 200
+        for above, below in pairwise(boxes):
+            assert above["bottom"] <= below["top"] + 1
+        assert wrong == []
+
+
 def test_two_browsers_agree_and_the_page_outlives_its_server(server: Server, tmp_path: Path) -> None:
     with browser() as b:
         one, _ = opened(b, server.url)
@@ -225,6 +241,10 @@ def test_two_browsers_agree_and_the_page_outlives_its_server(server: Server, tmp
             is_(page, "body", "stale")
         assert time.monotonic() - began < 2.5
         assert "older than a second" in one.inner_text("#grey")
+        colours = "ids => ids.map(i => getComputedStyle(document.getElementById(i)).backgroundColor)"
+        unknown = one.evaluate("getComputedStyle(document.getElementById('releases')).backgroundColor")
+        assert one.evaluate(colours, ["inputs", "power"]) == [unknown] * 2, "what is not known is not green"
+        assert one.get_attribute("#title", "title") == one.inner_text("#title"), "a title that is cut is told whole"
         again = Server(tmp_path / "heishan.yaml", server.port)
         try:
             for page in (one, two):

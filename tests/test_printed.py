@@ -22,6 +22,7 @@ from interlock.table.national import national_sheets
 from interlock.table.printed import Printed, PrintedRoute, grouped
 from interlock.table.rows import InterlockingTable, RouteRow
 from tests.layouts import grown
+from tests.test_runs import read_back
 
 SWING = Path("tests/layouts_for_tests/swing.yaml").read_text("utf-8")
 
@@ -114,7 +115,7 @@ def test_the_printed_cell_says_each_reason_once_with_all_its_routes() -> None:
             text = text.removeprefix(f"{way.mark(part.row)}: ") if part.row else text
             groups = [g.partition(": ") for g in text.split(", ")]
             assert len({kind for kind, _, _ in groups}) == len(groups)
-            said = sorted(f"{name} ({kind})" for kind, _, names in groups for name in names.split(" + "))
+            said = sorted(f"{name} ({kind})" for kind, _, names in groups for name in read_back(names.split(" + ")))
             assert said == sorted(t for t, _ in part.items), way.id
 
 
@@ -132,7 +133,7 @@ def test_one_overlap_of_a_way_is_named_with_its_mark() -> None:
 def test_matrices_and_report_have_a_row_for_each_way() -> None:
     layout, table = station()
     first = [row[0] for row in csv.reader(io.StringIO(matrix_csv(table))) if row]
-    assert first.index("M.M^T (all routes)") == 1 + len(ways(table))
+    assert first.index("M.M^T (all routes)") == 2 + len(ways(table))
     page = report_html(layout, table, plan_svg(layout), [], [], {}, {}, "")
     body = page[page.index('<tbody id="routes">') : page.index("</tbody>")]
     assert body.count("<tr ") == len(ways(table)) and "68 routes, 128 with their overlaps" in page

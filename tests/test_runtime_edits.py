@@ -21,7 +21,7 @@ def emitted() -> tuple[Controller, str]:
 
 
 END = r"\Z"
-SCAN = r"(        old = self\.state\n)"
+SCAN = r"(        \) = map\(self\.state\.__getitem__, STATE\)\n)"
 """After which the equations begin."""
 
 MODULE = [
@@ -52,6 +52,8 @@ MODULE = [
 ]
 
 TABLES = [
+    (r"(INPUTS = \{\n)(    [^\n]*\n)(    [^\n]*\n)", r"\1\3\2"),
+    (r"(STATE = \{\n)(    [^\n]*\n)(    [^\n]*\n)", r"\1\3\2"),
     (r"'VALID': \(0, 2\)", "'VALID': (0.0, 2)"),
     (r"'VALID': \(0, 2\)", "'VALID': (False, 2)"),
     (r"('REQ': \(\d+, \d+)\)", r"\1.0)"),
@@ -92,7 +94,7 @@ FIXED_PART = [
 ]
 
 COMPUTED = [
-    (SCAN, r"\1        old = dict(STATE)\n"),
+    (SCAN, r"\1        self.state = dict(STATE)\n"),
     (SCAN, r"\1        self = Controller()\n"),
     (SCAN, r"\1        dt_ms = True\n"),
     (SCAN, r"\1        bool = True\n"),
@@ -100,15 +102,23 @@ COMPUTED = [
     (SCAN, r"\1        global STATE\n"),
     (SCAN, r"\1        import os\n"),
     (SCAN, r"\1        return dict(OUTPUTS)\n"),
-    (SCAN, r"\1        old['K_DP'] = False\n"),
+    (SCAN, r"\1        self.state['K_DP'] = False\n"),
     (SCAN, r"\1\n"),
-    (r"        VALID = read\['VALID'\]", "        VALID = inputs['VALID']"),
-    (r"        VALID = read\['VALID'\]", "        VALID = read.get('VALID')"),
-    (r"        VALID = read\['VALID'\]", "        VALID = LREQ = read['VALID']"),
-    (r"        VALID = read\['VALID'\]", "        VALID: int = read['VALID']"),
-    (r"        VALID = read\['VALID'\]", "\tVALID = read['VALID']"),
-    (r"        VALID = read\['VALID'\]", "        VALID = read['VALID'] if VALID else 1"),
-    (r"        VALID = read\['VALID'\]", "        VALID = 1"),
+    (r"map\(read\.__getitem__, INPUTS\)", "map(inputs.__getitem__, INPUTS)"),
+    (r"map\(read\.__getitem__, INPUTS\)", "map(inputs.get, INPUTS)"),
+    (r"map\(read\.__getitem__, INPUTS\)", "map(read.__getitem__, STATE)"),
+    (r"map\(read\.__getitem__, INPUTS\)", "read.values()  # in order"),
+    (r"map\(self\.state\.__getitem__, STATE\)", "map(STATE.__getitem__, STATE)"),
+    (r"map\(self\.state\.__getitem__, STATE\)", "self.state.values()"),
+    (r"            VALID, (\w+),", r"            \1, VALID,"),
+    (r"            VALID, (\w+),", r"            VALID, VALID,"),
+    (r"            VALID, (\w+),", r"            VALID, \1, \1,"),
+    (r"            VALID, ", r"            "),
+    (r"            VALID, ", r"            *VALID, "),
+    (r"            VALID, ", r"            STATE, "),
+    (r"            VALID, ", r"            VALID,  # "),
+    (r"\n            VALID, ", "\n\t    VALID, "),
+    (r"            (PWR, [^\n]*)\n", r"            \1\n            __debug__,\n"),
     (r"REQ == 1\)", "REQ is 1)"),
     (r"REQ == 1\)", "REQ := 1)"),
     (r"REQ == 1\)", "REQ == 1.0)"),
@@ -118,12 +128,20 @@ COMPUTED = [
     (r", dt_ms\)\n", ", 2 * dt_ms)\n"),
     (r", dt_ms\)\n", ", dt_ms=dt_ms)\n"),
     (r"( = self\._timer\()'(\w+)'", r"\1'\2' ''"),
-    (r"bool\(N_K_DP\)", "N_K_DP"),
-    (r"bool\(N_K_DP\)", "bool(N_K_DP) or True"),
-    (r"bool\(N_K_DP\)", "bool([N_K_DP])"),
+    (r"(            'Y\w+': )bool\((\w+)\),", r"\1\2,"),
+    (r"(            'Y\w+': )bool\((\w+)\),", r"\1bool(\2) or True,"),
+    (r"(            'Y\w+': )bool\((\w+)\),", r"\1bool([\2]),"),
+    (r"            (N_PWR), (\w+),", r"            \2, \1,"),
+    (r"            (N_PWR), (\w+),", r"            \1, \1,"),
+    (r"            (N_PWR), ", r"            PWR, "),
+    (r"            (N_PWR), ", r"            "),
+    (r"            (N_PWR), ", r"            not \1, "),
+    (r"zip\(STATE, map\(bool, \(", "zip(STATE, map(int, ("),
+    (r"zip\(STATE, map\(bool, \(", "zip(self.state, map(bool, ("),
+    (r"        \)\)\)\)\n", "        ))), PWR=True)\n"),
     (r"\n                1: ", "\n                01: "),
     (r"        if say:", "        if not say:"),
-    (r"        self\.state = \{", "        self.state |= {"),
+    (r"        self\.state = dict", "        self.state |= dict"),
 ]
 
 
@@ -134,12 +152,20 @@ def test_no_edit_that_python_takes_otherwise_is_accepted(old: str, new: str) -> 
     assert changed != text and not compare_runtime(controller, changed).proved
 
 
+def test_the_state_is_not_taken_again_when_it_has_been_committed() -> None:
+    """Then a name would stand for what is, where it is read as what was."""
+    controller, text = emitted()
+    assert compare_runtime(controller, text).proved
+    begin = text.index("        (\n            PWR")
+    block = text[begin : text.index("STATE)\n", begin) + len("STATE)\n")]
+    before, after = (text.replace(at, at + block, 1) for at in (block, "        ))))\n"))
+    assert compare_runtime(controller, before).proved and not compare_runtime(controller, after).proved
+
+
 def test_the_encoding_that_a_comment_names_lets_a_comment_run() -> None:
     """What everybody reads as a comment returns before anything is computed; without the first line it does not."""
     controller, text = emitted()
-    noted = text.replace(
-        "        VALID = read['VALID']\n", "        VALID = read['VALID']  # \\n        return OUTPUTS\n"
-    )
+    noted = re.sub(SCAN + r"([^\n]*)", r"\1\2  # \\n        return OUTPUTS", text, count=1)
     assert noted != text and compare_runtime(controller, noted).proved
     for top, runs in (("# unicode_escape", False), ("# coding: unicode_escape", True)):
         module = types.ModuleType("runtime")

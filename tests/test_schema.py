@@ -158,8 +158,12 @@ def test_every_table_is_as_its_schema_says(name: str) -> None:
     sections = {s["id"] for s in body["topology"]["sections"]}
     for route in body["routes"]:  # whatever a row names, a reader finds
         assert route["entry_node"] in nodes and {s for s, _ in route["traversals"]} <= sections
-        for h in route["hostile"]:
-            assert h["routes"] == sorted(set(h["routes"]))
+        assert len(set(route["hostile"])) == len(route["hostile"]) and all(
+            body["hostile_groups"][k] for k in route["hostile"]
+        )
+    groups = body["hostile_groups"]
+    assert all(h["routes"] == sorted(set(h["routes"])) for h in groups)
+    assert len({json.dumps(h) for h in groups}) == len(groups)
     for how in body["hostilities"]:
         assert how["kind"] == how["kinds"][0] and len(set(how["kinds"])) == len(how["kinds"])
 
@@ -170,7 +174,8 @@ def expanded(body: dict[str, Any], value: Any, kind: Any) -> Any:
         rule, text = body["reasons"][value].values()
         return {"rule": rule, "text": text}
     if kind is HostileRoutes:
-        told = {n: body["hostilities"][h["how"]] for h in value for n in h["routes"]}
+        groups = [body["hostile_groups"][k] for k in value]
+        told = {n: body["hostilities"][h["how"]] for h in groups for n in h["routes"]}
         return [{"number": n, **told[n]} for n in sorted(told)]
     if get_origin(kind) is UnionType:
         return None if value is None else expanded(body, value, get_args(kind)[0])
@@ -233,7 +238,8 @@ def test_a_table_that_says_something_else_is_refused() -> None:
         lambda b: b["routes"][0].update(colour="red"),
         lambda b: b["routes"][0].pop("overlap"),
         lambda b: b["hostilities"][0]["kinds"].append("unfriendly"),
-        lambda b: b["routes"][0]["hostile"][0]["routes"].append("X"),
+        lambda b: b["routes"][0]["hostile"].append("X"),
+        lambda b: b["hostile_groups"][0]["routes"].append("X"),
         lambda b: b["routes"][0]["points"].append(-1),
         lambda b: b["cells"]["ClearCell"][0].pop("because"),
         lambda b: b["topology"]["edges"][0].update(length="long"),

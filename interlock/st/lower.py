@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
-from interlock.logic.controller import Controller, Equation, Input, Join, StateVar, Timer
+from interlock.logic.controller import Controller, Equation, Input, Join, StateVar, Term, Timer
 from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr
 from interlock.logic.names import computed
 from interlock.logic.order import together
@@ -38,6 +38,7 @@ from interlock.st.ast import (
 MAX_OPERANDS = 10
 MAX_ROWS = 400  # the strictest guide found allows 500
 MAX_STATE = 120
+SAYING = "words: what is said of routes, in codes (io/words.csv)"
 
 
 def lower_st(controller: Controller, header: Sequence[str], rows: int = MAX_ROWS) -> Unit:
@@ -45,7 +46,8 @@ def lower_st(controller: Controller, header: Sequence[str], rows: int = MAX_ROWS
     prefix = f"IL_{portable(controller.name)}"
     ranges = {i.name for i in controller.inputs if i.size}
     following = {
-        e.name: Equation(computed(e.name), e.join, e.terms, e.group, f"next: {e.note}") for e in controller.next
+        e.name: Equation(computed(e.name), e.join, e.terms, e.group)  # its meaning stands where its state is declared
+        for e in controller.next
     }
     pieces = _cut(together(controller.steps, following), rows)
     blocks: list[Block] = []
@@ -115,18 +117,18 @@ def _words(controller: Controller, prefix: str, rows: int, where: Mapping[str, N
         length += size
         reads |= read
     named = _Named(ranges)
+    told: set[Value] = set()
     for k, piece in enumerate(pieces, 1):
-        yield f"W{k:02d}", _saying(f"{prefix}_W{k:02d}", piece, named, controller.words)
+        yield f"W{k:02d}", _saying(f"{prefix}_W{k:02d}", piece, named, controller.words, told)
 
 
-def _saying(name: str, piece: Sequence[Word], named: _Named, words: Words) -> Block:
-    """A block of words: IF the first condition THEN its code."""
+def _saying(name: str, piece: Sequence[Word], named: _Named, words: Words, told: set[Value]) -> Block:
+    """A block of words: IF the first condition THEN its code.  told: the codes whose sentence the text has had."""
     made = {w.name for w in piece}
     reads = {n: None for w in piece for n in w.reads if n not in made}
     where: dict[str, Name] = {n: named[n][0] for n in [*reads, *made]}
     extra: list[Declaration] = []
     body: list[Statement] = []
-    told: set[Value] = set()
     for w in piece:
         arms: list[tuple[Expression, tuple[Statement, ...]]] = []
         for c in w.cases:
@@ -141,12 +143,12 @@ def _saying(name: str, piece: Sequence[Word], named: _Named, words: Words) -> Bl
         tuple([Declaration(w.name, "INT", None, w.note) for w in piece]),
         tuple(extra),
         tuple(body),
-        "words: what is said of routes; nothing of the interlocking reads them",
+        SAYING,
     )
 
 
 def _said(target: Name, value: Value, where: Mapping[str, Name], words: Words, told: set[Value]) -> Assign:
-    """A word gets a code, with its sentence where the block has it first, or the value of another word."""
+    """A word gets a code, with its sentence where the text has it first, or the value of another word."""
     if isinstance(value, int):
         note = words.said(value) if value and value not in told else ""
         told.add(value)
@@ -186,7 +188,7 @@ def _timing(name: str, timers: Sequence[Timer]) -> Block:
     """On-delay timers: what they wait for comes in, whether the time is over goes out."""
     body: list[Statement] = []
     for t in timers:
-        body.append(Call(f"TON_{t.name}", (("IN", Name((t.input,))), ("PT", Time(t.preset_ms))), t.note))
+        body.append(Call(f"TON_{t.name}", (("IN", Name((t.input,))), ("PT", Time(t.preset_ms)))))
         body.append(Assign(Name((t.name,)), Name((f"TON_{t.name}", "Q"))))
     return Block(
         name,
@@ -246,20 +248,26 @@ def _equation(e: Equation, where: dict[str, Name], extra: list[Declaration]) -> 
         x = t.expr
         if (x is TRUE or x is FALSE) and len(e.terms) > 1 and (x is TRUE) == (e.join is Join.ALL):
             continue
-        operands.append((_short(x, where, extra, out), t.note or t.kind))
+        operands.append((_short(x, where, extra, out), _told(t)))
     if not operands:
         operands = [(Bool(e.join is Join.ALL), "nothing")]
     while len(operands) > MAX_OPERANDS:
         first, operands = operands[:MAX_OPERANDS], operands[MAX_OPERANDS:]
         temp = _temp(extra)
-        out.append(Assign(temp, Nary(op, tuple(x for x, _ in first), tuple(n for _, n in first)), f"part of {e.name}"))
-        operands.insert(0, (temp, "part above"))
+        out.append(Assign(temp, Nary(op, tuple(x for x, _ in first), tuple(n for _, n in first))))
+        operands.insert(0, (temp, ""))
     if len(operands) == 1:
         value: Expression = operands[0][0]
     else:
         value = Nary(op, tuple(x for x, _ in operands), tuple(n for _, n in operands))
     out.append(Assign(where[e.name], value, e.note))
     return out
+
+
+def _told(t: Term) -> str:
+    """What an operand says; nothing of a variable alone, whose meaning stands where it is declared or computed."""
+    x = t.expr.args[0] if t.expr.op is NOT else t.expr
+    return (t.note or t.kind) if x.args else ""
 
 
 def _temp(extra: list[Declaration]) -> Name:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import chain
 
 from interlock.model.portable import readable
@@ -159,31 +159,46 @@ class _Body:
             return self.call(s, indent)
         out: list[str] = []
         for condition, then in s.arms:
-            out.append(f"{indent}{'ELSIF' if out else 'IF'} {self.expression(condition, 0)} THEN")
-            for x in then:
-                out.extend(self.statement(x, indent + "  "))
+            head = f"{indent}{'ELSIF' if out else 'IF'} {self.expression(condition, 0)} THEN"
+            out += self._arm(head, then, indent)
         if s.otherwise:
-            out.append(f"{indent}ELSE")
-            for x in s.otherwise:
-                out.extend(self.statement(x, indent + "  "))
+            out += self._arm(f"{indent}ELSE", s.otherwise, indent)
         return [*out, f"{indent}END_IF;"]
+
+    def _arm(self, head: str, then: Sequence[Statement], indent: str) -> list[str]:
+        """A condition and what is done: on one line where that is one short statement."""
+        lines = [line for x in then for line in self.statement(x, indent + "  ")]
+        if len(lines) == 1 and len(head) + len(lines[0]) - len(indent) - 1 <= MAX_COLUMNS - 10:
+            return [f"{head} {lines[0].lstrip()}"]
+        return [head, *lines]
 
     def assign(self, s: Assign, indent: str) -> list[str]:
         """An assignment; operands with notes stand on lines of their own."""
-        target = self.local + str(s.target)
-        if not isinstance(s.value, Nary) or not any(s.value.notes):
-            text = f"{indent}{target} := {self.expression(s.value, 0)};"
-            return [_noted(text, s.note)] if len(text) <= MAX_COLUMNS - 10 else _wrapped(text, s.note, indent)
-        out = [indent + comment(s.note, MAX_COLUMNS - 12)] if s.note else []
-        last = len(s.value.args) - 1
-        lead, joint = f"{indent}{target} := ", f"{indent}  {s.value.op} "
-        for i, (x, note) in enumerate(zip(s.value.args, s.value.notes, strict=True)):
-            text = f"{lead}{self.expression(x, 2)}{';' if i == last else ''}"
-            lead = joint
-            if len(text) <= MAX_COLUMNS:
-                out.append(_noted(text, note))
-            else:
-                out.extend(_wrapped(text, note, f"{indent}  "))
+        head = f"{indent}{self.local}{s.target} :="
+        notes = s.value.notes if isinstance(s.value, Nary) else ()
+        line = "" if any(notes) else f"{head} {self.expression(s.value, 0)};"
+        told = f" {comment(s.note)}" if s.note else ""
+        if line and len(line) + len(told) <= MAX_COLUMNS - 10:
+            return [line + told]
+        before = [indent + comment(s.note, MAX_COLUMNS - 12)] if s.note else []
+        if line and (len(line) <= MAX_COLUMNS - 10 or not isinstance(s.value, Nary)):
+            return [*before, *_wrapped(line, "", indent)]
+        assert isinstance(s.value, Nary)
+        return [*before, *self._filled(head, s.value, indent)]
+
+    def _filled(self, head: str, x: Nary, indent: str) -> list[str]:
+        """Operands on as few lines as they need; one with a note ends its line."""
+        out = [head]
+        last = len(x.args) - 1
+        for i, (arg, note) in enumerate(zip(x.args, x.notes or ("",) * (last + 1), strict=True)):
+            text = f"{f'{x.op} ' if i else ''}{self.expression(arg, _RANK[x.op] + 1)}{';' if i == last else ''}"
+            told = f" {comment(note)}" if note else ""
+            if len(out[-1]) + len(text) + len(told) > MAX_COLUMNS - 10 or out[-1].endswith("*)"):
+                out.append(f"{indent} ")
+            out[-1] += f" {text}"
+            out[-1:] = (
+                [out[-1] + told] if len(out[-1] + told) <= MAX_COLUMNS else _wrapped(out[-1], note, f"{indent}  ")
+            )
         return out
 
     def call(self, s: Call, indent: str) -> list[str]:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from interlock.model.elements import RouteId
 from interlock.table.printed import Part, PrintedRoute, grouped, joined, parts
 from interlock.table.rows import Because, FoulCell, Hostile, HostileClass, PointDemand, Role, RouteRow, VoyageRow
+from interlock.table.runs import in_runs
 
 Reasons = list[tuple[str, Because]]
 
@@ -87,7 +88,7 @@ def _hostile_cell(way: PrintedRoute) -> str:
         by: dict[str, list[str]] = {}
         for what, name in p.items:
             by.setdefault(what, []).append(name)
-        cell.append(Part(p.row, tuple(f"{what}: {' + '.join(names)}" for what, names in by.items())))
+        cell.append(Part(p.row, tuple(f"{what}: {' + '.join(in_runs(names))}" for what, names in by.items())))
     return joined(cell, way.mark)
 
 
@@ -107,7 +108,7 @@ def _approach(r: RouteRow) -> Reasons:
 def _flank(r: RouteRow) -> Reasons:
     out = []
     for c in r.flank:
-        providers = " + ".join(map(str, c.providers)) or "closed ring"
+        providers = " + ".join(in_runs([*map(str, c.providers)])) or "closed ring"
         out.append((f"{c.requester}: {providers}", c.because))
     return out
 

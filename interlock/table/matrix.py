@@ -74,11 +74,10 @@ def beyond_matrix(table: InterlockingTable) -> tuple[Beyond, ...]:
     """Hostile pairs that share no section, so that M.M^T does not show them."""
     found: dict[tuple[str, str, str], Beyond] = {}
     ways = Printed(table).ways
+    over = {r.id: frozenset(r.section_ids) for r in table.routes}
     for r in table.routes:
-        mine = set(r.section_ids)
         for h in r.hostile:
-            other = table.route[h.route]
-            if r.number < other.number and not mine & set(other.section_ids):
+            if r.number < table.route[h.route].number and not over[r.id] & over[h.route]:
                 pair = (ways[r.id].id, ways[h.route].id, str(h.kind))
                 found.setdefault(pair, Beyond(*pair, h.witness))
     return tuple(found.values())

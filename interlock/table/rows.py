@@ -25,7 +25,7 @@ from interlock.model.elements import (
 )
 from interlock.model.places import Approach
 
-SCHEMA_VERSION = 6
+SCHEMA_VERSION = 7
 TraversalKey = tuple[SectionId, int]
 
 

@@ -46,7 +46,7 @@ def _slow_heartbeat(source: str) -> str:
 
 def _open_said_otherwise(source: str) -> str:
     """A route that is open says that it is only set."""
-    return source.replace(" := 3; (* open *)", " := 2; (* open *)")
+    return source.replace(" := 3;", " := 2;")
 
 
 TEXTS: dict[str, Callable[[str], str]] = {

@@ -74,7 +74,8 @@ def _lines(d: Drawing) -> None:
         d.taken.add((x - 6, y - 8, x + 6, y + 8))
         mark = fouling_mark(d, p.id)
         if mark is not None:
-            d.taken.add((mark[0] - 4, mark[1] - 4, mark[0] + 4, mark[1] + 4))
+            # beside a number a cross would be read as a sign of multiplication
+            d.taken.add((mark[0] - 8, mark[1] - 4, mark[0] + 8, mark[1] + 4))
 
 
 def _keep_off(d: Drawing, a: Spot, b: Spot) -> None:

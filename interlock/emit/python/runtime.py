@@ -2,33 +2,70 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from itertools import groupby
 
 from interlock.logic.controller import Controller, Equation, Join
 from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr
+from interlock.logic.names import LOCK, Kind, Name, computed
 from interlock.logic.on_delay import CYCLE_MAX_MS
 from interlock.logic.words import CANCELLING, REFUSED, SAID
 
+WIDTH = 120  # columns of lines that hold several names
 
-def _code(x: Expr, outer: str = "") -> str:
+
+def _code(x: Expr, outer: bool = False, kept: Collection[Name] = ()) -> str:
+    """An expression; outer: something stands before or behind it that binds more strongly than `and` and `or`; kept:
+    the state, where its value after the scan is meant."""
     if x is TRUE or x is FALSE:
         return str(x is TRUE)
     if x.op is VAR:
-        return x.name
+        return computed(x.name) if x.name in kept else x.name
     if x.op is EQ:
         return f"({x.name} == {x.value})"
     if x.op is NOT:
-        return f"(not {_code(x.args[0], 'not')})"
-    op = " and " if x.op is AND else " or "
-    body = op.join(_code(a, op) for a in x.args)
+        return f"not {_code(x.args[0], True, kept)}"
+    body = (" and " if x.op is AND else " or ").join([_code(a, True, kept) for a in x.args])
     return f"({body})" if outer else body
 
 
-def _equation(e: Equation, name: str, note: str = "") -> str:
-    op = " and " if e.join is Join.ALL else " or "
-    terms = [_code(t.expr, op) for t in e.terms] or [str(e.join is Join.ALL)]
-    said = f"  # {_plain(note)}" if note else ""
-    return f"        {name} = {op.join(terms)}{said}"
+def _equation(e: Equation, name: str) -> str:
+    """What a variable means stands above, by its family; here is how it is computed."""
+    neutral = TRUE if e.join is Join.ALL else FALSE
+    terms = [_code(t.expr, True) for t in e.terms if t.expr is not neutral] or [str(neutral is TRUE)]
+    return f"        {name} = {(' and ' if e.join is Join.ALL else ' or ').join(terms)}"
+
+
+def _filled(indent: str, items: Iterable[str]) -> Iterator[str]:
+    """Items with commas behind them, on as few lines as they need."""
+    line = ""
+    for item in items:
+        if line and len(line) + len(item) + 2 > WIDTH:
+            yield line
+            line = ""
+        line = f"{line} {item}," if line else f"{indent}{item},"
+    if line:
+        yield line
+
+
+def _state(c: Controller) -> Iterator[str]:
+    """What is remembered, place by place; a lock of a way with the ends of the way."""
+    place = {e.name: e.group for e in c.next}
+    for locks, part in groupby(c.state, lambda s: (s.name.family is LOCK and s.name, place[s.name])):
+        mine = list(part)
+        *lines, last = _filled("    ", [f"{s.name!r}: {s.initial}" for s in mine])
+        yield from lines
+        yield f"{last}  # {_plain(mine[0].note if locks[0] else place[mine[0].name])}"
+
+
+def _families(c: Controller) -> Iterator[str]:
+    """What the names of variables mean, by their families."""
+    yield "# Names: `*` is an element, a number or a position; N_ before a name is its value after the scan."
+    named = [*(s.name for s in c.state), *(e.name for e in c.equations), *(w.name for w in c.words.words)]
+    for family in dict.fromkeys(n.family for n in named if n.family.key):
+        of = f" ({family.kind})" if family.kind is not Kind.NOTHING else ""
+        yield f"# {re.sub('{[0-9]?}', '*', family.pattern)}{of}: {family.meaning}"
 
 
 def _plain(text: str) -> str:
@@ -142,7 +179,6 @@ FIXED = f'''class Controller:
         self._last = self.state, dict(self.elapsed), read, dt_ms
         if dt_ms > self.cycle_max_ms:
             read['VALID'] = 0
-        old = self.state
 '''
 """What every runtime has in common, up to the first line that depends on the controller."""
 
@@ -151,8 +187,8 @@ def _words(c: Controller) -> list[str]:
     """The words, computed only where they are asked for."""
     lines = ["        if say:"]
     for w in c.words.words:
-        cases = "".join(f"{_code(x.condition)}, {x.value}, " for x in w.cases)
-        lines.append(f"            {w.name} = self._first({cases}{w.otherwise})  # {_plain(w.note)}")
+        cases = "".join([f"{_code(x.condition)}, {x.value}, " for x in w.cases])
+        lines.append(f"            {w.name} = self._first({cases}{w.otherwise})")
     lines.append("            return {")
     lines += [f"                {number}: {name}," for number, name in c.words.routes.items()]
     lines.append("            }")
@@ -166,9 +202,9 @@ def _tables(c: Controller) -> list[str]:
         "INPUTS = {",
         *(f"    {i.name!r}: ({i.restrictive}, {i.size or 2}),  # {_plain(i.note)}" for i in c.inputs),
         "}",
-        "# name: value at a restart, meaning",
+        "# name: value at a restart; behind them the place to which they belong",
         "STATE = {",
-        *(f"    {s.name!r}: {s.initial},  # {_plain(s.note)}" for s in c.state),
+        *_state(c),
         "}",
         "# name: time in milliseconds, meaning",
         "TIMERS = {",
@@ -204,26 +240,29 @@ def runtime_py(controller: Controller, header: Sequence[str]) -> str:
         "number of each route by its name: `request(name)` asks for it, `status(name)` and `why_not(name)` tell of it.",
         '"""',
         "",
+        *_families(c),
+        "",
         *_tables(c),
         "",
         "",
         *FIXED.splitlines(),
     ]
-    lines += [f"        {i.name} = read[{i.name!r}]" for i in c.inputs]
-    lines += [f"        {s.name} = old[{s.name!r}]" for s in c.state]
+    for names, held in ((c.inputs, "read.__getitem__, INPUTS"), (c.state, "self.state.__getitem__, STATE")):
+        lines += ["        (", *_filled(" " * 12, [str(x.name) for x in names]), f"        ) = map({held})"]
     for step in c.steps:
         if isinstance(step, Equation):
-            lines.append(_equation(step, step.name, step.note))
+            lines.append(_equation(step, step.name))
         else:
             lines.append(f"        {step.name} = self._timer({step.name!r}, {step.input}, dt_ms)")
-    # what a bit of state or a timer means stands in the tables above
     lines += [_equation(e, f"N_{e.name}") for e in c.next]
     lines += _words(c)
-    lines.append("        self.state = {")
-    lines += [f"            {e.name!r}: bool(N_{e.name})," for e in c.next]
-    lines.append("        }")
-    lines += [f"        {s.name} = self.state[{s.name!r}]" for s in c.state]
-    lines.append("        return {")
-    lines += [f"            {o.name!r}: bool({_code(o.expr)})," for o in c.outputs]
-    lines.append("        }")
+    kept = {s.name for s in c.state}
+    lines += [
+        "        self.state = dict(zip(STATE, map(bool, (",
+        *_filled(" " * 12, [str(computed(s.name)) for s in c.state]),
+        "        ))))",
+        "        return {",
+        *(f"            {o.name!r}: bool({_code(o.expr, kept=kept)})," for o in c.outputs),
+        "        }",
+    ]
     return "\n".join(lines) + "\n"

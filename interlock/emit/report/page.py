@@ -1,7 +1,7 @@
 """The report: plan, table, reasons, proof, matrices and files on one page that needs nothing else.
 
 Choosing a route lights up its path, overlap and flank protection on the plan and marks its hostile routes in the table.
-Everything that is printed stands in the page itself; scripts only light up, filter and explain.
+Everything that is printed stands in the page itself; the script lights up, filters and explains.
 """
 
 from __future__ import annotations
@@ -15,14 +15,14 @@ from functools import lru_cache
 from importlib import resources
 
 from jinja2 import Environment, PackageLoader, select_autoescape
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
 from interlock.emit.bundle import digest_of
 from interlock.emit.io import CROSS_REFERENCE
 from interlock.emit.tables.paper import SIGNED, title_block
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology, topology
-from interlock.table.columns import COLUMNS, VOYAGE_COLUMNS
+from interlock.table.columns import COLUMNS, VOYAGE_COLUMNS, Column, Reasons
 from interlock.table.matrix import beyond_matrix, matrix
 from interlock.table.national import SHEETS, national_sheets
 from interlock.table.printed import Printed, PrintedRoute, grouped, parts
@@ -81,7 +81,6 @@ def report_html(
             plan=plan,
             css=Markup(asset("report.css")),
             js=asset("report.js"),
-            place=shared.reason,
             data=lambda: script_json({"routes": routes, **asdict(shared)}),
             title_block=lambda language: title_block(layout, table.layout_digest, language),
             signatures=SIGNED,
@@ -97,7 +96,7 @@ def report_html(
             mmt=mmt,
             most=max((x for row in mmt for x in row), default=1),
             heat=_heat,
-            hostile_parts=lambda way: _hostile_parts(way, large),
+            cell=lambda c, way: _cell(c, way, shared, large),
             beyond=beyond_matrix(table),
             forms=[f.printed() for f in national_sheets(layout, table)] if not large else [],
             kinds_of_routes=sorted({str(r.kind) for r in table.routes}),
@@ -117,6 +116,51 @@ def _hostile_parts(way: PrintedRoute, large: bool) -> list[tuple[RouteRow | None
         for r in way.rows
     ]
     return [(p.row, ", ".join(p.items)) for p in parts(told) if p.items]
+
+
+OF_A_WIDTH = frozenset({"route", "hostile", "flank", "release", "sections"})
+"""Columns that the style sheet speaks of."""
+
+
+def _cell(c: Column, way: PrintedRoute, shared: _Shared, large: bool) -> Markup:
+    """A cell of the table.  `data-why` has the places of the reasons of its items, of which the script makes buttons
+    when they are to be seen."""
+    name = f' class="c-{c.key}"' if c.key in OF_A_WIDTH else ""
+    if c.key == "hostile":
+        inner = []
+        for row, text in _hostile_parts(way, large):
+            of = (row or way.rows[0]).number - 1
+            inner.append(f'<div>{_of(way, row)}<button data-hostile="{of}">{escape(text)}</button></div>')
+        return Markup(f"<td{name}>{''.join(inner)}</td>")
+    told = [(p.row, [_reasoned(run, shared) for run in _runs(p.items)]) for p in c.parts(way) if p.items]
+    if len(told) == 1 and told[0][0] is None and len(told[0][1]) == 1:
+        return Markup("<td{}{}</td>").format(Markup(name), told[0][1][0])
+    parts_ = [f"<div>{_of(way, row)}{', '.join(f'<span{x}</span>' for x in items)}</div>" for row, items in told]
+    return Markup(f"<td{name}>{''.join(parts_)}</td>")
+
+
+def _of(way: PrintedRoute, row: RouteRow | None) -> str:
+    """The button that chooses one of the routes of a row."""
+    if row is None:
+        return ""
+    return f'<button class="of" data-route="{row.number - 1}" title="route {escape(row.id)}">{way.mark(row)}</button> '
+
+
+def _runs(items: Reasons | tuple[tuple[str, Because], ...]) -> list[Reasons]:
+    """Items that can be told apart by the comma between them; one that has a comma itself stands alone."""
+    out: list[Reasons] = []
+    for item in items:
+        if out and ", " not in item[0] and ", " not in out[-1][0][0]:
+            out[-1].append(item)
+        else:
+            out.append([item])
+    return out
+
+
+def _reasoned(items: Reasons, shared: _Shared) -> Markup:
+    """The rest of a tag, with the places of reasons, and the items in it."""
+    places = " ".join([str(shared.reason(because)) for _, because in items])
+    return Markup(f' data-why="{places}">{escape(", ".join([text for text, _ in items]))}')
 
 
 def _sheet(data: bytes) -> list[list[str]]:
@@ -142,6 +186,8 @@ class _Shared:
     """Ways through sections: the section, its edges on the plan, then `|` and its points."""
     flanks: list[list[str]] = field(default_factory=list)
     """Signals that protect a leg."""
+    groups: list[list[int]] = field(default_factory=list)
+    """Routes that are hostile in one way: its place in `hows`, and the routes, counted from 0; `4, -9` is 4 to 9."""
 
     def reason(self, because: Because) -> int:
         """The place of a reason."""
@@ -159,6 +205,16 @@ class _Shared:
     def how(self, how: Hostility) -> int:
         """The place of a manner of being hostile."""
         return self._in("hows", [str(how.kind), how.witness])
+
+    def group(self, how: int, routes: Sequence[int]) -> int:
+        """The place of a group of routes that are hostile in one way."""
+        told = list(routes[:1])
+        for before, this, after in zip(routes, routes[1:], [*routes[2:], None], strict=False):
+            if this == before + 1:
+                told += [-this] if after != this + 1 else []
+            else:
+                told.append(this)
+        return self._in("groups", [how, *told])
 
     def __post_init__(self) -> None:
         self._places: dict[tuple[str, str], int] = {}
@@ -193,7 +249,7 @@ def _routes(layout: Layout, table: InterlockingTable, shared: _Shared) -> list[d
                 "overlap": [shared.way(k, topo) for k in (r.overlap.ways if r.overlap is not None else ())],
                 "flank_points": [str(p.id) for p in layout.points if p.id in machines or p.machine in machines],
                 "flank": [shared.flank(c) for c in r.flank],
-                "hostile": sorted(hostile.items()),
+                "hostile": [shared.group(how, others) for how, others in sorted(hostile.items())],
             }
         )
     return routes

@@ -5,6 +5,8 @@ const why = document.getElementById("why");
 const ofRow = rows.map(() => []); // the routes of a row: one, or one for each of its overlaps
 data.routes.forEach((r, i) => ofRow[r.row].push(i));
 const byId = new Map(data.routes.map((r, i) => [r.id, i]));
+const groups = data.groups.map(([how, ...told]) => [how, told.flatMap((k, at) => // 4, -9 is 4 to 9
+  k >= 0 ? [k] : Array.from({length: -k - told[at - 1]}, (_, n) => told[at - 1] + 1 + n))]);
 for (const r of data.routes) { // what is said once of each way, put together for the route
   const ways = (which) => which.map((k) => data.ways[k]);
   r.sections = ways(r.path).map((w) => w[0]);
@@ -13,7 +15,7 @@ for (const r of data.routes) { // what is said once of each way, put together fo
   r.over = ways(r.overlap).flatMap((w) => w.slice(1, w.indexOf("|")));
   r.flank_signals = r.flank.flatMap((k) => data.flanks[k]);
   r.words = `${r.kind} route from ${r.entry} to ${r.exit} over ${r.sections.join(", ")}`;
-  r.against = r.hostile.flatMap(([how, others]) => others.map((i) => [i, how])).sort((a, b) => a[0] - b[0]);
+  r.against = r.hostile.flatMap((k) => groups[k][1].map((i) => [i, groups[k][0]])).sort((a, b) => a[0] - b[0]);
 }
 let chosen = -1;
 
@@ -164,6 +166,24 @@ rows.forEach((row, i) => {
     }
   });
 });
+// items with reasons become buttons, in a large table when their row comes into view: there are a hundred thousand
+function reasoned(row) {
+  for (const e of row.querySelectorAll("[data-why]:not(button)")) {
+    const places = e.dataset.why.split(" "), texts = places.length > 1 ? e.textContent.split(", ") : [e.textContent];
+    e.removeAttribute("data-why");
+    e.replaceChildren(...texts.flatMap((text, i) => {
+      const b = document.createElement("button");
+      b.type = "button";
+      b.dataset.why = places[i];
+      b.textContent = i + 1 < texts.length ? text + "," : text; // inside, or a line could begin with the comma
+      return i ? [" ", b] : [b];
+    }));
+  }
+}
+const near = new IntersectionObserver((seen) => {
+  for (const x of seen) if (x.isIntersecting) { near.unobserve(x.target); reasoned(x.target); }
+});
+for (const row of rows) if (rows.length > 200) near.observe(row); else reasoned(row);
 document.addEventListener("keydown", (e) => { if (e.key === "Escape") choose(-1, false); });
 document.addEventListener("click", (e) => { if (!e.target.closest("button[data-why], button[data-hostile], #tip")) tell(null); });
 document.addEventListener("scroll", () => { if (told) place(told); }, true);

@@ -1,8 +1,9 @@
 """table.json: every row of the table, and each thing that many rows share said once.
 
-Reasons, cells and the ways in which routes are hostile stand in lists of their own (`reasons`, `cells`, `hostilities`),
-and rows tell the place in the list, counted from 0.  Routes are named by id, in `hostile` by number.  A line is an item
-of a list, so that two tables can be compared line by line.
+Reasons, cells, the ways in which routes are hostile, and the groups of routes that are so in one way stand in lists of
+their own (`reasons`, `cells`, `hostilities`, `hostile_groups`), and rows tell the place in the list, counted from 0.
+Routes are named by id, in `hostile_groups` by number.  A line is an item of a list, so that two tables can be compared
+line by line.
 """
 
 from __future__ import annotations
@@ -42,6 +43,15 @@ from interlock.table.rows import (
 
 SCHEMA = f"interlock-table/{SCHEMA_VERSION}"
 
+
+@dataclass(frozen=True)
+class HostileGroup:
+    """Routes, by number, that are hostile in one way: `how` is its place in `hostilities`, counted from 0."""
+
+    how: int
+    routes: tuple[int, ...]
+
+
 ONLY_STATED = frozenset({"onward", "destination"})
 """Keys that are written only where they say something."""
 
@@ -77,7 +87,8 @@ def table_json(layout: Layout, table: InterlockingTable) -> str:
     head = {"schema": SCHEMA, **{name: getattr(table, name) for name in _HEAD}}
     cells = {c.__name__: writer.cells[c] for c in CELLS}
     topology = {kind: [asdict(x) for x in getattr(layout, kind)] for kind in TOPOLOGY}
-    shared = {"hostilities": writer.hostilities, "reasons": writer.reasons, "cells": cells, "topology": topology}
+    told = {"hostilities": writer.hostilities, "hostile_groups": [*map(asdict, writer.groups)]}
+    shared = {**told, "reasons": writer.reasons, "cells": cells, "topology": topology}
     return document(head, rows | shared)
 
 
@@ -107,6 +118,7 @@ class _Writer:
     number: Mapping[RouteId, int]
     reasons: list[Any] = field(default_factory=list)
     hostilities: list[Any] = field(default_factory=list)
+    groups: dict[HostileGroup, int] = field(default_factory=dict)
     cells: dict[type, list[Any]] = field(default_factory=lambda: {c: [] for c in CELLS})
     _place: dict[Any, int] = field(default_factory=dict)
 
@@ -135,12 +147,13 @@ class _Writer:
             shared.append(written)
         return self._place[x]
 
-    def _hostile(self, routes: HostileRoutes) -> list[dict[str, Any]]:
-        """Hostile routes by number, those together that are hostile in the same way."""
+    def _hostile(self, routes: HostileRoutes) -> list[int]:
+        """The groups of hostile routes."""
         found: dict[Hostility, list[Hostile]] = {}
         for h in routes:
             found.setdefault(h.how, []).append(h)
-        return [
-            {"how": self._in(self.hostilities, how), "routes": [self.number[h.route] for h in those]}
+        groups = (
+            HostileGroup(self._in(self.hostilities, how), tuple(self.number[h.route] for h in those))
             for how, those in found.items()
-        ]
+        )
+        return [self.groups.setdefault(g, len(self.groups)) for g in groups]

@@ -7,13 +7,13 @@ requiredLevelCrossingState), conflictingRoute (refersToRoute, conflictsWithRoute
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from interlock.emit.tables.document import document
 from interlock.model.elements import DeviceKind, Position
 from interlock.model.layout import Layout
 from interlock.table.national.reading import Reading
-from interlock.table.rows import InterlockingTable, ProviderKind, Role, RouteRow
+from interlock.table.rows import Hostility, InterlockingTable, ProviderKind, Role, RouteRow
 
 IN = {Position.NORMAL: "normal", Position.REVERSE: "reverse"}
 
@@ -22,28 +22,41 @@ def railml_json(layout: Layout, table: InterlockingTable) -> str:
     """Routes, their relations and conflicts."""
     x = Reading(layout, table)
     head = {
-        "note": "element names of railML 3.2 interlocking; not a railML document. "
-        "conflictingRoutes has each pair once, with the route that comes first in routes",
+        "note": "element names of railML 3.2 interlocking; not a railML document. conflictsWithRoutes tells places in "
+        "routeGroups, which name routes by elementNumber; requiredSignalAspect those in signalGroups; counted from 0",
         "layout": table.layout,
     }
+    signals, routes = _Groups(), _Groups()
     return document(
         head,
         {
             "routes": [_route(x, r) for r in table.routes],
-            "routeRelations": [_relation(x, r) for r in table.routes],
-            "conflictingRoutes": [c for r in table.routes for c in _conflicts(table, r)],
+            "routeRelations": [_relation(x, r, signals) for r in table.routes],
+            "conflictingRoutes": [c for r in table.routes for c in _conflicts(table, r, routes)],
+            "signalGroups": list(signals),
+            "routeGroups": list(routes),
         },
     )
 
 
-def _conflicts(table: InterlockingTable, r: RouteRow) -> Iterator[dict[str, object]]:
-    """The routes after this one that conflict with it, those together that do for one reason."""
-    found: dict[str, list[str]] = {}
+class _Groups(dict[tuple[object, ...], int]):
+    """Groups of names or numbers, each once, with their places."""
+
+    def place(self, group: Iterable[object]) -> int:
+        """The place of a group."""
+        return self.setdefault(tuple(group), len(self))
+
+
+def _conflicts(table: InterlockingTable, r: RouteRow, groups: _Groups) -> Iterator[dict[str, object]]:
+    """The routes that conflict with a route, those together that do for one reason."""
+    found: dict[Hostility, list[int]] = {}
     for h in r.hostile:
-        if table.route[h.route].number > r.number:
-            found.setdefault(h.kind, []).append(h.route)
-    for kind, routes in found.items():
-        yield {"refersToRoute": r.id, "conflictsWithRoute": routes, "reasonForConflict": kind}
+        found.setdefault(h.how, []).append(table.route[h.route].number)
+    kinds: dict[str, list[int]] = {}
+    for how, routes in found.items():
+        kinds.setdefault(how.kind, []).append(groups.place(routes))
+    for kind, places in kinds.items():
+        yield {"refersToRoute": r.id, "conflictsWithRoutes": places, "reasonForConflict": kind}
 
 
 def _route(x: Reading, r: RouteRow) -> dict[str, object]:
@@ -76,8 +89,9 @@ def _route(x: Reading, r: RouteRow) -> dict[str, object]:
     }
 
 
-def _relation(x: Reading, r: RouteRow) -> dict[str, object]:
-    stops = {p.name for c in r.flank for p in c.providers if p.kind is ProviderKind.SIGNAL}
+def _relation(x: Reading, r: RouteRow, groups: _Groups) -> dict[str, object]:
+    legs = [[p.name for p in c.providers if p.kind is ProviderKind.SIGNAL] for c in r.flank]
+    stops = dict.fromkeys(groups.place(names) for names in legs if names)
     crossings = [p for p in r.points if p.machine in x.layout.device]
     kinds = {p.machine: x.layout.device[p.machine].kind for p in crossings}
     flank = [p for p in r.points if p.role in (Role.FLANK, Role.ADDED)]
@@ -99,7 +113,7 @@ def _relation(x: Reading, r: RouteRow) -> dict[str, object]:
             }
             for c in r.foul
         ],
-        "requiredSignalAspect": [{"refersTo": sorted(stops), "showsAspect": "closed"}] if stops else [],
+        "requiredSignalAspect": [{"refersTo": list(stops), "showsAspect": "closed"}] if stops else [],
         "requiredLevelCrossingState": [
             {"refersTo": p.machine, "inState": "closed"}
             for p in crossings

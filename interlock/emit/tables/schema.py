@@ -23,6 +23,7 @@ def table_schema() -> dict[str, Any]:
     cells = create_model("Cells", __doc__=CELLS_TEXT, **_required({c.__name__: list[models.of(c)] for c in CELLS}))  # type: ignore[misc]
     shared = {
         "hostilities": Annotated[list[models.of(Hostility)], Field(description=HOSTILITIES_TEXT)],  # type: ignore[misc]
+        "hostile_groups": Annotated[list[HostileGroup], Field(description=GROUPS_TEXT)],
         "reasons": Annotated[list[models.of(Because)], Field(description=REASONS_TEXT)],  # type: ignore[misc]
         "cells": cells,
         "topology": topology,
@@ -37,7 +38,8 @@ def table_schema() -> dict[str, Any]:
 
 TOPOLOGY_TEXT = "The track as a graph: edges, each within one section, meet at nodes; what stands at a node names it."
 CELLS_TEXT = "The cells of the table by kind, each once; rows tell the place of theirs, counted from 0."
-HOSTILITIES_TEXT = "The ways in which routes are hostile, each once; `hostile` of a route tells places, counted from 0."
+HOSTILITIES_TEXT = "The ways in which routes are hostile, each once; `hostile_groups` tell places, counted from 0."
+GROUPS_TEXT = "Routes that are hostile in one way, each group once; `hostile` of a route tells places, counted from 0."
 REASONS_TEXT = "Rules and reasons, each once; whatever has a reason tells its place, counted from 0, as `because`."
 
 
@@ -64,7 +66,7 @@ class _Models:
     def written(self, hint: Any) -> Any:
         """The written form of a type."""
         if hint is HostileRoutes:
-            return list[HostileGroup]
+            return list[Annotated[int, Field(ge=0, description="place in `hostile_groups`")]]
         if hint is Because or hint in CELLS:
             text = "place in `reasons`" if hint is Because else f"place in `{hint.__name__}` of `cells`"
             return Annotated[int, Field(ge=0, description=text)]

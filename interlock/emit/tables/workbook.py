@@ -30,9 +30,10 @@ from interlock.model.layout import Layout
 from interlock.table.columns import COLUMNS, VOYAGE_COLUMNS
 from interlock.table.national import Heading, Sheet, national_sheets
 from interlock.table.rows import InterlockingTable
+from interlock.table.runs import legend
 
 LARGE = 200  # routes: from here on pairs of routes are told in table.json and matrix.csv alone
-WIDE = {"Route": 16.0, "Column": 20.0, "Item": 34.0, "Rule": 8.0, "Reason": 110.0}
+WIDE = {"Column": 20.0, "Item": 34.0, "Rule": 8.0, "Reason": 90.0, "Routes": 50.0}
 
 
 def table_xlsx(layout: Layout, table: InterlockingTable) -> bytes:
@@ -54,7 +55,7 @@ def _sheets(layout: Layout, table: InterlockingTable) -> Iterator[tuple[Sheet, s
     headings = tuple(Heading(c.en, c.zh, c.de) for c in COLUMNS)
     title = Heading("Interlocking table", "联锁表", "Verschlusstabelle")
     rows = tuple(map(tuple, printed_rows(table)))
-    yield Sheet("table", "en", title, headings, rows, True), "Table", "table.csv"
+    yield Sheet("table", "en", title, headings, rows, True, legend=legend(rows)), "Table", "table.csv"
     if table.voyages:
         headings = tuple(Heading(v.en, v.zh, v.de) for v in VOYAGE_COLUMNS)
         rows = tuple(tuple(v.text(row) for v in VOYAGE_COLUMNS) for row in table.voyages)
@@ -146,7 +147,7 @@ class _Writer:
             y += 1
 
     def reasons(self, rows: Iterator[Sequence[str]], large: bool) -> None:
-        """Rule and reason of every printed cell."""
+        """Rule and reason of every printed cell, with all routes for which it holds."""
         page = self.book.add_worksheet("Reasons")
         self._paper(page, "Reasons")
         for x, width in enumerate(WIDE.values()):
@@ -156,7 +157,7 @@ class _Writer:
         self._row(page, 0, list(WIDE), "head")
         last = 0
         for last, row in enumerate(rows, 1):
-            self._row(page, last, row, "cell")
+            self._row(page, last, [shortened(x, "table.json") for x in row], "cell")
         page.autofilter(0, 0, max(1, last), len(WIDE) - 1)
         if large:
             note = "Why two routes are hostile: table.json, `interlock why`, and the report page"

@@ -22,7 +22,12 @@ from interlock.table.rows import Role, RouteKind, RouteRow, TraversalKey, Traver
 def _wire(d: Draft, family: names.Family, t: TraversalRow, terms: Sequence[Term], note: str) -> None:
     if terms:
         group = f"section {t.section}"
-        d.wire(family(*t.key), Join.ALL, terms, group, f"{t.section} from {t.entry} to {t.exit}: {note}")
+        d.wire(family(*t.key), Join.ALL, terms, group, _way(t, note))
+
+
+def _way(t: TraversalRow, note: str) -> str:
+    """A way by its number: from where to where it leads is told where its lock is declared."""
+    return f"way {t.key[1]} of {t.section}: {note}"
 
 
 def _of_routes(d: Draft) -> set[TraversalKey]:
@@ -242,8 +247,7 @@ def granted(d: Draft) -> None:
         ):
             if routes:
                 terms = [Term(var(names.GRANTED(r.number)), "granted", f"route {r.id}") for r in routes]
-                note = f"{t.section} from {t.entry} to {t.exit}: granted"
-                d.wire(family(*t.key), Join.ANY, terms, f"section {t.section}", note)
+                d.wire(family(*t.key), Join.ANY, terms, f"section {t.section}", _way(t, "granted"))
     for (g, k), _ in d.overlaps.items():
         terms = [Term(var(names.GRANTED(r.number)), "granted", f"route {r.id}") for r in overlap_users(d, (g, k))]
         d.wire(names.OVERLAP_GRANTED(g, k), Join.ANY, terms, f"overlap {g}", f"overlap {k} of {g}: granted")

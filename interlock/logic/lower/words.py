@@ -106,7 +106,7 @@ class _Writer:
     def _word(self, name: Name, e: Equation, cases: Iterator[Case]) -> Name:
         """A word for a place, made once: which of its conditions does not hold; UNKNOWN while all do."""
         if name not in self.words:
-            self.words[name] = Word(name, tuple(cases), UNKNOWN, e.group, f"why not: {e.note}")
+            self.words[name] = Word(name, tuple(cases), UNKNOWN, e.group, f"why not {e.name}")
         return name
 
     def _not_clear(self, name: Name) -> Value:

@@ -45,7 +45,7 @@ function first(m) {
   $("log").replaceChildren();
   for (const k of Object.keys(state)) delete state[k];
   if (!same) plan.draw(still);
-  $("title").textContent = still.title;
+  $("title").textContent = $("title").title = still.title;
   document.title = still.name;
   document.body.classList.toggle("looks", !operates);
   $("names").replaceChildren(...[...plan.keys.keys()].map(k => new Option(k.slice(2))));

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from keyword import iskeyword
 from typing import Any
 
@@ -42,12 +42,15 @@ def _names(fixed: str) -> frozenset[str]:
 
 
 TABLES = ("INPUTS", "STATE", "TIMERS", "OUTPUTS", "ROUTES", "CANCELLED_AFTER", "SAID")
-RESERVED = _names(FIXED) | {"bool", "OUTPUTS", "Controller", "__debug__"}
+RESERVED = _names(FIXED) | {"bool", "dict", "map", "zip", "OUTPUTS", "Controller", "__debug__"}
 
 
 _ASSIGNED = re.compile(r"^ {8}([A-Za-z_][A-Za-z0-9_]*) = ([^#\n]*?)(?:  #.*)?$")
 _ENTRY = re.compile(r"^ {12}'([A-Za-z_][A-Za-z0-9_]*)': bool\((.*)\),$")
-_TAKEN = re.compile(r"^(read|old|self\.state)\['([A-Za-z_][A-Za-z0-9_]*)'\]$")
+_NAMES = re.compile(r"^ {12}[A-Za-z_][A-Za-z0-9_]*(?:, [A-Za-z_][A-Za-z0-9_]*)*,$")
+_READ = "        ) = map(read.__getitem__, INPUTS)"
+_OLD = "        ) = map(self.state.__getitem__, STATE)"
+_KEPT = "        self.state = dict(zip(STATE, map(bool, ("
 _WORD = re.compile(r"^ {12}([A-Za-z_][A-Za-z0-9_]*) = self\._first\(([^#\n]*)\)(?:  #.*)?$")
 _TOLD = re.compile(r"^ {16}(0|[1-9][0-9]*): ([A-Za-z_][A-Za-z0-9_]*),$")
 _TIMED = re.compile(r"^self\._timer\('([A-Za-z_][A-Za-z0-9_]*)', ([A-Za-z_][A-Za-z0-9_]*), dt_ms\)$")
@@ -77,6 +80,7 @@ class _Reader:
             raise BadRuntime("the parts of the module")
         tables = [_table(x, n) for x, n in zip(rest, TABLES, strict=False)]
         inputs, self.state, self.presets, self.restrictive, routes, timers, codes = tables
+        self.inputs = [*inputs]
         if not _same(inputs, {i.name: (i.restrictive, i.size or 2) for i in controller.inputs}):
             raise BadRuntime("INPUTS are not those of the controller")
         if set(self.state) != {s.name for s in controller.state}:
@@ -112,8 +116,10 @@ class _Reader:
                 outputs = self._dictionary()
             elif line == "        if say:" and not self.words and not self.after:
                 self.words = self._told_routes()
-            elif line == "        self.state = {" and not self.after:
-                self.after = self._dictionary()
+            elif line == "        (":
+                self._unpacked()
+            elif line == _KEPT and not self.after:
+                self.after = dict(zip(self.state, self._kept(), strict=True))
             else:
                 self._assign(line)
                 self.at += 1
@@ -136,14 +142,6 @@ class _Reader:
         self.values[name] = self.algebra.assigned(name, self._read(name, text))
 
     def _read(self, name: str, text: str) -> Term:
-        if text[-1:] == "]" and (taken := _TAKEN.match(text)):
-            where, key = taken.groups()
-            if where == "read" and key in self.sizes:
-                return Symbol(key) if self.sizes[key] else var(spelled(key))
-            if where == "old" and key in self.state:
-                return var(spelled(key))
-            if where == "self.state" and key in self.after:
-                return self.after[key]
         if text.startswith("self.") and (timed := _TIMED.match(text)):
             own, on = timed.groups()
             preset = self.presets.get(name)
@@ -151,6 +149,40 @@ class _Reader:
                 self.timers[name] = (self._value(on), preset)
                 return var(spelled(name))
         return self._value(text)
+
+    def _listed(self) -> tuple[list[str], str]:
+        """The names from the next line on, and the line after them."""
+        names: list[str] = []
+        for line in self.lines[self.at + 1 :]:
+            self.at += 1
+            if _NAMES.match(line) is None:
+                self.at += 1
+                return names, line
+            names += line.strip()[:-1].split(", ")
+        raise self._bad("a list of names does not end")
+
+    def _unpacked(self) -> None:
+        """All inputs, or all of what is remembered, under their names and in the order of their table in the text."""
+        names, end = self._listed()
+        if self.after:
+            raise self._bad("what is remembered is taken again when it has changed")
+        if end == _READ and names == self.inputs:
+            taken: Iterable[Term] = [Symbol(n) if self.sizes[n] else var(spelled(n)) for n in names]
+        elif end == _OLD and names == [*self.state]:
+            taken = [var(spelled(n)) for n in names]
+        else:
+            raise self._bad("names that are not those of INPUTS or STATE, in their order")
+        for name, value in zip(names, taken, strict=True):
+            if name in RESERVED or iskeyword(name):
+                raise self._bad(f"{name} is a name of the fixed part")
+            self.values[name] = self.algebra.assigned(name, value)
+
+    def _kept(self) -> list[Term]:
+        """What is remembered of a scan, in the order of STATE."""
+        names, end = self._listed()
+        if end != "        ))))" or len(names) != len(self.state) or any(n not in self.values for n in names):
+            raise self._bad("what is remembered is not what is computed, name by name as in STATE")
+        return [self.values[n] for n in names]
 
     def _told_routes(self) -> dict[str, Term]:
         """The words from the next line on, and what is returned of them: each route's own by its number."""
@@ -215,7 +247,7 @@ class _Reader:
             for part in text.split(word):
                 x = self.values.get(part)
                 if not isinstance(x, Expr):
-                    x = self.values.get(part[5:-1]) if part[:5] == "(not " and part[-1] == ")" else None
+                    x = self.values.get(part[4:]) if part[:4] == "not " else None
                     if not isinstance(x, Expr):
                         break
                     x = neg(x)

@@ -10,6 +10,7 @@ from interlock.model.layout import Layout
 from interlock.table.national.reading import Reading
 from interlock.table.national.sheet import Field, Heading, Sheet, by_way, filled
 from interlock.table.rows import ExitKind, InterlockingTable, Role, RouteKind, RouteRow, Shows
+from interlock.table.runs import in_runs, legend
 
 SOURCE = "after usual American practice; no worked example was at hand, and no standard was read"
 _KINDS = {RouteKind.MAIN: "train", RouteKind.SHUNT: "shunt", RouteKind.CALL_ON: "call-on", RouteKind.IDENTIFIER: "part"}
@@ -27,7 +28,7 @@ def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
 
 def _conflicting(x: Reading, r: RouteRow) -> tuple[str, ...]:
     entries = {x.table.route[h].entry for h in r.hostile.routes}
-    return tuple(sorted(entries - {r.entry}))
+    return tuple(in_runs(sorted(entries - {r.entry})))
 
 
 def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
@@ -56,7 +57,7 @@ def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
     )
     headings, rows = by_way(fields, x.printed.listed)
     title = Heading("Route locking sheet", "进路锁闭表", "Verschlussblatt")
-    return Sheet("us_locking", "en", title, headings, rows, True, SOURCE)
+    return Sheet("us_locking", "en", title, headings, rows, True, SOURCE, legend=legend(rows))
 
 
 def _leads(r: RouteRow) -> str:
