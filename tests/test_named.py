@@ -7,6 +7,7 @@ import pytest
 from interlock.diag import Sink
 from interlock.frontend import load_text
 from tests.layouts import grown
+from tests.published import text_of
 
 YARD = """interlock: 1
 name: yard
@@ -127,3 +128,15 @@ def test_a_shunt_signal_at_a_main_signal_is_one_combined_signal(first: str, seco
     load_text("yard.yaml", text, sink)
     (found,) = (d for d in sink.diagnostics if d.code == "IL3007")
     assert str(found.fix) == fix
+
+
+def test_where_no_section_tells_a_way_from_all_others_the_fix_names_those_that_do_together() -> None:
+    """Tatehama: the short way to track 3 lies on one of the two others."""
+    text = text_of("tatehama")
+    found = grown(text[: text.index("exclude:")])
+    assert found is not None
+    (told,) = [x for x in found[2].diagnostics if x.code == "IL2024"]
+    assert told.message.startswith("the name 5LC fits 3 routes") and "via: [24T]" in str(told.fix)
+    found = grown(text[: text.index("exclude:")].replace("{from: 5L, to: B3}", "{from: 5L, to: B3, via: [24T]}"))
+    assert found is not None and not [x for x in found[2].diagnostics if x.code == "IL2024"]
+    assert found[1].route["5L-B3"].names == ("5LC",)

@@ -11,7 +11,7 @@ from interlock.derivation.routes import Path
 from interlock.derivation.voyages import priority
 from interlock.diag import Element, Sink
 from interlock.diag.suggest import did_you_mean
-from interlock.model.elements import NamedRoute, RouteId
+from interlock.model.elements import NamedRoute, RouteId, SectionId
 from interlock.model.layout import Layout
 from interlock.table.rows import RouteKind
 
@@ -74,10 +74,21 @@ def _one(n: NamedRoute, fits: Sequence[Path], what: str, sink: Sink, at: Element
     if others:
         ways = 1 + len({p.run for p in others})
         text = f"{what} fits {ways} routes from {n.entry} to {n.exit}, and means {first.id}"
-        own = [t.section for t in first.run if all(t.section not in over[p.id] for p in others)]
-        fix = f"add `via: [{own[0]}]`, or a section of the one that is meant" if own else "add `via`"
+        via = _telling([t.section for t in first.run], [over[p.id] for p in others])
+        one = "a section" if len(via) == 1 else "sections"
+        fix = f"add `via: [{', '.join(via)}]`, or {one} of the one that is meant"
         sink.add("IL2024", text, None, fix, about=at)
     return first
+
+
+def _telling(own: Sequence[SectionId], others: Sequence[set[SectionId]]) -> list[SectionId]:
+    """Few sections of a way that tell it from the others, but for those on which all of it lies, too."""
+    via: list[SectionId] = []
+    left = [o for o in others if not set(own) <= o]
+    while left:
+        via.append(max(own, key=lambda s: sum(s not in o for o in left)))
+        left = [o for o in left if via[-1] in o]
+    return via
 
 
 def _none(n: NamedRoute, paths: Sequence[Path], text: str, sink: Sink, at: Element) -> None:
