@@ -19,7 +19,6 @@ from interlock.dispatch.plan.railway import OUTSIDE, Errand, Journey, Leg, NoVoy
 from interlock.model.elements import SectionId
 from interlock.table.rows import TraversalKey
 
-
 MARGIN_M = 2.0
 """Metres before a signal or the end of the track in which a driver stands; as simulated shifts have it (our choice)."""
 
