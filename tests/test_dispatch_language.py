@@ -10,8 +10,9 @@ from click.testing import CliRunner
 from interlock.cli.dispatch import command
 from interlock.diag import Sink
 from interlock.dispatch.language import load_text
-from interlock.dispatch.orders import Derivation
+from interlock.dispatch.orders import MARGIN_M, Derivation
 from interlock.dispatch.plan.railway import Railway
+from interlock.simulate import yard
 from tests.layouts import SHIPPED, built
 
 HEISHAN = Path("layouts/heishan.dispatch").read_text("utf-8")
@@ -163,6 +164,13 @@ def test_digits_of_other_scripts_are_refused(key: str, value: str, fix: str, tmp
 
 
 def test_two_trains_do_not_begin_in_one_section() -> None:
-    text = HEISHAN.replace("house: {kind: waiting, at: W, capacity: 8}", "house: {kind: waiting, at: s9, capacity: 4}")
+    text = HEISHAN.replace("house: {kind: waiting, at: W, capacity: 8}", "house: {kind: waiting, at: s9, capacity: 1}")
     found = told(text)
     assert found.count("IL6009") == 3, "the second, third and fourth"
+
+
+def test_a_place_is_long_enough_for_a_train_that_stops_before_its_end() -> None:
+    """Longer trains stood across the points before a place, were never loaded, and nothing moved any more."""
+    assert "IL6009" in told(HEISHAN.replace("length: 60", "length: 259"))
+    assert "IL6009" not in told(HEISHAN.replace("length: 60", "length: 258"))
+    assert MARGIN_M == yard.MARGIN_M

@@ -96,13 +96,13 @@ def asked_once() -> bool:
 
 
 def plans_are_of_what_is_seen() -> bool:
-    """Since the first plan q8 is reported occupied: the train is led over q3."""
+    """Since the first plan q7 is reported occupied: the train is led over q4."""
     p = bound_for_e()
     p.run(40)
-    for at in (("ap_W", "q8"), ("ap_W", "q1", "q8"), ("q1", "q8")):
+    for at in (("ap_W", "q7"), ("ap_W", "q1", "q7"), ("q1", "q7")):
         p.stand(*at)
         p.run(40)
-    return ("1", "X1-X3") in p.dispatcher.asked
+    return ("1", "X1-X5") in p.dispatcher.asked
 
 
 def plans_end_where_trains_may_stay() -> bool:

@@ -406,6 +406,30 @@ def test_what_comes_after_the_time_of_its_order_is_told(tmp_path: Path) -> None:
     assert done.exit_code == 0 and "order b: 2 of 2 trains from c3, 2 of them after 0.75 h" in done.output, done.output
 
 
+THROUGH = """dispatch: 1
+layout: pit_bottom
+fleet: {11: {length: 80, speed: 12, at: out}}
+places:
+  out: {kind: waiting, at: W, capacity: 4}
+  heavy: {kind: loading, at: q3_heavy, minutes: 10, ores: [coal]}
+  man: {kind: loading, at: q13_man, minutes: 8, ores: [men]}
+  east: {kind: tipping, at: E, minutes: 5}
+  west: {kind: tipping, at: W, minutes: 5}
+orders:
+  a: {from: heavy, to: east, trains: 1, ore: coal}
+  c: {from: man, to: west, trains: 1, ore: men}
+"""
+"""Trains for the second loading place run through the first."""
+
+
+def test_a_loading_place_on_the_way_of_others_is_no_wrong_place(tmp_path: Path) -> None:
+    file = tmp_path / "x.dispatch"
+    file.write_text(THROUGH, "utf-8")
+    w = one("layouts/pit_bottom.yaml", str(file), 0, Options(hours=1.5))
+    through = [e for e in read(w.log).events if e["kind"] == "enters" and e["section"] == "q3_heavy"]
+    assert w.tipped == {"a": 1, "c": 1} and len(through) == 2 and not any(summary(w).values())
+
+
 def test_the_command_writes_records_and_tells_its_counts(tmp_path: Path) -> None:
     arguments = [HEISHAN, "--hours", "0.5", "--shifts", "2", "-o", str(tmp_path)]
     done = CliRunner().invoke(command, arguments, catch_exceptions=False)

@@ -313,7 +313,7 @@ class Shift:
             self.guide.where[r.name] = Where(section, self._now)
         place = self.file.places[trip.order.order.from_]
         loading = {p.at for p in self.file.places.values() if p.kind == "loading"}
-        if section in loading and section != place.at:
+        if section in loading and section != place.at and section not in trip.run.journey.sections:
             self.worked.wrong_places += 1
             self._alarm(f"{r.name} comes into {section}, and is ordered to {place.at}")
 

@@ -19,6 +19,9 @@ from interlock.dispatch.plan.railway import OUTSIDE, Errand, Journey, Leg, NoVoy
 from interlock.model.elements import SectionId
 from interlock.table.rows import TraversalKey
 
+MARGIN_M = 2.0
+"""Metres before a signal or the end of the track in which a driver stands; as simulated shifts have it (our choice)."""
+
 
 @dataclass(frozen=True)
 class Derived:
@@ -216,9 +219,10 @@ class Derivation:
                 text = f"no train can leave {name}: no route begins at a signal of {p.at}"
                 self.sink.add("IL6008", text, self.orders.at("places", name, key=True), "put a signal at its end")
             metres = max((self.railway.metres[k] for (k,) in ways), default=0.0)
-            if p.capacity * longest > metres:
+            if p.capacity * longest + MARGIN_M > metres:
                 trains = f"{p.capacity} trains" if p.capacity > 1 else "a train"
                 text = f"{name} is to hold {trains} of {longest:g} m, and {p.at} has {metres:g} m"
+                text += f", {MARGIN_M:g} m of them before the signal" if p.capacity * longest <= metres else ""
                 fix = "lower its capacity" if p.capacity > 1 else "take shorter trains"
                 self.sink.add("IL6009", text, self.orders.at("places", name), fix)
         room = sum(p.capacity for p in self.file.places.values())

@@ -461,6 +461,11 @@ class Journey:
     steps: dict[Place, list[Step]]
     railway: Railway = field(repr=False)
 
+    @cached_property
+    def sections(self) -> frozenset[SectionId]:
+        """All sections over which some of its ways leads."""
+        return frozenset(x for out in self.steps.values() for s in out for r in s.routes for x in r.section_ids)
+
     def nodes(self, before: Sequence[str] = ()) -> Draft:
         """The same as nodes and moves; a move's label is the number of its step.
 
