@@ -153,7 +153,8 @@ def test_from_request_to_release_by_mouse_alone(chromium: Any, server: Server) -
             "buffer-XC2",
             "signal-XI7",
         ]
-        click(page, "#signal-XI7 .reach")
+        page.keyboard.press("Escape")
+        set_route(page, "signal-XB", "signal-XI7")
         is_(page, "#signal-XB", "clear")
         for edge in page.eval_on_selector_all("#plan .locked", "es => es.map(e => e.id)"):
             assert edge.startswith("edge-")
