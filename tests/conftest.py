@@ -7,8 +7,11 @@ import shutil
 import threading
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
+
+from tests.browsers import browser
 
 TOP = Path(__file__).resolve().parent.parent
 LEFT = pytest.StashKey[int]()
@@ -70,3 +73,10 @@ def _configured_apart(monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.
     """No test reads or writes the user's own settings."""
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path_factory.getbasetemp() / "config"))
     monkeypatch.setenv("APPDATA", str(tmp_path_factory.getbasetemp() / "config"))
+
+
+@pytest.fixture(scope="module")
+def chromium() -> Iterator[Any]:
+    """A browser for all tests of a module; each opens contexts of its own."""
+    with browser() as found:
+        yield found

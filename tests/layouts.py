@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 
 from interlock.app.check import check_file
@@ -9,6 +10,7 @@ from interlock.derivation import derive
 from interlock.diag import Sink
 from interlock.frontend import load_text
 from interlock.logic.controller import Controller
+from interlock.logic.expr import UniqueTable, current_table
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.table.rows import InterlockingTable
@@ -17,7 +19,13 @@ SHIPPED = tuple(sorted(p.stem for p in Path(__file__).resolve().parent.parent.jo
 
 
 def built(name: str) -> tuple[Layout, InterlockingTable, Controller]:
-    """Layout, table and controller of a shipped layout."""
+    """Layout, table and controller of a shipped layout: values that nobody changes, made once in a process."""
+    return _built(name, current_table())
+
+
+@cache
+def _built(name: str, _: UniqueTable) -> tuple[Layout, InterlockingTable, Controller]:
+    """For each table of equal expressions its own: nodes of two tables are never the same."""
     checked = check_file(f"layouts/{name}.yaml")
     assert checked.ok and checked.layout is not None and checked.table is not None, checked.diagnostics
     return checked.layout, checked.table, lower(checked.layout, checked.table)

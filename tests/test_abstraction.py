@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cache
 
 import pytest
 
@@ -69,38 +70,45 @@ class Large:
             cnf.require(x)
         self.cnf = cnf
 
-    def wrong(self, seen: LocalAbstraction) -> list[Expr]:
-        """What the abstraction says and the large system does not."""
-        said = [*seen.facts, *(iff(var(name), x) for name, x in seen.definitions.items())]
-        return self.not_said(said, seen.blocks)
+    def wrong(self, abstractions: Iterable[LocalAbstraction]) -> list[Expr]:
+        """What abstractions say and the large system does not."""
+        asked: dict[Expr, None] = {}
+        for seen in abstractions:
+            said = [*seen.facts, *(iff(var(name), x) for name, x in seen.definitions.items())]
+            blocks = {
+                name: disj(x for number, x in self.of[name.base] if seen.blocks[int(name.at[0])] >> number & 1)
+                for name in variables(said)
+                if name.form is Form.BLOCK
+            }
+            asked |= dict.fromkeys(map(Substitution(blocks), said))
+        return self.not_said([*asked])
 
-    def not_said(self, said: Sequence[Expr], members: Sequence[int] = ()) -> list[Expr]:
-        """The expressions that do not follow, with blocks read as their members."""
-        blocks = {
-            name: disj(x for number, x in self.of[name.base] if members[int(name.at[0])] >> number & 1)
-            for name in variables(said)
-            if name.form is Form.BLOCK
-        }
-        put = Substitution(blocks)
-        asked = [put(x) for x in said]
+    def not_said(self, asked: Sequence[Expr]) -> list[Expr]:
+        """The expressions that do not follow."""
         literals = [self.cnf.literal(x) for x in asked]
         sat = solver("minisat22", self.cnf, 60_000)
-        return [x for x, literal in zip(said, literals, strict=True) if sat.ask(-literal) is not Answer.UNSAT]
+        return [x for x, literal in zip(asked, literals, strict=True) if sat.ask(-literal) is not Answer.UNSAT]
+
+
+@cache
+def whole_yard(tracks: int, call_on: bool) -> tuple[LocalAbstractions, list[Focus], Large]:
+    """What abstractions of a yard are made from, all of them, and the large system that they speak of."""
+    layout, _, controller = small_yard(tracks, call_on)
+    system = System(layout, controller)
+    steps, claimed, kept = goals_of(system)
+    local = LocalAbstractions(system, kept)
+    return local, foci(local, [*steps, *claimed]), Large(system, kept, False)
 
 
 @pytest.mark.parametrize("tracks", [4, 6])
 @pytest.mark.parametrize("call_on", [False, True])
 @pytest.mark.parametrize("truncated", [False, True])
 def test_what_an_abstraction_says_holds_in_the_large_system(tracks: int, call_on: bool, truncated: bool) -> None:
-    layout, _, controller = small_yard(tracks, call_on)
-    system = System(layout, controller)
-    steps, claimed, kept = goals_of(system)
-    local, large = LocalAbstractions(system, kept), Large(system, kept, False)
-    some = foci(local, [*steps, *claimed])
-    for focus in random.Random(tracks).sample(some, min(24, len(some))):
-        seen = abstraction(local, focus, truncated)
-        assert seen.asked and (seen.facts or seen.definitions)  # what waits for an approach section needs no fact
-        assert large.wrong(seen) == []
+    local, some, large = whole_yard(tracks, call_on)
+    sample = random.Random(tracks).sample(some, min(24, len(some)))
+    seen = [abstraction(local, focus, truncated) for focus in sample]
+    assert all(x.asked and (x.facts or x.definitions) for x in seen)  # what waits for an approach section needs no fact
+    assert large.wrong(seen) == []
 
 
 def test_a_truncated_cone_says_less_and_asks_the_same() -> None:

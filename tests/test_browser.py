@@ -4,16 +4,12 @@ from __future__ import annotations
 
 import json
 import re
-import shutil
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import pytest
 from click.testing import CliRunner
 
-from interlock.app.compile import compile_file
 from interlock.app.init import yard
 from interlock.cli.main import cli
 from interlock.derivation import derive
@@ -23,28 +19,8 @@ from interlock.emit.report import BadTrace, player_html, report_html
 from interlock.frontend import load_text
 from interlock.table.columns import COLUMNS
 from interlock.table.printed import Printed
-
-BROWSER = shutil.which("chromium") or shutil.which("chromium-browser")
-FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--disable-background-networking"]
-FLAGS += ["--disable-component-update", "--disable-sync", "--no-first-run"]
-
-
-@contextmanager
-def opened(path: Path) -> Iterator[Any]:
-    """A page, and at the end the certainty that it logged no error and asked for nothing from anywhere."""
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as p:
-        browser = p.chromium.launch(executable_path=BROWSER, args=FLAGS)
-        page = browser.new_page(viewport={"width": 1500, "height": 1000})
-        wrong: list[str] = []
-        page.on("console", lambda m: wrong.append(m.text) if m.type == "error" else None)
-        page.on("pageerror", lambda e: wrong.append(str(e)))
-        page.on("request", lambda r: wrong.append(r.url) if not r.url.startswith("file:") else None)
-        page.goto(path.resolve().as_uri())
-        yield page
-        browser.close()
-        assert wrong == []
+from tests.browsers import shown
+from tests.layouts import built
 
 
 @pytest.fixture(scope="module")
@@ -92,10 +68,18 @@ def test_a_trace_cannot_bring_a_script_along(traces: Path) -> None:
 
 @pytest.fixture(scope="module")
 def reports(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The outputs of three layouts, with their report pages."""
+    """The report pages of three layouts as they are now, with what their committed proofs say: nothing is proved anew
+    for a look at a page."""
     folder = tmp_path_factory.mktemp("reports")
     for name in ("heishan", "cn6502", "mine11"):
-        assert compile_file(f"layouts/{name}.yaml", folder).green
+        layout, table, _ = built(name)
+        made = Path("generated") / name
+        files = {str(p.relative_to(made)): p.read_bytes() for p in sorted(made.rglob("*")) if p.is_file()}
+        told = json.loads(files["proof.json"])
+        texts = [(file, said.startswith("PROVED")) for file, said in told["text"].items()]
+        page = report_html(layout, table, plan_svg(layout), told["claims"], texts, told["assumptions"], files, "")
+        (folder / name).mkdir()
+        (folder / name / "index.html").write_text(page, "utf-8")
     return folder
 
 
@@ -117,8 +101,8 @@ def large_report(folder: Path) -> tuple[Path, int]:
 
 @pytest.mark.parametrize("name", ["heishan", "cn6502", "mine11"])
 @pytest.mark.external
-def test_a_chosen_route_lights_up_on_plan_and_table(reports: Path, name: str) -> None:
-    with opened(reports / name / "index.html") as page:
+def test_a_chosen_route_lights_up_on_plan_and_table(chromium: Any, reports: Path, name: str) -> None:
+    with shown(chromium, reports / name / "index.html") as page:
         data = data_of(page)
         for i in (0, len(data["routes"]) // 2, len(data["routes"]) - 1):
             r = data["routes"][i]
@@ -137,8 +121,8 @@ def test_a_chosen_route_lights_up_on_plan_and_table(reports: Path, name: str) ->
 
 
 @pytest.mark.external
-def test_the_table_is_filtered_and_tells_reasons_and_works_by_keyboard(reports: Path) -> None:
-    with opened(reports / "cn6502" / "index.html") as page:
+def test_the_table_is_filtered_and_tells_reasons_and_works_by_keyboard(chromium: Any, reports: Path) -> None:
+    with shown(chromium, reports / "cn6502" / "index.html") as page:
         everything = page.locator("#routes tr:visible").count()
         page.select_option("#kind", "shunt")
         shunts = page.locator("#routes tr:visible").count()
@@ -169,8 +153,8 @@ def test_the_table_is_filtered_and_tells_reasons_and_works_by_keyboard(reports: 
 
 
 @pytest.mark.external
-def test_a_route_has_its_own_link_and_its_reasons_stand_where_one_looks(reports: Path) -> None:
-    with opened(reports / "cn6502" / "index.html") as page:
+def test_a_route_has_its_own_link_and_its_reasons_stand_where_one_looks(chromium: Any, reports: Path) -> None:
+    with shown(chromium, reports / "cn6502" / "index.html") as page:
         data = data_of(page)
         one, two = data["routes"][3]["id"], data["routes"][7]["id"]
         fits = "(() => { const p = document.getElementById('plan'); return p.scrollWidth <= p.clientWidth; })()"
@@ -204,8 +188,8 @@ def test_a_route_has_its_own_link_and_its_reasons_stand_where_one_looks(reports:
 
 
 @pytest.mark.external
-def test_the_report_works_on_a_phone(reports: Path) -> None:
-    with opened(reports / "cn6502" / "index.html") as page:
+def test_the_report_works_on_a_phone(chromium: Any, reports: Path) -> None:
+    with shown(chromium, reports / "cn6502" / "index.html") as page:
         page.set_viewport_size({"width": 390, "height": 800})
         page.reload()
         assert page.evaluate("document.documentElement.scrollWidth") <= 392
@@ -216,8 +200,8 @@ def test_the_report_works_on_a_phone(reports: Path) -> None:
 
 
 @pytest.mark.external
-def test_the_report_prints_on_a3(reports: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
-    with opened(reports / "heishan" / "index.html") as page:
+def test_the_report_prints_on_a3(chromium: Any, reports: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
+    with shown(chromium, reports / "heishan" / "index.html") as page:
         data = page.pdf(prefer_css_page_size=True)
     assert data.startswith(b"%PDF") and len(data) > 20_000
     box = re.search(rb"/MediaBox\s*\[\s*0\s+0\s+([\d.]+)\s+([\d.]+)", data)
@@ -226,8 +210,8 @@ def test_the_report_prints_on_a3(reports: Path, tmp_path_factory: pytest.TempPat
 
 
 @pytest.mark.external
-def test_in_print_nothing_lies_over_anything_and_nothing_is_cut_off(reports: Path) -> None:
-    with opened(reports / "cn6502" / "index.html") as page:
+def test_in_print_nothing_lies_over_anything_and_nothing_is_cut_off(chromium: Any, reports: Path) -> None:
+    with shown(chromium, reports / "cn6502" / "index.html") as page:
         page.emulate_media(media="print")
         boxes = page.evaluate(
             "[...document.querySelectorAll('table')].map(t => [t.getBoundingClientRect().bottom, "
@@ -239,9 +223,9 @@ def test_in_print_nothing_lies_over_anything_and_nothing_is_cut_off(reports: Pat
 
 
 @pytest.mark.external
-def test_names_are_no_wider_in_the_browser_than_the_plan_reckons() -> None:
+def test_names_are_no_wider_in_the_browser_than_the_plan_reckons(chromium: Any) -> None:
     for name in ("cn6502", "pit_bottom", "depot"):
-        with opened(Path(f"generated/{name}/plan.svg")) as page:
+        with shown(chromium, Path(f"generated/{name}/plan.svg")) as page:
             boxes = page.evaluate(
                 "[...document.querySelectorAll('text:not(.title)')].map(t => "
                 "{ const b = t.getBBox(); return [t.textContent, b.x, b.y, b.x + b.width, b.y + b.height]; })"
@@ -254,9 +238,9 @@ def test_names_are_no_wider_in_the_browser_than_the_plan_reckons() -> None:
 
 
 @pytest.mark.external
-def test_a_counterexample_is_stepped_through(traces: Path) -> None:
+def test_a_counterexample_is_stepped_through(chromium: Any, traces: Path) -> None:
     for path in sorted(traces.glob("*.html")):
-        with opened(path) as page:
+        with shown(chromium, path) as page:
             steps = page.locator("#steps li").count()
             assert page.inner_text("#said").startswith(f"1 of {steps}: Restart")
             seen_train = seen_proceed = False
@@ -276,10 +260,10 @@ def test_a_counterexample_is_stepped_through(traces: Path) -> None:
 
 
 @pytest.mark.external
-def test_a_yard_of_a_thousand_routes_stays_usable(tmp_path_factory: pytest.TempPathFactory) -> None:
+def test_a_yard_of_a_thousand_routes_stays_usable(chromium: Any, tmp_path_factory: pytest.TempPathFactory) -> None:
     path, count = large_report(tmp_path_factory.mktemp("large"))
     assert count == 996 and path.stat().st_size < 4_000_000
-    with opened(path) as page:
+    with shown(chromium, path) as page:
         assert page.locator("#routes tr").count() == count
         spent = page.evaluate(
             "(() => { const t = performance.now(); const s = document.getElementById('route'); "
@@ -300,14 +284,14 @@ def test_a_yard_of_a_thousand_routes_stays_usable(tmp_path_factory: pytest.TempP
 
 
 @pytest.mark.external
-def test_each_overlap_of_a_printed_row_can_be_chosen(tmp_path: Path) -> None:
+def test_each_overlap_of_a_printed_row_can_be_chosen(chromium: Any, tmp_path: Path) -> None:
     sink = Sink()
     text = Path("tests/layouts_for_tests/entry_speeds.yaml").read_text("utf-8")
     layout, _ = load_text("speeds.yaml", text, sink)
     assert layout is not None
     path = tmp_path / "speeds.html"
     path.write_text(report_html(layout, derive(layout, sink), plan_svg(layout), [], [], {}, {}, ""), "utf-8")
-    with opened(path) as page:
+    with shown(chromium, path) as page:
         assert page.locator("#routes tr").count() == 5 and "5 of 5 routes" in page.inner_text("#shown")
         row = page.locator("#routes tr", has=page.locator("button.of")).first
         for mark, track in (("o2", "edge-drag"), ("o1", "edge-east")):

@@ -19,9 +19,22 @@ from interlock.proof.induction.search import search
 from interlock.proof.mutation.weakenings import KINDS
 from interlock.proof.system.transition import System
 from interlock.sim.run import Simulator
+from interlock.st.ast import Unit
 from interlock.st.dialects import BY_NAME, write_st
 from interlock.st.meaning import Execution, Numbers
 from tests.layouts import SHIPPED, built
+
+READ: dict[int, tuple[Controller, types.ModuleType, Unit]] = {}
+"""Controllers by their identity, with their runtime and their text as they are read back: written once."""
+
+
+def texts(controller: Controller) -> tuple[types.ModuleType, Unit]:
+    """The Python runtime of a controller as a module, and its Structured Text as it is read back."""
+    if id(controller) not in READ:
+        module, iec = types.ModuleType("runtime"), BY_NAME["iec"]
+        exec(compile(runtime_py(controller, []), "runtime.py", "exec"), module.__dict__)
+        READ[id(controller)] = controller, module, iec.read(write_st(controller, iec, []))
+    return READ[id(controller)][1:]
 
 
 class Three:
@@ -30,12 +43,10 @@ class Three:
     def __init__(self, controller: Controller) -> None:
         self.controller = controller
         self.reference = Machine(controller)
-        module = types.ModuleType("runtime")
-        exec(compile(runtime_py(controller, []), "runtime.py", "exec"), module.__dict__)
-        self.runtime = module.Controller()
+        runtime, unit = texts(controller)
+        self.runtime = runtime.Controller()
         self.numbers = Numbers()
-        iec = BY_NAME["iec"]
-        self.text: Execution[int] = Execution(iec.read(write_st(controller, iec, [])), self.numbers)
+        self.text: Execution[int] = Execution(unit, self.numbers)
 
     def over(self, timers: dict[str, bool]) -> None:
         """Set timers to have run for their whole preset, or not yet to run."""

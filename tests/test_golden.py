@@ -131,4 +131,4 @@ def test_foul_joints_are_claimed_and_a_missing_exclusion_is_killed() -> None:
     result = prove(System(checked.layout, lower(checked.layout, checked.table)))
     assert result.proved and next(c.places for c in result.claims if c.id == "T-FOUL") == 2
     outcomes = run_mutants(checked.layout, checked.table, 0, Limits(search_depth=0), only=("diamond-not-excluded",))
-    assert any(o.fate is not Fate.REDUNDANT and "T-FOUL" in o.claims for o in outcomes), outcomes
+    assert any(o.fate is not Fate.REDUNDANT and "T-FOUL" in o.claims for o in outcomes)

@@ -82,8 +82,7 @@ ON = {
 def test_each_kind_is_killed_somewhere(kind: str) -> None:
     layout, table, _ = built(ON.get(kind, "fig2_3_split"))
     sample = 0 if kind == "swing-into-held" else 2
-    outcomes = run_mutants(layout, table, sample, NO_SEARCH, only=(kind,))
-    assert outcomes and any(o.fate is not Fate.REDUNDANT for o in outcomes), outcomes
+    assert any(o.fate is not Fate.REDUNDANT for o in run_mutants(layout, table, sample, NO_SEARCH, only=(kind,)))
 
 
 @pytest.mark.parametrize("kind", ["proceed-on-lost-input", "proceed-before-lock"])
@@ -188,8 +187,7 @@ def test_a_killer_is_named_for_every_claim() -> None:
 def test_each_claim_is_failed_by_some_mutant(claim: str) -> None:
     name, kind = _killers()[claim]
     layout, table, _ = built(name)
-    outcomes = run_mutants(layout, table, 8, NO_SEARCH, only=(kind,))
-    assert any(claim in o.claims for o in outcomes), [(o.place, o.claims) for o in outcomes]
+    assert any(claim in o.claims for o in run_mutants(layout, table, 8, NO_SEARCH, only=(kind,)))
 
 
 @pytest.mark.parametrize("name", [SHUNT, DEVICES, OVERLAPS])

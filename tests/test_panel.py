@@ -20,7 +20,7 @@ from starlette.websockets import WebSocketDisconnect
 from interlock.app.run import Ready, run
 from interlock.cli.main import cli
 from interlock.cli.panel import opened
-from interlock.panel.clock import Clock
+from interlock.panel.clock import MOST_S, Clock
 from interlock.panel.desk import Desk, Person
 from interlock.panel.journal import page, trace
 from interlock.panel.recorder import Recorder
@@ -288,11 +288,52 @@ def test_files_are_served_and_nothing_else(ready: Ready) -> None:
     assert not [x for x in ("http:", "https:", "//") if x in page]
 
 
+class Wall:
+    """A clock on the wall that goes on by so many seconds with each look at it, and by what is slept."""
+
+    def __init__(self, look_s: float) -> None:
+        self.at, self.look_s = 0.0, look_s
+
+    def __call__(self) -> float:
+        self.at += self.look_s
+        return self.at
+
+    def sleep(self, seconds: float) -> None:
+        self.at += seconds
+
+
 def test_simulated_time_runs_faster_and_never_leaps() -> None:
-    wall = iter((0.0, 0.01, 5.0))
-    clock = Clock(lambda: next(wall))
+    wall = Wall(0.0)
+    clock = Clock(MOST_S, wall, wall.sleep)
     clock.speed = 10
-    assert clock.now() == pytest.approx(0.1) and clock.now() == pytest.approx(0.5)
+    began = clock.now()
+    wall.at += 0.01
+    assert clock.now() - began == pytest.approx(0.1)
+    wall.at += 5.0
+    assert clock.now() - began == clock.now() - began == pytest.approx(MOST_S)
+    clock.sleep(0.05)
+    wall.at += 5.0  # the process sleeps longer than it asked for
+    began, before = clock.now(), began
+    assert began - before == pytest.approx(MOST_S)
+    clock.sleep(0.2)
+    assert clock.now() - began == pytest.approx(0.2)
+
+
+@pytest.mark.parametrize("cycle_ms", [100, 1000])
+def test_a_computer_that_is_busy_slows_the_railway_down_and_no_cycle_is_too_long(ready: Ready, cycle_ms: int) -> None:
+    """However often a cycle looks at the clock: inputs that count as lost close every signal, and a train that runs on
+    for longer than a scan is said to last is in no section for a scan."""
+    desk, wall = Desk(ready, cycle_ms=cycle_ms), Wall(0.3)
+    desk.clock = Clock(desk.clock.most_s, wall, wall.sleep)
+    desk.clock.speed = 60
+    cycles = run(ready, desk.links, cycle_ms, 12, desk._inputs, desk.clock.now, desk.clock.sleep)
+    valid, long = [], []
+    for cycle, _ in cycles:
+        desk._after(cycle)
+        valid.append(cycle.valid)
+        long.append(desk._dt_ms)
+    assert all(valid[2:]) and max(long) <= round(1000 * desk.clock.most_s)
+    assert desk.field is not None and desk.field.world.scan_s == desk.clock.most_s
 
 
 def test_a_port_in_use_and_a_missing_extra_are_messages(monkeypatch: pytest.MonkeyPatch) -> None:

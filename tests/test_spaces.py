@@ -337,12 +337,15 @@ def test_a_layout_with_spaces_is_certified_and_verified(tmp_path: Path) -> None:
 
 
 @pytest.mark.external
-def test_the_report_opens_a_route_by_its_link(made: tuple[Ready, dict[str, bytes]], tmp_path: Path) -> None:
-    from tests.test_browser import data_of, opened
+def test_the_report_opens_a_route_by_its_link(
+    chromium: Any, made: tuple[Ready, dict[str, bytes]], tmp_path: Path
+) -> None:
+    from tests.browsers import shown
+    from tests.test_browser import data_of
 
     path = tmp_path / "index.html"
     path.write_bytes(made[1]["index.html"])
-    with opened(path) as page:
+    with shown(chromium, path) as page:
         page.goto(f"{path.as_uri()}#route=Signal%201%20W-Signal%2011%20P")
         page.reload()
         route = next(r for r in data_of(page)["routes"] if r["id"] == "Signal 1 W-Signal 11 P")
@@ -354,14 +357,14 @@ def test_the_report_opens_a_route_by_its_link(made: tuple[Ready, dict[str, bytes
 
 
 @pytest.mark.external
-def test_the_panel_takes_names_with_spaces(tmp_path: Path) -> None:
+def test_the_panel_takes_names_with_spaces(chromium: Any, tmp_path: Path) -> None:
     from tests.panels import QUICK
-    from tests.test_panel_browser import Server, browser, is_, opened, press
+    from tests.test_panel_browser import Server, closing_pages, is_, opened, press
 
     text = SPACES.read_text("utf-8").replace("principles: {shunt_release_s: 60}", QUICK.strip())
     (tmp_path / "spaces.yaml").write_text(text, "utf-8")
     server = Server(tmp_path / "spaces.yaml")
-    with browser() as b:
+    with closing_pages(chromium) as b:
         page, wrong = opened(b, server.url)
         press(page, "Release all clear sections")
         page.wait_for_selector("#restart", state="hidden")

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from interlock.logic.controller import Controller, Equation
-from interlock.logic.expr import evaluate
+from interlock.logic.expr import evaluate, truths
 from interlock.logic.names import Name, computed
 from interlock.logic.on_delay import CYCLE_MAX_MS, on_delay
 from interlock.logic.words import UNKNOWN
@@ -24,6 +24,10 @@ class Machine:
         self.state: dict[str, int] = {s.name: int(s.initial) for s in controller.state}
         self.elapsed: dict[str, int | None] = {t.name: None for t in controller.timers}
         self.wires: dict[str, int] = {}
+        following = truths(e.expr for e in controller.equations)
+        self._steps = dict(zip((e.name for e in controller.equations), following, strict=True))
+        self._next = truths(e.expr for e in controller.next)
+        self._outputs = truths(o.expr for o in controller.outputs)
 
     def words(self) -> dict[Name, int]:
         """What the words say of the last scan; UNKNOWN before the first."""
@@ -44,13 +48,11 @@ class Machine:
             values[c.symbols.valid] = 0
         for step in c.steps:
             if isinstance(step, Equation):
-                values[step.name] = int(evaluate(step.expr, values.__getitem__, {}))
+                values[step.name] = int(self._steps[step.name](values))
             else:
                 elapsed, over = on_delay(self.elapsed[step.name], bool(values[step.input]), step.preset_ms, dt_ms)
                 self.elapsed[step.name], values[step.name] = elapsed, int(over)
-        memo: dict[int, bool] = {}
-        new: dict[str, int] = {e.name: int(evaluate(e.expr, values.__getitem__, memo)) for e in c.next}
+        new: dict[str, int] = {e.name: int(x(values)) for e, x in zip(c.next, self._next, strict=True)}
         self.wires = values
         self.state = new
-        outputs: dict[int, bool] = {}
-        return {o.name: evaluate(o.expr, new.__getitem__, outputs) for o in c.outputs}
+        return {o.name: x(new) for o, x in zip(c.outputs, self._outputs, strict=True)}

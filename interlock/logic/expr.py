@@ -329,6 +329,42 @@ def evaluate(root: Expr, value: Callable[[Name], int], memo: dict[int, bool]) ->
     return memo[id(root)]
 
 
+Truth = Callable[[Mapping[str, int]], bool]
+"""The truth of one expression under values of its variables."""
+
+
+def truths(roots: Iterable[Expr]) -> list[Truth]:
+    """As `evaluate`, made once for many valuations: each root as a function, what they share once.  An operand that
+    decides is the last one looked at."""
+    made: dict[Expr, Truth] = {}
+    roots = list(roots)
+    for node in walk(roots):
+        made[node] = _truth(node, [made[a] for a in node.args])
+    return [made[root] for root in roots]
+
+
+def _truth(node: Expr, parts: list[Truth]) -> Truth:
+    name, number = node.name, node.value
+    if node.op is VAR:
+        return lambda values: values[name] != 0
+    if node.op is EQ:
+        return lambda values: values[name] == number
+    if node.op is NOT:
+        (part,) = parts
+        return lambda values: not part(values)
+    if node.op in (AND, OR):
+        decides = node.op is OR
+
+        def joined(values: Mapping[str, int]) -> bool:
+            for part in parts:
+                if part(values) is decides:
+                    return decides
+            return not decides
+
+        return joined
+    return lambda values: node is TRUE
+
+
 def leaf_text(x: Expr) -> str:
     """A variable or comparison as text."""
     return x.name if x.op is VAR else f"{x.name} = {x.value}"

@@ -24,7 +24,7 @@ from interlock.logic.words import UNKNOWN
 from interlock.panel.alarms import Alarm, Alarms
 from interlock.panel.asked import Asked
 from interlock.panel.causes import causes, fallen_back
-from interlock.panel.clock import SPEEDS, Clock
+from interlock.panel.clock import MOST_S, SPEEDS, Clock
 from interlock.panel.commands import TEXT, Buttons, Refused
 from interlock.panel.event import Event, stamp
 from interlock.panel.picture import Picture, Shown, still
@@ -67,12 +67,16 @@ class Desk:
         assert ready.layout is not None and ready.controller is not None and ready.allocation is not None
         self.ready, self.cycle_ms, self.recorder = ready, cycle_ms, recorder
         self.field: SimulatedField | None = None
-        self.clock = Clock()
+        self.clock = Clock(max(MOST_S, cycle_ms / 1000))
         if links is None:
             c = ready.controller
             inputs: dict[str, tuple[int, int]] = {i.name: (i.restrictive, i.size or 2) for i in c.inputs}
             self.field = SimulatedField(
-                ready.layout, ready.allocation, inputs, {o.name: o.restrictive for o in c.outputs}
+                ready.layout,
+                ready.allocation,
+                inputs,
+                {o.name: o.restrictive for o in c.outputs},
+                self.clock.most_s,
             )
         self.links: Mapping[str, Link] = self.field.links if self.field is not None else links or {}
         self.still = still(ready, self.field)

@@ -104,11 +104,18 @@ class SimulatedField:
     """The railway, and the links to its substations."""
 
     def __init__(
-        self, layout: Layout, allocation: Allocation, inputs: Mapping[str, tuple[int, int]], outputs: Mapping[str, bool]
+        self,
+        layout: Layout,
+        allocation: Allocation,
+        inputs: Mapping[str, tuple[int, int]],
+        outputs: Mapping[str, bool],
+        scan_s: float,
     ) -> None:
-        """`inputs`: restrictive value and size by name, `outputs`: restrictive value by name."""
+        """`inputs`: restrictive value and size by name, `outputs`: restrictive value by name, `scan_s`: seconds from
+        one scan to the next at most."""
         self.layout, self.allocation = layout, allocation
         self.world = _World(layout, inputs, outputs)
+        self.world.scan_s = scan_s
         self.restrictive = {n: int(v) for n, v in outputs.items()}
         self.shown = dict(self.restrictive)
         self.cut: set[str] = set()

@@ -23,6 +23,7 @@ from typing import Any
 
 from websockets.sync.client import ClientConnection
 
+from tests.browsers import browser
 from tests.campaigns.deadlock import processor
 from tests.test_panel_browser import changes
 
@@ -126,7 +127,8 @@ def main() -> None:
     parser.add_argument("-o", "--out", type=Path)
     given = parser.parse_args()
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
-    took = changes()
+    with browser() as chromium:
+        took = changes(chromium)
     text = (
         f"# The panel at work\n\n`python -m tests.campaigns.panel` at commit {commit}, {processor()}, "
         f"{os.cpu_count()} cores, Python {platform.python_version()}.\n\n"

@@ -52,6 +52,22 @@ function first(m) {
   $("speed").hidden = $("power-key").hidden = $("traffic").hidden = !still.simulated;
 }
 
+// A click is one where the mouse is let go on what it was pressed on: while a button is held down nothing is exchanged
+// in its box, what has changed there is drawn afterwards.
+let pressed = null;
+const due = new Set();
+function held(box, draw) {
+  if (pressed && box.contains(pressed)) due.add(draw);
+  return due.has(draw);
+}
+document.addEventListener("pointerdown", e => { pressed = e.target; }, true);
+for (const end of ["pointerup", "pointercancel", "blur"]) window.addEventListener(end, () => setTimeout(() => {
+  const waiting = [...due];
+  pressed = null;
+  due.clear();
+  for (const draw of waiting) draw();
+}));
+
 // --- what is chosen ---
 function choose(key) {
   $("said").replaceChildren();
@@ -81,6 +97,7 @@ function exits() {
 
 let offered = "";
 function offer() {
+  if (held($("acts"), offer)) return;
   plan.mark("chosen", chosen ? [chosen] : []);
   plan.mark("exit", exits());
   $("hint").textContent = chosen[0] === "g" && exits().length ? "choose where to: the possible ends are lit" : "";
@@ -200,6 +217,7 @@ function system() {
 
 let stepped = "";
 function restart() {
+  if (held($("restart"), restart)) return;
   const found = rest.sys && steps(still, state, rest.sys), now = JSON.stringify(found);
   if (now === stepped) return;
   stepped = now;
@@ -216,6 +234,7 @@ function restart() {
 
 let running = "";
 function trains() {
+  if (held($("trains"), trains)) return;
   const now = JSON.stringify(rest.trains.map(([n, , v, l, u, h]) => [n, v, l, u, h]));
   if (now === running) return;
   running = now;
@@ -238,6 +257,7 @@ function trains() {
 }
 
 function others() {
+  if (held($("rest"), others)) return;
   const lines = [], s = rest.sys;
   const add = (text, label, command) => {
     const line = element("p", `${text} `);

@@ -10,6 +10,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from functools import cache
 from keyword import iskeyword
 from typing import Any
 
@@ -39,6 +40,11 @@ def _names(fixed: str) -> frozenset[str]:
     return frozenset(
         {x.id for x in nodes if isinstance(x, ast.Name)} | {x.arg for x in nodes if isinstance(x, ast.arg)}
     )
+
+
+@cache
+def _fixed_tree() -> str:
+    return ast.dump(ast.parse(FIXED).body[0])
 
 
 TABLES = ("INPUTS", "STATE", "TIMERS", "OUTPUTS", "ROUTES", "CANCELLED_AFTER", "SAID")
@@ -91,7 +97,7 @@ class _Reader:
             raise BadRuntime("ROUTES are not those of the controller")
         if not (_same(timers, cancelled_after(controller)) and _same(codes, said(controller))):
             raise BadRuntime("CANCELLED_AFTER or SAID are not those of the controller")
-        if ast.dump(rest[-1]) != ast.dump(ast.parse(FIXED).body[0]):
+        if ast.dump(rest[-1]) != _fixed_tree():
             raise BadRuntime("the fixed part of the class is changed")
 
     def scan(self) -> Scan:

@@ -516,9 +516,8 @@ def run_mutants(
     limits: Limits,
     report: Callable[[Outcome], None] = lambda outcome: None,
     only: tuple[str, ...] = (),
-) -> tuple[Outcome, ...]:
-    """Up to `sample` evenly spread mutants of each kind (0: all)."""
-    out = []
+) -> Iterator[Outcome]:
+    """Up to `sample` evenly spread mutants of each kind (0: all), each judged when it is asked for."""
     for kind in KINDS:
         if only and kind.name not in only:
             continue
@@ -527,8 +526,7 @@ def run_mutants(
         for place, controller in mutants[::step]:
             outcome = judge(layout, kind.name, place, controller, limits)
             report(outcome)
-            out.append(outcome)
-    return tuple(out)
+            yield outcome
 
 
 def judge(layout: Layout, kind: str, place: str, controller: Controller, limits: Limits) -> Outcome:
