@@ -303,7 +303,7 @@ def test_each_overlap_of_a_printed_row_can_be_chosen(chromium: Any, tmp_path: Pa
 
 
 @pytest.mark.external
-def test_the_page_names_every_hostile_route_of_the_table(tmp_path: Path) -> None:
+def test_the_page_names_every_hostile_route_of_the_table(chromium: Any, tmp_path: Path) -> None:
     """The page has each group of them once, with routes in a row as their ends."""
     sink = Sink()
     layout, _ = load_text("yard.yaml", yard(8), sink)
@@ -311,7 +311,7 @@ def test_the_page_names_every_hostile_route_of_the_table(tmp_path: Path) -> None
     table = derive(layout, sink)
     path = tmp_path / "yard.html"
     path.write_text(report_html(layout, table, plan_svg(layout), [], [], {}, {}, ""), "utf-8")
-    with opened(path) as page:
+    with shown(chromium, path) as page:
         told = page.evaluate(
             "data.routes.map((r) => r.against.map(([k, how]) => [data.routes[k].id, ...data.hows[how]]))"
         )
