@@ -319,9 +319,9 @@ def test_the_page_names_every_hostile_route_of_the_table(chromium: Any, tmp_path
             assert sorted(map(tuple, those)) == sorted((h.route, str(h.kind), h.how.witness) for h in row.hostile)
         row = page.locator("#routes tr").nth(3)
         row.scroll_into_view_if_needed()
-        shown = row.locator("button[data-why]").evaluate_all(
+        seen = row.locator("button[data-why]").evaluate_all(
             "bs => bs.map(b => [b.textContent, data.reasons[b.dataset.why]])"
         )
         way = Printed(table).all[3]
         items = [(t, b) for c in COLUMNS if c.key != "hostile" for p in c.parts(way) for t, b in p.items]
-        assert [(t.removesuffix(","), why) for t, why in shown] == [(t, f"{b.rule}: {b.text}") for t, b in items]
+        assert [(t.removesuffix(","), why) for t, why in seen] == [(t, f"{b.rule}: {b.text}") for t, b in items]
