@@ -92,8 +92,8 @@ EDITS = {
         "RT_DP has 1 ms in the text, 3000 ms",
     ),
     "a timer for two sections": (
-        "  TON_RT_SB(IN := D.RTI_SB, PT := T#3s); (* SB: release delay (R15) *)\n  D.RT_SB := TON_RT_SB.Q;",
-        "  TON_RT_SA(IN := D.RTI_SB, PT := T#3s); (* SB: release delay (R15) *)\n  D.RT_SB := TON_RT_SA.Q;",
+        "  TON_RT_SB(IN := D.RTI_SB, PT := T#3s);\n  D.RT_SB := TON_RT_SB.Q;",
+        "  TON_RT_SA(IN := D.RTI_SB, PT := T#3s);\n  D.RT_SB := TON_RT_SA.Q;",
         "TON_RT_SA is called twice",
     ),
     "a timer called twice": (
