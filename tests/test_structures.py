@@ -120,3 +120,9 @@ def test_neither_reader_takes_another_structure(small: None, which: str) -> None
     assert times == 1
     told = why(changed)
     assert all(told), told
+
+
+def test_in_which_order_the_main_block_holds_them_says_nothing(small: None) -> None:
+    text = print_unit(structures.structured(lower_st(CONTROLLER, [])))
+    changed, times = re.subn(r"(VAR\n)(  D1 : IL_fig2_2_D1;\n)(  D2 : IL_fig2_2_D2;\n)", r"\1\3\2", text)
+    assert times == 1 and why(changed) == ("", "")

@@ -233,7 +233,7 @@ class _Released:
             or b.outputs
             or list(b.handed) != [d for d in known.declared if d.name in handed]
             or len(set(names)) != len(names)
-            or [d for d in b.locals if d in known.declared] != own
+            or {d for d in b.locals if d in known.declared} != set(own)
             or any(d.initial is not None or d.address for d in b.locals)
         ):
             raise NotInSubset(f"{b.name}: declared otherwise than as a block of this form")
