@@ -122,9 +122,12 @@ class Room:
         for place, m in zip(places, meaning, strict=True):
             self._use[place] = len(self._written)
             self._written.append(m)
-        settled = self._search.settled.get(n)
-        keys = [self._search.contradiction] if settled is None else self._keys(settled)
-        if keys == [None]:
+        search = self._search
+        if n in search.settled:
+            keys = self._keys(search.settled[n])
+        elif search.contradiction is not None:
+            keys = [search.contradiction if search.contradiction in search.learnt else self._key(search.contradiction)]
+        else:
             return None
         lemmas = [self._lemma(*x) for x in self._unwritten(keys)]
         hints = self._numbers(keys)
@@ -157,7 +160,7 @@ class Room:
         if use == NOTHING:
             return None
         goal = NOTHING - use
-        return ~self._done[goal] if goal in self._done else self._search.settled[goal]
+        return ~self._done[goal] if goal in self._done else self._search.settled.get(goal)
 
     def _clause(self, key: int) -> Clause:
         """A clause by its key: where the solver has that some goal is false, the literals of that goal."""

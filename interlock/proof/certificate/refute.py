@@ -44,6 +44,8 @@ class Turn:
     """Decides that a goal is false when the one before it is settled (what IPASIR-UP calls a propagator)."""
 
     is_lazy = False
+    propagate = add_clause = provide_reason = list  # nothing to say: an empty list
+    on_new_level = [].clear  # nothing to do
 
     def __init__(self) -> None:
         self.next = self.last = 0
@@ -68,29 +70,14 @@ class Turn:
         self._decided = True
         return self.next
 
+    def check_model(self, model: list[int]) -> bool:
+        """A state in which the goal is false, or none is left: the search ends."""
+        return True
+
     def on_backtrack(self, to: int) -> None:
         """Nothing is decided any more."""
         if to == 0:
             self._decided = False
-
-    def on_new_level(self) -> None:
-        """Nothing to note."""
-
-    def check_model(self, model: list[int]) -> bool:
-        """A run that breaks a goal, or none is left."""
-        return True
-
-    def propagate(self) -> list[int]:
-        """Nothing follows from whose turn it is."""
-        return []
-
-    def provide_reason(self, lit: int) -> list[int]:
-        """Never asked for."""
-        return []
-
-    def add_clause(self) -> list[int]:
-        """Nothing is added."""
-        return []
 
 
 class Search:
@@ -110,6 +97,7 @@ class Search:
         """For each goal that follows: the number of the clause that says so."""
         self.contradiction: int | None = None
         """The number of the clause without literals, if what is given contradicts itself."""
+        self._void: int | None = None
         self._goals = goals
         self._added = self._read = self._met = 0
         self._turn = Turn()
@@ -125,6 +113,8 @@ class Search:
     def add(self, clause: Sequence[int]) -> None:
         """A clause that is given."""
         self._solver.add_clause(clause)
+        if not clause and self._void is None:
+            self._void = self._added
         self._added += 1
 
     def settle(self, first: int, last: int) -> None:
@@ -160,6 +150,8 @@ class Search:
     def _number_given(self, last: int) -> None:
         """What was given after what is known, up to a number."""
         for n in range(self._met + 1, last + 1):
+            if len(self.given) == self._void:
+                self.contradiction = n
             self.given[n] = len(self.given)
         self._met = max(self._met, last)
         if len(self.given) > self._added:
