@@ -313,7 +313,10 @@ def test_what_follows_is_shown_and_nothing_else(seed: int) -> None:
             known.lemma(f"{' '.join(map(str, lemma.clause))}:{' '.join(map(str, lemma.hints))}")
         known.check(goal, [*o.hints])
         known.clauses.append(goal)
-    assert all(n < len(told.steps) + k for k, o in enumerate(proof.obligations) for n in o.facts)
+    assert all(
+        n < o.number - k for o in proof.obligations for k, x in enumerate(reversed(o.lemmas), 1) for n in x.hints
+    )
+    assert all(n < o.number for o in proof.obligations for n in o.hints)
 
 
 def _said(x: Expr) -> tuple[str, tuple[str, ...]]:

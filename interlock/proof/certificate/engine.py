@@ -2,6 +2,9 @@
 
 A goal is written as the numbers of the clauses that show it; before it, as clauses of their own, lemmas that these
 rest on and that nobody needed before.
+
+**Theorem.**  Clauses that follow one after the other, each from those before it, follow from the facts alone; and none
+is needed but those on which the last one rests.  (Backward checking: Goldberg and Novikov, 2003.)
 """
 
 from __future__ import annotations
@@ -29,19 +32,23 @@ class Lemma:
 
 @dataclass(frozen=True)
 class Obligation:
-    """A goal that is proved: lemmas, and the clauses that show it; the numbers of all facts on which it rests."""
+    """A goal that is proved: lemmas, and the clauses that show it; the number that its own clause has, or would have.
+
+    The lemmas' clauses have the numbers before that.
+    """
 
     goal: Goal
     lemmas: tuple[Lemma, ...]
     hints: tuple[int, ...]
-    facts: tuple[int, ...]
+    number: int
 
 
 @dataclass
 class LocalProof:
-    """All obligations in order, and the goals for which none was found."""
+    """All obligations in order, and the goals for which none was found; the numbers of the clauses of `base.steps`."""
 
     base: FactBase
+    facts: tuple[int, ...] = ()
     obligations: list[Obligation] = field(default_factory=list)
     open: list[Goal] = field(default_factory=list)
 
@@ -55,15 +62,14 @@ class Room:
 
     def __init__(self, facts: Sequence[Fact], goals: Sequence[Goal]) -> None:
         self._goals = goals
+        self.facts: list[int] = []
+        """The number of the clause of each fact."""
         self._written: list[Clause] = []
-        self._facts: dict[int, int] = {}
-        """Clauses that are facts: the number of the fact."""
-        self._rests: dict[int, frozenset[int]] = {}
-        """The facts on which a lemma rests."""
         numbering = Numbering(self._written.append)
         for f in facts:
             clause = numbering.clause(f.clause)
-            self._fact(clause)
+            self.facts.append(len(self._written))
+            self._written.append(clause)
         at_first = numbering.count
         self._clauses: list[tuple[Sequence[Clause], Clause]] = [((), ())]
         """What says of its parts what they mean, and the clause, of each goal from 1."""
@@ -76,17 +82,12 @@ class Room:
         self._search = Search(len(goals), numbering.count - at_first)
         self._use: list[int] = [NOTHING]
         """Of each clause that is given to the solver: what it is, NOTHING, or less than that the goal."""
-        self._known: dict[int, tuple[Clause, list[int]]] = {}
         self._lemmas: dict[int, int] = {}
         """The numbers under which lemmas are written, by their keys."""
         self._done: dict[int, int] = {}
         """The same of goals, by their place."""
         for n, clause in enumerate(self._written):
             self._give(self._literals.of(clause), n)
-
-    def _fact(self, clause: Clause) -> None:
-        self._facts[len(self._written)] = len(self._facts)
-        self._written.append(clause)
 
     def _give(self, literals: Sequence[int], use: int) -> None:
         self._search.add(literals)
@@ -122,45 +123,49 @@ class Room:
         for place, m in zip(places, meaning, strict=True):
             self._use[place] = len(self._written)
             self._written.append(m)
-        search = self._search
-        if n in search.settled:
-            keys = self._keys(search.settled[n])
-        elif search.contradiction is not None:
-            keys = [search.contradiction if search.contradiction in search.learnt else self._key(search.contradiction)]
-        else:
+        settled, contradiction = self._search.settled.get(n), self._search.contradiction
+        if settled is None and contradiction is None:
             return None
+        keys = self._contradiction(contradiction) if settled is None else self._keys(settled)
         lemmas = [self._lemma(*x) for x in self._unwritten(keys)]
-        hints = self._numbers(keys)
-        made = Obligation(goal, tuple(lemmas), hints, tuple(sorted(self._resting(hints))))
+        number = len(self._written)
         if goal.of_step:
-            self._done[n] = len(self._written)
-            self._fact(clause)
-        return made
+            self._done[n] = number
+            self._written.append(clause)
+        return Obligation(goal, tuple(lemmas), self._numbers(keys), number)
+
+    def _contradiction(self, number: int | None) -> list[int]:
+        """The key of the clause without literals, by the solver's number."""
+        assert number is not None
+        given = self._search.given.get(number)
+        return [number] if given is None else [~self._use[given]]
 
     def _keys(self, number: int) -> list[int]:
         """The keys of the clauses that show one that was learnt, without those that say when a goal is false."""
-        found = [self._key(h) for h in self._search.learnt[number][1]]
-        return [k for k in found if k is not None]
+        found: list[int] = []
+        given, use = self._search.given.get, self._use
+        for h in self._search.learnt[number][1]:
+            at = given(h)
+            key = self._key(h) if at is None else ~use[at] if use[at] >= 0 else self._goal_key(use[at])
+            if key is not None:
+                found.append(key)
+        return found
 
-    def _key(self, number: int) -> int | None:
-        """The key of a clause by the solver's number; None when it speaks of nothing but which goal is false."""
-        given = self._search.given.get(number)
-        if given is None:
-            literals, hints = self._search.learnt[number]
-            if len(literals) == 1 and -literals[0] in self._search.settled:
-                return None
-            if len(hints) == 2:  # a goal without its variable, which is false, is no lemma
-                goals = [k for h in hints if (k := self._key(h)) is not None]
-                if len(goals) == 1 and set(self._clause(goals[0])) == set(self._clause(number)):
-                    return goals[0]
-            return number
-        use = self._use[given]
-        if use >= 0:
-            return ~use
-        if use == NOTHING:
-            return None
+    def _goal_key(self, use: int) -> int | None:
+        """The key of a goal's clause, if that is what was given."""
         goal = NOTHING - use
         return ~self._done[goal] if goal in self._done else self._search.settled.get(goal)
+
+    def _key(self, number: int) -> int | None:
+        """The key of a clause that was learnt; None when it says that a goal is not false."""
+        literals, hints = self._search.learnt[number]
+        if len(literals) == 1 and -literals[0] in self._search.settled:
+            return None
+        if len(hints) == 2:  # a goal's clause without its variable is no lemma
+            keys = self._keys(number)
+            if len(keys) == 1 and set(self._clause(keys[0])) == set(self._clause(number)):
+                return keys[0]
+        return number
 
     def _clause(self, key: int) -> Clause:
         """A clause by its key: where the solver has that some goal is false, the literals of that goal."""
@@ -186,18 +191,13 @@ class Room:
 
     def _lemma(self, key: int, keys: Sequence[int]) -> Lemma:
         made = Lemma(self._clause(key), self._numbers(keys))
-        number = self._lemmas[key] = len(self._written)
-        self._rests[number] = self._resting(made.hints)
+        self._lemmas[key] = len(self._written)
         self._written.append(made.clause)
         return made
 
     def _numbers(self, keys: Sequence[int]) -> tuple[int, ...]:
         lemmas = self._lemmas
         return tuple([~k if k < 0 else lemmas[k] for k in keys])
-
-    def _resting(self, hints: Sequence[int]) -> frozenset[int]:
-        facts = [self._facts[n] for n in hints if n in self._facts]
-        return frozenset(facts).union(*(self._rests[n] for n in hints if n in self._rests))
 
 
 def prove_locally(base: FactBase, progress: Callable[[int, int], None] = lambda done, total: None) -> LocalProof:
@@ -207,16 +207,19 @@ def prove_locally(base: FactBase, progress: Callable[[int, int], None] = lambda 
     for n, goal in enumerate(goals):
         rooms.setdefault(id(base.facts(goal.kind)), []).append(n)
     found: list[Obligation | None] = [None] * len(goals)
+    numbers: dict[int, tuple[int, ...]] = {}
     done = 0
-    for those in rooms.values():
+    for which, those in rooms.items():
         room = Room(base.facts(goals[those[0]].kind), [goals[n] for n in those])
+        numbers[which] = tuple(room.facts)
         for n, made in zip(those, room.prove(), strict=True):
             if done % 256 == 0:
                 progress(done, len(goals))
             found[n] = made
             done += 1
     shown = [made for made in found if made is not None]
-    return LocalProof(base, shown, [g for g, made in zip(goals, found, strict=True) if made is None])
+    left = [g for g, made in zip(goals, found, strict=True) if made is None]
+    return LocalProof(base, numbers.get(id(base.steps), ()), shown, left)
 
 
 __all__ = ["Goal", "GoalKind", "LocalProof", "Obligation", "prove_locally"]

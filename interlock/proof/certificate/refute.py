@@ -26,18 +26,16 @@ PLAIN = {
     "lrat": 1,  # hints beside what is learnt
     "binary": 0,
     "inprocessing": 0,  # what it finds are clauses that no goal needs
-    "stabilize": 0,
     "lucky": 0,
     "walk": 0,
-    "shuffle": 0,
-    "restart": 0,
-    "chrono": 0,  # a goal that is decided stays decided until something is learnt without it
+    "shrink": 0,  # more hints for shorter clauses
+    "stabilize": 0,  # else what is met first comes first in every other phase
+    "chrono": 0,  # a goal that is decided is the first decision, and is undone with all others
+    "reimply": 0,
     "ilb": 0,
     "ilbassumptions": 0,
-    "reimply": 0,
-    "phase": 0,
 }
-"""How CaDiCaL searches: small goals one after the other, instead of one that is hard."""
+"""How CaDiCaL searches: for many small goals, not for a hard one."""
 
 
 class Turn:
@@ -83,8 +81,8 @@ class Turn:
 class Search:
     """Clauses and goals in their order, and what is learnt of them.
 
-    Variable i of the solver says that goal i is false.  It is decided when it is the goal's turn, and not otherwise: the
-    lowest variables come last, when all that could decide them is.
+    Variable i of the solver says that goal i is false.  It is decided when it is the goal's turn, and not otherwise:
+    the lowest variables come last, when all that could force them is decided.
     """
 
     def __init__(self, goals: int, low: int) -> None:
@@ -103,7 +101,7 @@ class Search:
         self._turn = Turn()
         self._solver = Cadical195()
         self._solver.configure(PLAIN)
-        self._proof = self._solver.prfile = tempfile.TemporaryFile()
+        self._proof = self._solver.prfile = tempfile.TemporaryFile()  # noqa: SIM115 (the solver closes it)
         self._solver.prfp = pysolvers.cadical195_tracepr(self._solver.cadical, self._proof)
         self._solver.connect_propagator(self._turn)
         for n in range(1, goals + 1):
@@ -132,12 +130,12 @@ class Search:
         text = self._proof.read()
         self._read += len(text)
         for line in text.splitlines():
-            words = line.split()
-            if words[1] == b"d":
+            if b"d" in line:  # what is dropped
                 continue
-            numbers = [*map(int, words)]
+            numbers = [*map(int, line.split())]
             number, end = numbers[0], numbers.index(0)
-            self._number_given(number - 1)
+            if self._met < number - 1:
+                self._number_given(number - 1)
             self._met = number
             literals = numbers[1:end]
             self.learnt[number] = literals, numbers[end + 1 : -1]
@@ -161,7 +159,7 @@ class Search:
 class Literals:
     """Numbers of literals in the solver, where the lowest are those of goals.
 
-    What appears in goals alone is low, too: it is not to be decided before its goal's turn, when nobody else has met it.
+    What appears in goals alone is low, too: it is not to be decided before its goal's turn.
     """
 
     def __init__(self, goals: int, facts: int, count: int) -> None:
