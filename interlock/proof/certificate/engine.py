@@ -14,12 +14,11 @@ from dataclasses import dataclass, field
 
 from interlock.proof.certificate.clauses import Clause, Numbering
 from interlock.proof.certificate.facts import Fact, FactBase, Goal, GoalKind
-from interlock.proof.certificate.refute import Literals, Search
+from interlock.proof.certificate.refute import NOTHING, Literals, Search
 
 AT_ONCE, PARTS = 500, 20
 """Goals are asked in so many parts, but so many at once at the least: a solver goes through all clauses whenever it
 is asked, and through all goals whenever it has a new clause."""
-NOTHING = -1
 
 
 @dataclass(frozen=True)
@@ -79,19 +78,13 @@ class Room:
             clause = numbering.clause(g.clause)
             self._clauses.append((meaning, clause))
         self._literals = Literals(len(goals), at_first, numbering.count)
-        self._search = Search(len(goals), numbering.count - at_first)
-        self._use: list[int] = [NOTHING]
-        """Of each clause that is given to the solver: what it is, NOTHING, or less than that the goal."""
+        self._search = Search(len(goals), numbering.count - at_first, numbering.count)
         self._lemmas: dict[int, int] = {}
         """The numbers under which lemmas are written, by their keys."""
         self._done: dict[int, int] = {}
         """The same of goals, by their place."""
         for n, clause in enumerate(self._written):
-            self._give(self._literals.of(clause), n)
-
-    def _give(self, literals: Sequence[int], use: int) -> None:
-        self._search.add(literals)
-        self._use.append(use)
+            self._search.add(self._literals.of(clause), n)
 
     def prove(self) -> Iterator[Obligation | None]:
         """How each goal is shown, in their order; None for one that does not follow."""
@@ -108,20 +101,20 @@ class Room:
         """Tell the solver what it means that a goal is false; where the clauses stand that say what its parts mean."""
         meaning, clause = self._clauses[n]
         literals = self._literals.of(clause)
-        before = len(self._use)
+        before = len(self._search.use)
         for m in meaning:
-            self._give(self._literals.of(m), NOTHING)
-        places = range(before, len(self._use))
+            self._search.add(self._literals.of(m), NOTHING)
+        places = range(before, len(self._search.use))
         for x in literals:
-            self._give((-n, -x), NOTHING)
+            self._search.add((-n, -x), NOTHING)
         if self._goals[n - 1].of_step:
-            self._give((n, *literals), NOTHING - n)
+            self._search.add((n, *literals), NOTHING - n)
         return places
 
     def _shown(self, n: int, places: range) -> Obligation | None:
         goal, (meaning, clause) = self._goals[n - 1], self._clauses[n]
         for place, m in zip(places, meaning, strict=True):
-            self._use[place] = len(self._written)
+            self._search.use[place] = len(self._written)
             self._written.append(m)
         settled, contradiction = self._search.settled.get(n), self._search.contradiction
         if settled is None and contradiction is None:
@@ -138,12 +131,12 @@ class Room:
         """The key of the clause without literals, by the solver's number."""
         assert number is not None
         given = self._search.given.get(number)
-        return [number] if given is None else [~self._use[given]]
+        return [number] if given is None else [~self._search.use[given]]
 
     def _keys(self, number: int) -> list[int]:
         """The keys of the clauses that show one that was learnt, without those that say when a goal is false."""
         found: list[int] = []
-        given, use = self._search.given.get, self._use
+        given, use = self._search.given.get, self._search.use
         for h in self._search.learnt[number][1]:
             at = given(h)
             key = self._key(h) if at is None else ~use[at] if use[at] >= 0 else self._goal_key(use[at])

@@ -36,6 +36,8 @@ PLAIN = {
     "ilbassumptions": 0,
 }
 """How CaDiCaL searches: for many small goals, not for a hard one."""
+NOTHING = -1
+"""What a clause is used for that says nothing of the facts."""
 
 
 class Turn:
@@ -63,7 +65,7 @@ class Turn:
         fixed = self._fixed.get
         while self.next <= self.last and fixed(-self.next):
             self.next += 1
-        if self.next > self.last or fixed(self.next):
+        if self.next >= self.last or fixed(self.next):  # the last one is false by itself when no other one is
             return 0
         self._decided = True
         return self.next
@@ -73,8 +75,8 @@ class Turn:
         return True
 
     def on_backtrack(self, to: int) -> None:
-        """Nothing is decided any more."""
-        if to == 0:
+        """Nothing is decided any more but that some goal is false."""
+        if to <= 1:
             self._decided = False
 
 
@@ -85,10 +87,12 @@ class Search:
     the lowest variables come last, when all that could force them is decided.
     """
 
-    def __init__(self, goals: int, low: int) -> None:
-        """`low`: how many more variables are decided last."""
+    def __init__(self, goals: int, low: int, count: int) -> None:
+        """`low`: how many more variables are decided last; `count`: how many there are besides those of goals."""
         self.given: dict[int, int] = {}
-        """By the solver's number of a clause: the how manieth that was given it is."""
+        """By the solver's number of a clause: its place in `use`."""
+        self.use: list[int] = []
+        """What was given is used for."""
         self.learnt: dict[int, tuple[Sequence[int], Sequence[int]]] = {}
         """By the solver's number: the literals of a clause, and the numbers of those that show it."""
         self.settled: dict[int, int] = {}
@@ -97,7 +101,8 @@ class Search:
         """The number of the clause without literals, if what is given contradicts itself."""
         self._void: int | None = None
         self._goals = goals
-        self._added = self._read = self._met = 0
+        self._top = goals + count
+        self._read = self._met = 0
         self._turn = Turn()
         self._solver = Cadical195()
         self._solver.configure(PLAIN)
@@ -106,22 +111,29 @@ class Search:
         self._solver.connect_propagator(self._turn)
         for n in range(1, goals + 1):
             self._solver.observe(n)
-        self.add([*range(1, goals + low + 1), -1])  # says nothing; but what is met first is decided last
+        self.add([*range(1, goals + low + 1), -1], NOTHING)  # says nothing; but what is met first is decided last
 
-    def add(self, clause: Sequence[int]) -> None:
-        """A clause that is given."""
+    def add(self, clause: Sequence[int], use: int) -> None:
+        """A clause that is given, and what it is used for."""
         self._solver.add_clause(clause)
         if not clause and self._void is None:
-            self._void = self._added
-        self._added += 1
+            self._void = len(self.use)
+        self.use.append(use)
 
     def settle(self, first: int, last: int) -> None:
         """Ask goals in their order; afterwards those that follow are `settled`."""
         while first <= last and self.contradiction is None:
             self._turn.of(first, last)
-            self._solver.solve()
-            self._note()
-            first = self._turn.next + 1  # that one can be false, if it is one
+            self._top += 1
+            self.add((-self._top, *range(first, last + 1)), NOTHING)
+            if self._solver.solve(assumptions=[self._top]):  # some goal can be false
+                self._note()
+                self.add((-self._top,), NOTHING)
+                first = self._turn.next + 1
+            else:
+                self._note()
+                self.use.append(NOTHING)  # the solver gives a number to what it found of the assumption
+                return
 
     def _note(self) -> None:
         """Read what was learnt.  The solver numbers clauses as they come, given and learnt alike."""
@@ -143,7 +155,7 @@ class Search:
                 self.settled[-literals[0]] = number
             elif end == 1:
                 self.contradiction = number
-        self._number_given(self._met + self._added - len(self.given))
+        self._number_given(self._met + len(self.use) - len(self.given))
 
     def _number_given(self, last: int) -> None:
         """What was given after what is known, up to a number."""
@@ -152,7 +164,7 @@ class Search:
                 self.contradiction = n
             self.given[n] = len(self.given)
         self._met = max(self._met, last)
-        if len(self.given) > self._added:
+        if len(self.given) > len(self.use):
             raise ValueError("the solver does not number clauses as they come")
 
 
