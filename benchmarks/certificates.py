@@ -81,9 +81,8 @@ def main() -> None:
     """Print the table."""
     gc.disable()
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=TOP, capture_output=True, text=True).stdout
-    print(
-        f"`python -m benchmarks.certificates` at commit {commit.strip()}, {platform.machine()}, {os.cpu_count()} cores.\n"
-    )
+    machine = f"{platform.machine()}, {os.cpu_count()} cores, CPython {platform.python_version()}"
+    print(f"`python -m benchmarks.certificates` at commit {commit.strip()}; {machine}; processor time.\n")
     print("| layout | prove, s | certify besides, s | ratio | verify, s | ratio | obligations | kB |")
     print("|---|---|---|---|---|---|---|---|")
     _measured(sorted((TOP / "layouts").glob("*.yaml")), "all shipped")

@@ -120,12 +120,24 @@ class Room:
         if settled is None and contradiction is None:
             return None
         keys = self._contradiction(contradiction) if settled is None else self._keys(settled)
+        same = self._same(keys, clause) if goal.of_step else None
+        if same is not None:
+            keys = self._keys(same)
         lemmas = [self._lemma(*x) for x in self._unwritten(keys)]
         number = len(self._written)
         if goal.of_step:
             self._done[n] = number
             self._written.append(clause)
+        if same is not None:
+            self._lemmas[same] = number
         return Obligation(goal, tuple(lemmas), self._numbers(keys), number)
+
+    def _same(self, keys: Sequence[int], clause: Clause) -> int | None:
+        """The lemma that shows a clause alone, and says the same: it need not be written before it."""
+        key = keys[0] if len(keys) == 1 else -1
+        if key < 0 or key in self._lemmas or set(self._clause(key)) != set(clause):
+            return None
+        return key
 
     def _contradiction(self, number: int | None) -> list[int]:
         """The key of the clause without literals, by the solver's number."""
@@ -161,14 +173,20 @@ class Room:
         return number
 
     def _clause(self, key: int) -> Clause:
-        """A clause by its key: where the solver has that some goal is false, the literals of that goal."""
+        """A clause by its key: where the solver has that some goal is not false, the literals of that goal.
+
+        Where it has that a goal is false that goal has been proved: the clause was this goal's, and is used afterwards.
+        """
         if key < 0:
             return self._written[~key]
         literals, back = self._search.learnt[key][0], self._literals.back
         found: dict[int, None] = {}
         for x in literals:
             own = back(x)
-            found.update(dict.fromkeys((own,) if own else self._clauses[-x][1]))
+            if own:
+                found[own] = None
+            elif x < 0:
+                found.update(dict.fromkeys(self._clauses[-x][1]))
         return tuple(found)
 
     def _unwritten(self, keys: Sequence[int]) -> list[tuple[int, list[int]]]:
