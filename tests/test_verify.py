@@ -8,17 +8,19 @@ import lzma
 import random
 import shutil
 from dataclasses import dataclass
-from itertools import product
+from itertools import pairwise, product
 from pathlib import Path
 
 import pytest
 
 from interlock.logic.expr import FALSE, Expr, conj, disj, evaluate, implies, neg, var
 from interlock.logic.lower import lower
-from interlock.proof.certificate.bundle import proof_text, system_text
+from interlock.proof.certificate import engine
+from interlock.proof.certificate.bundle import proof_bytes, proof_text, system_text
 from interlock.proof.certificate.bundle import text as written
 from interlock.proof.certificate.engine import prove_locally
 from interlock.proof.certificate.facts import Fact, FactBase, Goal, GoalKind, Kind, split
+from interlock.proof.certificate.refute import Search
 from interlock.proof.claims import Facts, claims, strengthening
 from interlock.proof.mutation.weakenings import KINDS
 from interlock.proof.prover import start_claim
@@ -279,8 +281,10 @@ class Told:
 
 
 @pytest.mark.parametrize("seed", range(40))
-def test_what_follows_is_shown_and_nothing_else(seed: int) -> None:
+def test_what_follows_is_shown_and_nothing_else(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Random clauses with conjunctions in them, at times contradictory: truth tables tell what follows."""
+    monkeypatch.setattr(engine, "AT_ONCE", 1 + seed % 9)  # goals are asked in parts
+    monkeypatch.setattr(engine, "PARTS", 31)
     rng = random.Random(seed)
     names = "abcdefg"
 
@@ -313,7 +317,43 @@ def test_what_follows_is_shown_and_nothing_else(seed: int) -> None:
             known.lemma(f"{' '.join(map(str, lemma.clause))}:{' '.join(map(str, lemma.hints))}")
         known.check(goal, [*o.hints])
         known.clauses.append(goal)
-    assert all(n < len(told.steps) + k for k, o in enumerate(proof.obligations) for n in o.facts)
+    assert all(
+        n < o.number - k for o in proof.obligations for k, x in enumerate(reversed(o.lemmas), 1) for n in x.hints
+    )
+    assert all(n < o.number for o in proof.obligations for n in o.hints)
+
+
+def test_a_goal_names_no_more_than_it_needs() -> None:
+    """A chain of implications among others, goals that rest on each other, and one that needs two cases."""
+    chain = [var(f"a{n}") for n in range(60)]
+    facts = [implies(x, y) for n in range(20) for x, y in pairwise(var(f"{c}{n}") for c in "bcdefgh")]
+    facts += [implies(x, y) for x, y in pairwise(chain)]
+    p, q, r, s = map(var, "pqrs")
+    facts += [disj(x) for x in ((p, q, r), (p, q, neg(r)), (p, neg(q), s), (p, neg(q), neg(s)))]
+    goals = [implies(chain[0], chain[40]), implies(chain[0], chain[59]), p]
+    told = Told([Fact(Kind.INVARIANT, "told", x) for x in facts], goals)
+    first, second, third = prove_locally(told).obligations  # type: ignore[arg-type]
+    assert (len(first.hints), len(second.hints)) == (40, 20)
+    assert not first.lemmas and not second.lemmas and len(third.lemmas) <= 2
+    named = {*third.hints, *(n for x in third.lemmas for n in x.hints)}
+    assert named == {*range(len(facts) - 4, len(facts)), *range(third.number - len(third.lemmas), third.number)}
+
+
+def test_a_clause_that_the_solver_numbers_otherwise_makes_no_certificate(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever became of the numbers: what is written is accepted by its checker, or there is no certificate."""
+    real = Search.settle
+
+    def unnoticed(self: Search, first: int, last: int) -> None:
+        self._solver.add_clause([self._top + 100, self._top + 101])
+        real(self, first, last)
+
+    monkeypatch.setattr(Search, "settle", unnoticed)
+    system = System(*built("fig2_2")[::2])
+    facts = Facts(system)
+    base = FactBase(system, strengthening(facts), claims(facts), start_claim(system))
+    with pytest.raises((Rejected, ValueError, LookupError)):
+        files = {"system.txt": system_text(base).encode(), "proof.txt.xz": proof_bytes(prove_locally(base))}
+        verify(Path("nowhere"), files)
 
 
 def _said(x: Expr) -> tuple[str, tuple[str, ...]]:

@@ -19,10 +19,10 @@ class Numbering:
 
     def __init__(self, define: Callable[[Clause], object]) -> None:
         """`define`: takes each clause that says what a new number means."""
-        self._define = define
+        self.define = define
         self._leaves: dict[str, int] = {}
         self._nodes: dict[tuple[int, Clause], int] = {}
-        self._count = 0
+        self.count = 0
 
     def clause(self, x: Expr) -> Clause:
         """The literals one of which must be true."""
@@ -34,8 +34,8 @@ class Numbering:
         return tuple(dict.fromkeys([self._literal(p) for p in parts]))
 
     def _fresh(self) -> int:
-        self._count += 1
-        return self._count
+        self.count += 1
+        return self.count
 
     def _meet(self, x: Expr) -> None:
         """Number the leaves in their order."""
@@ -54,9 +54,9 @@ class Numbering:
         known = self._nodes.get((sign, args))
         if known is None:
             known = self._nodes[sign, args] = self._fresh()
-            self._define((-sign * known, *args))
+            self.define((-sign * known, *args))
             for a in args:
-                self._define((sign * known, -a))
+                self.define((sign * known, -a))
         return known
 
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from interlock.logic.controller import Controller, Equation, Join
 from interlock.logic.expr import Expr, disj, neg, var
 from interlock.logic.names import Name
-from interlock.proof.certificate.engine import LocalProof
+from interlock.proof.certificate.engine import LocalProof, Obligation
 from interlock.proof.certificate.facts import GoalKind, Kind, split
 
 
@@ -29,41 +29,50 @@ class Need:
 def claims_of_facts(proof: LocalProof) -> dict[int, frozenset[str]]:
     """For every fact of the step, the claims that rest on it.
 
-    A claim is a bit; what a goal that is proved, or an invariant's step, is needed for goes on to its facts, last goals
-    first, until nothing is new.
+    A claim is a bit; what a clause that was shown, or an invariant's step, is needed for goes on to the clauses that
+    show it, last ones first, until nothing is new.
     """
     base = proof.base
-    first = next((n for n, f in enumerate(base.steps) if f.kind is Kind.INVARIANT), len(base.steps))
     steps = [o for o in proof.obligations if o.goal.of_step]
     named = {c: 1 << k for k, c in enumerate(dict.fromkeys(c.id for c in base.claims))}
-    count = len(base.steps)
-    mask = [0] * (count + len(steps))
+    shown = [(n, hints) for o in reversed(steps) for n, hints in _shown(o)]
+    mask = [0] * (1 + max((n for n, _ in shown), default=max(proof.facts, default=0)))
     of_invariant: list[list[int]] = [[] for _ in base.invariants]
-    for n, o in enumerate(steps, count):
+    for o in steps:
         if o.goal.kind is GoalKind.CLAIM:
-            mask[n] = named[o.goal.source]
+            mask[o.number] = named[o.goal.source]
         elif o.goal.kind is GoalKind.STEP:
-            of_invariant[o.goal.index].append(n)
+            of_invariant[o.goal.index].append(o.number)
+    invariants = [n for n, f in zip(proof.facts, base.steps, strict=True) if f.kind is Kind.INVARIANT]
     told = [0] * len(mask)
-    while told[count:] != mask[count:]:
-        for n in range(len(mask) - 1, count - 1, -1):
+    again = True
+    while again:
+        again = False
+        for n, hints in shown:
             bits = mask[n]
             if bits != told[n]:
-                told[n] = bits
-                for f in steps[n - count].facts:
-                    mask[f] |= bits
-        at = first
+                again, told[n] = True, bits
+                for h in hints:
+                    mask[h] |= bits
+        at = 0
         for those in of_invariant:  # as facts they stand in the order in which their steps are goals
             bits = 0
             for _ in those:
-                bits |= mask[at]
+                bits |= mask[invariants[at]]
                 at += 1
             for n in those:
                 mask[n] |= bits
     sets: dict[int, frozenset[str]] = {}
-    for bits in set(mask[:count]):
+    for bits in {mask[n] for n in proof.facts}:
         sets[bits] = frozenset(c for c, bit in named.items() if bits & bit)
-    return {n: sets[bits] for n, bits in enumerate(mask[:count]) if bits}
+    return {n: sets[mask[at]] for n, at in enumerate(proof.facts) if mask[at]}
+
+
+def _shown(o: Obligation) -> Iterator[tuple[int, tuple[int, ...]]]:
+    """Each clause that an obligation writes, last first, and the numbers of those that show it."""
+    yield o.number, o.hints
+    for n, lemma in enumerate(reversed(o.lemmas), 1):
+        yield o.number - n, lemma.hints
 
 
 def needs(proof: LocalProof, controller: Controller) -> tuple[Need, ...]:

@@ -1,157 +1,193 @@
 """Refutations with hints (LRAT without deletions): for each clause that follows, the clauses that show it.
 
-A clause is shown by *unit propagation*: with all of its literals false, clause after clause forces a literal, until
-one has none left.  MiniSat says in which order literals are forced, and for each that is needed a clause is looked up
-that forces it.  Where propagation alone shows nothing Glucose looks for a proof and writes the clauses that it learns:
-each of them is shown by propagation, and with them the goal.
+CaDiCaL looks for them and writes down, for every clause that it learns, the clauses from which it has it.  All goals of
+a room are asked in one search: for goal i there is a variable that says that it is false, the search decides these
+variables one after the other, and each is learnt to be false before the next one is decided.  A goal that may be used
+for those after it holds where its variable is false.
 
-**Theorem.**  A clause that is shown so follows, and so does all that is shown with it.  (Reverse unit propagation:
-Goldberg and Novikov, 2003; hints: Cruz-Filipe and others, *Efficient Certified RAT Verification*, 2017.)
+**Theorem.**  A clause follows if, with all of its literals false, clause after clause forces a literal, until one has
+none left; and so does all that is shown with it.  (Reverse unit propagation: Goldberg and Novikov, 2003; hints:
+Cruz-Filipe and others, *Efficient Certified RAT Verification*, 2017.)  What the solver learns under a goal's variable
+follows when the goal's own literals stand in its place, and what says what that variable means is then no longer needed
+(definitions are conservative: Tseitin, 1968).
 """
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Iterator, Sequence
-from itertools import chain
+import tempfile
+from collections.abc import Sequence
 
 import pysolvers
-from pysat.solvers import Glucose4, Minisat22
+from pysat.solvers import Cadical195
 
 from interlock.proof.certificate.clauses import Clause
 
-Trail = list[int]
-"""Literals in the order in which they are forced; the last one of a contradiction is false in a clause without any."""
+PLAIN = {
+    "lrat": 1,  # hints beside what is learnt
+    "binary": 0,
+    "inprocessing": 0,  # what it finds are clauses that no goal needs
+    "lucky": 0,
+    "walk": 0,
+    "shrink": 0,  # more hints for shorter clauses
+    "stabilize": 0,  # else what is met first comes first in every other phase
+    "chrono": 0,  # a goal that is decided is the first decision, and is undone with all others
+    "reimply": 0,
+    "ilb": 0,
+    "ilbassumptions": 0,
+}
+"""How CaDiCaL searches: for many small goals, not for a hard one."""
+NOTHING = -1
+"""What a clause is used for that says nothing of the facts."""
 
 
-class Clauses:
-    """Clauses by number, and what follows from them."""
+class Turn:
+    """Decides that a goal is false when the one before it is settled (what IPASIR-UP calls a propagator)."""
+
+    is_lazy = False
+    propagate = add_clause = provide_reason = list  # nothing to say: an empty list
+    on_new_level = [].clear  # nothing to do
 
     def __init__(self) -> None:
-        self.clauses: list[Clause] = []
-        self._with: dict[int, list[int]] = {}
-        self._often: dict[int, int] = {}
-        """The clause that forced a literal when it was last looked up."""
-        self._forced: dict[int, int] = {}
-        """Literals that are true whatever is assumed, and the clause of each alone."""
-        self._contradiction: int | None = None
-        self._lemmas: dict[int, tuple[Trail, Clause] | Sequence[int]] = {}
-        """What was learnt, and how it is shown: hints, once somebody needed them."""
-        self._propagates = Minisat22()
-        self._searches = Glucose4(with_proof=True)
-        self._read = 0
+        self.next = self.last = 0
+        self._decided = False
+        self._fixed: dict[int, int] = {}
+        """Literals that were forced; 1 when they hold whatever is assumed."""
+        self.on_assignment = self._fixed.__setitem__  # called very often, so that it is a function of C
 
-    def add(self, clause: Clause) -> int:
-        """A clause that is given, or that was shown; its number."""
-        self._searches.add_clause(clause)
-        return self._add(clause)
+    def of(self, first: int, last: int) -> None:
+        """Whose turn it is now."""
+        self.next, self.last, self._decided = first, last, False
 
-    def _add(self, clause: Clause) -> int:
-        number = self._note(clause)
-        self._propagates.add_clause(clause)
-        todo = deque([number])
-        while todo:  # what is forced by itself now
-            todo += self._forces(todo.popleft())
-        return number
+    def decide(self) -> int:
+        """The next goal, once nothing else is decided; 0 when the solver may decide as it likes."""
+        if self._decided:
+            return 0
+        fixed = self._fixed.get
+        while self.next <= self.last and fixed(-self.next):
+            self.next += 1
+        if self.next >= self.last or fixed(self.next):  # the last one is false by itself when no other one is
+            return 0
+        self._decided = True
+        return self.next
 
-    def _note(self, clause: Clause) -> int:
-        number = len(self.clauses)
-        self.clauses.append(clause)
-        for x in clause:
-            self._with.setdefault(x, []).append(number)
-        return number
+    def check_model(self, model: list[int]) -> bool:
+        """A state in which the goal is false, or none is left: the search ends."""
+        return True
 
-    def _forces(self, number: int) -> Sequence[int]:
-        """The clauses to look at next if it forces a literal whatever is assumed: a lemma says that literal alone."""
-        forced, clause = self._forced, self.clauses[number]
-        free = [x for x in clause if -x not in forced]
-        if len(free) > 1 or (free and free[0] in forced):
-            return ()
-        shown = number
-        if len(clause) != len(free):
-            shown = self._note(tuple(free))
-            self._lemmas[shown] = [*(forced[-x] for x in clause if -x in forced), number]
-        if not free:
-            self._contradiction = shown if self._contradiction is None else self._contradiction
-            return ()
-        forced[free[0]] = shown
-        return self._with.get(-free[0], ())
+    def on_backtrack(self, to: int) -> None:
+        """Nothing is decided any more but that some goal is false."""
+        if to <= 1:
+            self._decided = False
 
-    def show(self, clause: Clause) -> list[int] | None:
-        """The numbers of clauses that show the clause, in their order; None when it does not follow."""
-        found = self._propagate(clause)
-        if found is None:
-            if self._searches.solve(assumptions=[-x for x in clause]) is not False:
-                return None
-            for learnt in self._learnt():
-                trail = self._propagate(learnt)
-                if trail is not None:
-                    self._lemmas[self._add(learnt)] = trail, learnt
-            found = self._propagate(clause)
-        return None if found is None else self._hints(found, clause, len(self.clauses))
 
-    def lemma(self, number: int) -> Sequence[int] | None:
-        """The numbers of clauses, all of them smaller, that show a lemma; None when the clause was given or a goal."""
-        how = self._lemmas.get(number)
-        if isinstance(how, tuple):
-            trail, clause = how
-            how = self._lemmas[number] = self._hints(trail, clause, number)
-        return how
+class Search:
+    """Clauses and goals in their order, and what is learnt of them.
 
-    def _propagate(self, clause: Clause) -> Trail | None:
-        """What is forced when the clause is false, if that ends in a contradiction."""
-        holds, trail = self._propagates.propagate([-x for x in reversed(clause)])
-        return None if holds else trail
+    Variable i of the solver says that goal i is false.  It is decided when it is the goal's turn, and not otherwise:
+    the lowest variables come last, when all that could force them is decided.
+    """
 
-    def _learnt(self) -> Iterator[Clause]:
-        """The clauses that the search has learnt since they were last read."""
-        proof = self._searches.prfile
-        pysolvers.flushpr(self._searches.prfp)
-        proof.seek(self._read)
-        lines = proof.read()
-        self._read += len(lines)
-        for line in lines.decode("ascii").splitlines():
-            if not line.startswith("d"):
-                yield tuple(map(int, line.split()[:-1]))
+    def __init__(self, goals: int, low: int, count: int) -> None:
+        """`low`: how many more variables are decided last; `count`: how many there are besides those of goals."""
+        self.given: dict[int, int] = {}
+        """By the solver's number of a clause: its place in `use`."""
+        self.use: list[int] = []
+        """What was given is used for."""
+        self.learnt: dict[int, tuple[Sequence[int], Sequence[int]]] = {}
+        """By the solver's number: the literals of a clause, and the numbers of those that show it."""
+        self.settled: dict[int, int] = {}
+        """For each goal that follows: the number of the clause that says so."""
+        self.contradiction: int | None = None
+        """The number of the clause without literals, if what is given contradicts itself."""
+        self._void: int | None = None
+        self._goals = goals
+        self._top = goals + count
+        self._read = self._met = 0
+        self._turn = Turn()
+        self._solver = Cadical195()
+        self._solver.configure(PLAIN)
+        self._proof = self._solver.prfile = tempfile.TemporaryFile()  # noqa: SIM115 (the solver closes it)
+        self._solver.prfp = pysolvers.cadical195_tracepr(self._solver.cadical, self._proof)
+        self._solver.connect_propagator(self._turn)
+        for n in range(1, goals + 1):
+            self._solver.observe(n)
+        self.add([*range(1, goals + low + 1), -1], NOTHING)  # says nothing; but what is met first is decided last
 
-    def _hints(self, trail: Trail, clause: Clause, below: int) -> list[int]:
-        """The clauses with smaller numbers that force what is needed, in their order."""
-        if self._contradiction is not None and self._contradiction < below:
-            return [self._contradiction]
-        forced, clauses = self._forced, self.clauses
-        at = dict(zip(trail, range(len(trail)), strict=True))
-        wanted = next(([x] for x in clause if x in at or forced.get(x, below) < below), [])
-        last: list[int] = []
-        if not wanted:
-            last = [self._forcing(trail[-1], at, len(trail), below)]
-            wanted = [-x for x in clauses[last[0]]]
-        known = {-x for x in clause}
-        found: list[tuple[int, int]] = []
-        while wanted:
-            x = wanted.pop()
-            if x in known:
+    def add(self, clause: Sequence[int], use: int) -> None:
+        """A clause that is given, and what it is used for."""
+        self._solver.add_clause(clause)
+        if not clause and self._void is None:
+            self._void = len(self.use)
+        self.use.append(use)
+
+    def settle(self, first: int, last: int) -> None:
+        """Ask goals in their order; afterwards those that follow are `settled`."""
+        while first <= last and self.contradiction is None:
+            self._turn.of(first, last)
+            self._top += 1
+            self.add((-self._top, *range(first, last + 1)), NOTHING)
+            if self._solver.solve(assumptions=[self._top]):  # some goal can be false
+                self._note()
+                self.add((-self._top,), NOTHING)
+                first = self._turn.next + 1
+            else:
+                self._note()
+                self.use.append(NOTHING)  # the solver gives a number to what it found of the assumption
+                return
+
+    def _note(self) -> None:
+        """Read what was learnt.  The solver numbers clauses as they come, given and learnt alike."""
+        pysolvers.flushpr(self._solver.prfp)
+        self._proof.seek(self._read)
+        text = self._proof.read()
+        self._read += len(text)
+        for line in text.splitlines():
+            if b"d" in line:  # what is dropped
                 continue
-            known.add(x)
-            number = forced.get(x, below)
-            place = -1
-            if number >= below:
-                place = at[x]
-                number = self._forcing(x, at, place, below)
-                wanted += [-y for y in clauses[number] if y != x and -y not in known]
-            found.append((place, number))
-        found.sort()
-        return [*(number for _, number in found), *last]
+            numbers = [*map(int, line.split())]
+            number, end = numbers[0], numbers.index(0)
+            if self._met < number - 1:
+                self._number_given(number - 1)
+            self._met = number
+            literals = numbers[1:end]
+            self.learnt[number] = literals, numbers[end + 1 : -1]
+            if end == 2 and -self._goals <= literals[0] < 0:
+                self.settled[-literals[0]] = number
+            elif end == 1:
+                self.contradiction = number
+        self._number_given(self._met + len(self.use) - len(self.given))
 
-    def _forcing(self, x: int, at: dict[int, int], place: int, below: int) -> int:
-        """A clause with a smaller number in which all but a literal are false before a place in the trail."""
-        forced, clauses = self._forced.get, self.clauses
-        often = self._often.get(x, below)
-        for number in chain((often,), self._with[x]):
-            if number < below:
-                for y in clauses[number]:
-                    if at.get(-y, place) >= place and y != x and forced(-y, below) >= below:
-                        break
-                else:
-                    self._often[x] = number
-                    return number
-        raise AssertionError("a literal was forced by no clause")
+    def _number_given(self, last: int) -> None:
+        """What was given after what is known, up to a number."""
+        for n in range(self._met + 1, last + 1):
+            if len(self.given) == self._void:
+                self.contradiction = n
+            self.given[n] = len(self.given)
+        self._met = max(self._met, last)
+        if len(self.given) > len(self.use):
+            raise ValueError("the solver does not number clauses as they come")
+
+
+class Literals:
+    """Numbers of literals in the solver, where the lowest are those of goals.
+
+    What appears in goals alone is low, too: it is not to be decided before its goal's turn.
+    """
+
+    def __init__(self, goals: int, facts: int, count: int) -> None:
+        """`facts`: how many numbers appear in facts; `count`: how many there are."""
+        low, high = goals - facts, goals + count - facts
+        numbers = [0, *(high + n for n in range(1, facts + 1)), *(low + n for n in range(facts + 1, count + 1))]
+        self._to = [*numbers, *(-n for n in reversed(numbers[1:]))]
+        self._back = [0] * (2 * (goals + count) + 1)
+        for n, v in enumerate(numbers):
+            self._back[v], self._back[-v] = n, -n
+
+    def of(self, clause: Clause) -> list[int]:
+        """The solver's literals."""
+        to = self._to
+        return [to[x] for x in clause]
+
+    def back(self, literal: int) -> int:
+        """Our literal, 0 when it is that of a goal."""
+        return self._back[literal]
