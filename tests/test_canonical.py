@@ -68,9 +68,7 @@ def asked(system: System, monkeypatch: pytest.MonkeyPatch, near: int) -> tuple[l
     monkeypatch.setattr(parts, "NEAR", near)
     monkeypatch.setattr(parts, "FEW", 1)
     monkeypatch.setattr(parts, "LARGE", 10**9)  # parts only: no goal is looked at
-    monkeypatch.setattr(
-        parts, "HUB", 10
-    )  # what a long line has by itself: nothing is read by a few facts of all places
+    monkeypatch.setattr(parts, "HUB", 9)  # what a long line has by itself: nothing is read by a few facts of all places
     kept = list(strengthening(Facts(system)))
     goals = [Goal(i.expr, later=True) for i in kept] + [Goal(c.expr) for c in claims(Facts(system))]
     inquiry = Inquiry(system, [i.expr for i in kept], goals, Limits())

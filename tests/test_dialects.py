@@ -186,7 +186,7 @@ def test_a_byte_of_a_runtime_changed_is_refused_or_python_reads_the_same() -> No
             same += 1
             other = {} if ast.dump(ast.parse(changed)) == tree else {"runtime.py": changed}
             assert not other or alike(controller, python({"runtime.py": text}), python(other), rng), changed[at:][:40]
-    assert same > 300  # notes
+    assert same > 250  # notes
 
 
 def test_edits_of_any_dialect_are_refuted_unless_they_change_nothing() -> None:
@@ -252,12 +252,14 @@ def test_a_reader_refuses_what_a_tool_might_act_on(dialect: str, old: str, new: 
         BY_NAME[dialect].read({**files, name: files[name].replace(old, new, 1)})
 
 
-@pytest.mark.parametrize("name", ["dt_ms", "bool", "self", "read", "old", "INPUTS", "TIMERS", "int", "min", "dict"])
+@pytest.mark.parametrize(
+    "name", ["dt_ms", "bool", "self", "read", "INPUTS", "TIMERS", "int", "min", "dict", "map", "zip"]
+)
 def test_a_runtime_that_takes_a_name_of_the_fixed_part_is_refused(name: str) -> None:
     _, _, controller = built("fig2_2")
     text = runtime_py(controller, [])
     assert compare_runtime(controller, text).proved
-    at = text.index("        self.state = {\n")
+    at = text.index("        self.state = dict(zip(STATE, map(bool, (\n")
     (found,) = compare_runtime(controller, text[:at] + f"        {name} = True\n" + text[at:]).differences
     assert f"{name} is a name of the fixed part" in found.text
     two = compare_runtime(controller, text.replace("INPUTS = {", f"INPUTS = {name} = {{", 1))

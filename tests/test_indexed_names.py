@@ -50,6 +50,8 @@ READ = {
     "st/parser.py": "Structured Text",
     "emit/report/player.py": "pictures",
     "emit/bundle.py": "names of files",
+    "emit/python/runtime.py": "how names of a family are written",
+    "st/printer.py": "lines that end with a comment",
     "emit/report/page.py": "names of files",
     "emit/io/lists.py": "elements of which a word speaks",
     "emit/tables/paper.py": "cells of printed tables",

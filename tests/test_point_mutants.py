@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
+from itertools import count
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from click.testing import CliRunner
@@ -217,7 +219,11 @@ def test_the_command_counts_by_family_and_fails_on_a_survivor_off_the_list(monke
     assert "NOT ON THE LIST" in (alive := CliRunner().invoke(command, line)).output and alive.exit_code == 1
 
 
-def test_searches_for_stories_are_bounded_together_and_what_is_left_is_unknown() -> None:
+def test_searches_for_stories_are_bounded_together_and_what_is_left_is_unknown(monkeypatch: pytest.MonkeyPatch) -> None:
+    seconds = count()
+    monkeypatch.setattr(
+        "interlock.cli.mutate.time", SimpleNamespace(monotonic=lambda: next(seconds))
+    )  # each look at it takes one
     line = [
         "layouts/fig2_2.yaml",
         "--family",
@@ -226,7 +232,7 @@ def test_searches_for_stories_are_bounded_together_and_what_is_left_is_unknown()
         "weakened: two-grants",
         "--stories",
     ]
-    done = CliRunner().invoke(command, [*line, "--stories-seconds", "0.1"])
-    assert done.output.count("UNKNOWN: no movement to harm was looked for, since 0.1 s were over") == 1
+    done = CliRunner().invoke(command, [*line, "--stories-seconds", "1.5"])
+    assert done.output.count("UNKNOWN: no movement to harm was looked for, since 1.5 s were over") == 1
     assert done.exit_code == 3, done.output
     assert CliRunner().invoke(command, [*line, "--search-seconds", "nan"]).exit_code == 2

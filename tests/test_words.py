@@ -226,11 +226,11 @@ def test_the_second_checker_refuses_whoever_reads_a_word() -> None:
         ("  OUTP.YA_P1 := D.AL_P1;", f"  OUTP.YA_P1 := OUTP.{route};", "written with a number"),
         ("  OUTP.YA_P1 := D.AL_P1;", f"  OUTP.YA_P1 := D.AL_P1;\n  OUTP.{other} := 3;", "written twice"),
         ("  OUTP.YA_P1 := D.AL_P1;", "  OUTP.YA_P1 := INP.REQ;", "INP.REQ is not known"),
-        (f"    OUTP.{route} := 3;", f"    OUTP.{other} := 3;", "several variables"),
-        (f"    OUTP.{route} := 3;", f"    OUTP.{route} := 40000;", "no INT"),
-        (f"    OUTP.{route} := 3;", f"    OUTP.{route} := 3; OUTP.{route} := 5;", "at once"),
-        (f"    OUTP.{route} := 3;", f"    OUTP.{route} := D.RT_DP;", "neither a code nor a word"),
-        (f"    OUTP.{route} := 3;", f"    OUTP.{route} := INP.REQ;", "neither a code nor a word"),
+        (f" OUTP.{route} := 3;", f" OUTP.{other} := 3;", "several variables"),
+        (f" OUTP.{route} := 3;", f" OUTP.{route} := 40000;", "no INT"),
+        (f" OUTP.{route} := 3;", f" OUTP.{route} := 3; OUTP.{route} := 5;", "at once"),
+        (f" OUTP.{route} := 3;", f" OUTP.{route} := D.RT_DP;", "neither a code nor a word"),
+        (f" OUTP.{route} := 3;", f" OUTP.{route} := INP.REQ;", "neither a code nor a word"),
         (f"  {route} : INT := 0;", f"  {route} : INT := 1;", "begin with 0"),
     ):
         assert text.count(old) >= 1, old

@@ -321,10 +321,11 @@ class Terminals(Lamps):
 
     def w_last_held(self, r: int) -> Way:
         """The way whose lock a train leaves behind when it is wholly in the last section; where a route leads out over
-        a boundary, or has one section, the last one."""
-        p = self.run_of(r)[1]
+        a boundary, as no shunting movement does, or has one section, the last one."""
+        c, p = self.run_of(r)
         own = self.w_kept_clear(p)
-        through = own if p.berth or p.last.exit in self.r.boundaries else own[:-1]
+        leaves = not c.shunt and p.last.exit in self.r.boundaries
+        through = own if p.berth or leaves else own[:-1]
         return (through or own)[-1]
 
     def w_opened(self, r: int) -> Formula:

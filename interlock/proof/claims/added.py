@@ -85,8 +85,8 @@ def _run(f: Facts, r: RouteSymbols) -> list[Traversal]:
 
 def _last_lock(f: Facts, r: RouteSymbols) -> Expr:
     """The lock that a train leaves behind when it is wholly in the last section; of a route that leads out over a
-    boundary, or that has one section, the last one."""
-    leaves = _run(f, r)[-1].exit in f.layout.boundary_at
+    boundary, as no shunting movement does, or that has one section, the last one."""
+    leaves = not r.shunt and _run(f, r)[-1].exit in f.layout.boundary_at
     through = r.ways if r.berth is not None or leaves else r.ways[:-1]
     return f.lock(*(through or r.ways)[-1])
 
