@@ -190,6 +190,8 @@ def test_numbers_stand_at_their_sections_and_over_no_name(chromium: Any, server:
             click(page, f"#section-{section} .track")
             press(page, "Put a train here")
             is_(page, f"#section-{section} .track", "occupied")
+            page.wait_for_selector(f"#rest:has-text('?{section} is in {section}')")  # something stands there: who is it?
+            fresh(page)
             page.fill("#typed", f"{number}@{section}")
             page.press("#typed", "Enter")
             page.wait_for_selector(f"#plan text.number[data-of={section}]:has-text({number!r})", state="attached")
