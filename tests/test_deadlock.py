@@ -50,6 +50,7 @@ FOUR: list[list[Timed]] = orders(("E1", "E2", "W1", "W2"), 4, gaps=(3,))[::4]
     [
         (MINE, timings("in", "out")[::6]),
         (MINE, FEW),
+        (MINE, timings("1:W>E", "2:E>W", 320.0)[::6]),  # only one track holds such a train, in one direction
         (MINE, orders(WAYS, 3, gaps=(3, 25))),
         (LOOPS, FOUR),
         (PIT, orders(PIT_VOYAGES, 3, gaps=(40,))[::4]),

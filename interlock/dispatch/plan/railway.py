@@ -20,7 +20,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from heapq import heappop, heappush
-from itertools import count
+from itertools import count, takewhile
 from math import inf
 
 from interlock.dispatch.plan.problem import Draft
@@ -38,6 +38,10 @@ DIVERGES_S = 10.0
 
 TURNS_S = 60.0
 """Seconds that a change of direction costs (our choice)."""
+
+KEEPS_S = 60.0
+"""Seconds that it costs to run over a track on which a long train could stand, where others are too short for it:
+somebody may have to wait there of whom nobody knows yet (our choice)."""
 
 OUTSIDE = 0
 """The number of the way of a train that stands outside a boundary, whose name is then its section."""
@@ -335,7 +339,7 @@ class Railway:
         if start not in kept:
             raise self._none(errand, steps)
         steps = {p: [s for s in steps[p] if s.after in kept] for p in kept}
-        return Journey(errand, start, _straight(self._cheap_first(steps), start), self)
+        return Journey(errand, start, _straight(self._cheap_first(steps, errand.length_m), start), self)
 
     def _none(self, errand: Errand, steps: Mapping[Place, Sequence[Step]]) -> NoVoyage:
         """Why no chain of routes makes an errand: the first leg that none makes, and where routes lead on it."""
@@ -364,12 +368,12 @@ class Railway:
             return False
         return True
 
-    def _cheap_first(self, steps: dict[Place, list[Step]]) -> dict[Place, list[Step]]:
+    def _cheap_first(self, steps: dict[Place, list[Step]], length_m: float) -> dict[Place, list[Step]]:
         """The same steps, those first with which a train that is alone comes to its end soonest."""
         before: dict[Place, list[tuple[Place, float]]] = {}
         for p, out in steps.items():
             for s in out:
-                before.setdefault(s.after, []).append((p, self.cost(s)))
+                before.setdefault(s.after, []).append((p, self.cost(s, length_m)))
         left = {p: 0.0 for p, out in steps.items() if not out}
         turn = count()
         todo = [(0.0, next(turn), p) for p in left]
@@ -379,11 +383,29 @@ class Railway:
                 if cost + more < left.get(p, inf):
                     left[p] = cost + more
                     heappush(todo, (cost + more, next(turn), p))
-        return {p: sorted(out, key=lambda s: self.cost(s) + left[s.after]) for p, out in steps.items()}
+        return {p: sorted(out, key=lambda s: self.cost(s, length_m) + left[s.after]) for p, out in steps.items()}
 
-    def cost(self, step: Step) -> float:
-        """Seconds that a step costs."""
-        return sum(map(self.seconds, step.routes)) + TURNS_S * step.turned
+    def cost(self, step: Step, length_m: float) -> float:
+        """Seconds that a step costs a train of a length."""
+        keeps = sum(self._keeps(r, length_m) for r in step.routes)
+        return sum(map(self.seconds, step.routes)) + TURNS_S * step.turned + KEEPS_S * keeps
+
+    def _keeps(self, r: RouteRow, length_m: float) -> bool:
+        """A route runs over a track on which such a train could stand, and does not end there, while elsewhere tracks
+        are too short for it."""
+        long = [sections for sections, metres in self._standing.values() if metres >= length_m]
+        own, _ = self._standing.get(r.id, (frozenset(), 0.0))
+        return len(long) < len(self._standing) and any(x != own and not x.isdisjoint(r.section_ids) for x in long)
+
+    @cached_property
+    def _standing(self) -> dict[RouteId, tuple[frozenset[SectionId], float]]:
+        """Where trains stand clear of points before the signals at which routes end: the sections, and the metres."""
+        found: dict[RouteId, tuple[frozenset[SectionId], float]] = {}
+        for r in self.table.routes:
+            clear = list(takewhile(lambda k: not self.layout.points_in.get(k[0]), reversed(r.traversals)))
+            if r.exit_kind is ExitKind.SIGNAL and clear:
+                found[r.id] = frozenset(s for s, _ in clear), sum(self.metres[k] for k in clear)
+        return found
 
     def _steps(self, errand: Errand, place: Place) -> list[Step]:
         leg, turns = errand.legs[place.leg], self._turns(errand, place)
@@ -484,7 +506,7 @@ class Journey:
                 needs = behind.union(s.besides, *(self.railway.needs(r) for r in s.routes))
                 zones = tuple(dict.fromkeys(z.zone for r in s.routes for z in r.zones))
                 d.moves.setdefault(place, []).append((str(k), s.after, frozenset(needs), zones))
-                d.costs[place, str(k)] = self.railway.cost(s)
+                d.costs[place, str(k)] = self.railway.cost(s, self.errand.length_m)
         return d
 
 
