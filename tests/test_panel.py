@@ -25,6 +25,7 @@ from interlock.panel.desk import Desk, Person
 from interlock.panel.journal import page, trace
 from interlock.panel.recorder import Recorder
 from interlock.panel.server import FILES, Access, application
+from interlock.panel.simulated import SimulatedField
 from interlock.record.log import read_file
 from tests.layouts import SHIPPED
 from tests.panels import panel, proved, quick, unproved
@@ -506,3 +507,22 @@ def test_a_command_with_a_locomotive_number_is_carried_out_route_by_route(at_wor
         b.ask("take away", train="12")
         b.until(lambda: b.state["s:s4_xc1"][0] == 0)
         b.until(lambda: any("train 14: it is lost: s4_xc1 became clear" in a[1] for a in b.rest["alarms"]))
+
+
+@pytest.mark.parametrize("metres", [0.2, 0.6, 0.9, 1.2])
+def test_a_train_starts_however_far_it_stands_from_where_it_meant_to_stand(metres: float) -> None:
+    """Between half a metre and one metre before that place it stood for ever, though its signal was open."""
+    ready = proved(Path("layouts/heishan.yaml"))
+    assert ready.layout is not None and ready.controller is not None and ready.allocation is not None
+    inputs = {i.name: (i.restrictive, i.size or 2) for i in ready.controller.inputs}
+    outputs = {o.name: o.restrictive for o in ready.controller.outputs}
+    field = SimulatedField(ready.layout, ready.allocation, inputs, outputs, 0.4)
+    train, drivers = field.train(field.stand("s7", "XI9", 40.0, "7")), field.world.drivers
+    drivers.sight.look(train)
+    train.called, train.head = True, train.head + train.gap - train.margin - metres
+    drivers.sight.look(train)
+    clear, *others = drivers.lit[train.target]
+    field.shown |= {clear: 1} | dict.fromkeys(others, 0)
+    for _ in range(300):
+        field.step(0.1, {})
+    assert train.speed > 1.0 and field.world.track.sections[drivers.track.stretches[train.body[-1]].section] != "s7"

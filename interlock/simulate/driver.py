@@ -21,6 +21,9 @@ from interlock.simulate.train import Train
 if TYPE_CHECKING:
     from interlock.simulate.world import World
 
+NEAR_M = 1.0
+"""Metres before the place where he means to stand at which a driver stands: nearer he does not draw up (our choice)."""
+
 READS_S = 1.0
 """Seconds to read a signal; a second train reads none before the first has passed it (A-HEADWAY)."""
 
@@ -111,7 +114,7 @@ class Drivers:
             self.sight.look(t)
         if t.speed == 0.0:
             t.rests += dt
-            if t.stuck or not t.called or t.gap - t.margin < 0.5:
+            if t.stuck or not t.called or t.gap - t.margin < NEAR_M:
                 self._stands(t, dt, shown)
                 if not t.accepted:
                     return
@@ -119,7 +122,7 @@ class Drivers:
                 return
         self._reads(t, dt, shown)
         before, ds, free = t.speed, *self._runs(t, dt)
-        if t.speed < 0.15 and free < 1.0:
+        if t.speed < 0.15 and free < NEAR_M:
             ds, t.speed = min(ds, max(free, 0.0)), 0.0
             t.overruns = 0.0
         if ds <= 0.0:
