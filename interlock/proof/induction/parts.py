@@ -322,7 +322,7 @@ class Inquiry:
             while len(goals) >= most:
                 yield goals[:most], seen
                 goals = goals[most:]
-            if len(goals) >= few and len(seen) <= NEAR:
+            if len(seen) <= NEAR and (len(goals) >= few or 2 * len(seen) >= NEAR):
                 yield goals, seen
                 goals, seen = [], {}
         if goals:
