@@ -69,6 +69,28 @@ def test_either_of_two_ways_is_excluded(which: str, left: str) -> None:
     assert agree(*told(text), specification.shipped()).left == ()
 
 
+ONE_MACHINE = """\
+interlock: 1
+name: one_machine
+boundaries: {W: {approach: ap 600}, E: {trains: out}, F: {trains: out}, G: {trains: out}}
+tracks:
+  t1: [W, s1 60]
+points:
+  P1: {section: s1, toe: t1.end, normal: G, machine: M}
+  P2: {section: s2, toe: P1.reverse, normal: E, reverse: F, machine: M}
+signals:
+  X: {from: W, into: s1}
+"""
+
+
+def test_a_path_that_needs_one_machine_in_both_positions_is_claimed_to_be_closed_as_the_second_checker_asks() -> None:
+    layout, table = made(ONE_MACHINE)
+    assert [" ".join(r.section_ids) for r in table.routes] == ["s1 s2", "s1"]
+    result = prove(System(layout, lower(layout, table)), Limits(search_s=0))
+    assert result.proved and next(c.places for c in result.claims if c.id == "S-EXCLUDED") == 1
+    assert agree(*told(ONE_MACHINE), specification.shipped()).left == ()
+
+
 def test_a_route_that_is_hostile_or_demands_a_point_is_told_by_what_it_does_not_pass() -> None:
     more = "hostile:\n  - {one: {from: S, not_via: [r1]}, other: {from: X}, reason: tight}\n"
     more += "demand:\n  - {point: 2, lies: normal, routes: {from: X, not_via: [r1]}, reason: overrun}\n"

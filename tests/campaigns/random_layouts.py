@@ -107,7 +107,7 @@ def proved(x: Case, t: Tally) -> None:
     for c in result.claims:
         if c.verdict is Verdict.PROVED:
             continue
-        legs = {p.split(":")[2].split(" as overlap")[0] for p in c.open if c.id in FLANKS}
+        legs = {p.split(":")[2].split(" ")[0] for p in c.open if c.id in FLANKS}
         if c.verdict is Verdict.REFUTED and legs and legs <= waived:
             t.counts["found out"] += c.id == "T-FLANK"
         else:

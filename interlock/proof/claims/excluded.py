@@ -68,8 +68,11 @@ def _can_be(f: Facts, g: SignalId, shunt: bool, path: SignalPath) -> bool:
 
 
 def _can_be_run(f: Facts, ways: Sequence[Traversal], clear: Sequence[Traversal]) -> bool:
-    """No key is turned, no diamond is passed twice, and what must be clear is detected."""
+    """No machine is needed in both positions, no key is turned, no diamond is passed twice, and what must be clear is
+    detected."""
     arms = [c for t in ways for c, _ in t.crossings]
-    turned = {f.layout.point[p].machine for t in ways for p, x in t.points if x is Position.REVERSE}
+    lie_so = {(f.layout.point[p].machine, x) for t in ways for p, x in t.points}
+    turned = {machine for machine, x in lie_so if x is Position.REVERSE}
+    once = len({machine for machine, _ in lie_so}) == len(lie_so)
     seen = not any(t.section in f.layout.undetected for t in clear)
-    return len(arms) == len(set(arms)) and not turned & f.layout.by_hand and seen
+    return once and len(arms) == len(set(arms)) and not turned & f.layout.by_hand and seen
