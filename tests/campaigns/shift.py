@@ -1,11 +1,13 @@
 """Shifts at heishan with fleets of 2 to 8: standstills, trains in a wrong cross-cut, trains a shift with their spread.
 
     python -m tests.campaigns.shift [--shifts N] [--few N] [--way WAY] [--fleet N] [-j N] [--kept FILE] [-o FILE]
+                                    [--older FOLDER]
 
 Every train has more to do than it can.  Beside the dispatcher as it is stand two other ways of giving orders, requests
 ordered by a plan (`simulate --planned`), the same without the rule (a route only if a completion plan exists after it),
-and the same with faults far more often than on a railway.  Rows that are kept in a file are not made again: a campaign
-that was broken off goes on.
+and the same with faults far more often than on a railway.  With `--older`, the folder that an older version of this
+project wrote for the layout, its runtime is driven, too, with the rule and without it.  Rows that are kept in a file
+are not made again: a campaign that was broken off goes on.
 """
 
 from __future__ import annotations
@@ -18,15 +20,18 @@ import sys
 import tempfile
 import time
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from textwrap import wrap
 
-from interlock.app.shifts import mean, one
+from interlock.app.setting import prepared
+from interlock.app.shift import Shift
+from interlock.app.shifts import mean
 from interlock.app.worked import Options, Worked, summary
 from interlock.dispatch.assign import Assigning
 from interlock.simulate.mishaps import TRIAL
 from tests.campaigns.deadlock import processor
+from tests.campaigns.older import older
 
 HEISHAN = "layouts/heishan.yaml"
 FLEETS = range(2, 9)
@@ -47,12 +52,14 @@ def fleet_of(folder: Path, trains: int) -> str:
 
 @dataclass(frozen=True)
 class Way:
-    """A way of running shifts; `often`: as many shifts as are asked for, else few; `clean`: nothing may go wrong."""
+    """A way of running shifts; `often`: as many shifts as are asked for, else few; `clean`: nothing may go wrong;
+    `then`: on the runtime of an older version."""
 
     name: str
     options: Options
     often: bool = True
     clean: bool = True
+    then: bool = False
 
 
 WAYS = (
@@ -63,6 +70,8 @@ WAYS = (
     Way("by a plan", Options(planned=True, keep=False), often=False),
     Way("in turn, with faults", Options(faults=TRIAL, keep=False)),
     Way("in turn, without the rule", Options(rule=False, keep=False), clean=False),
+    Way("in turn, older runtime", Options(keep=False), often=False, clean=False, then=True),
+    Way("older runtime, without the rule", Options(rule=False, keep=False), often=False, clean=False, then=True),
 )
 
 
@@ -80,9 +89,12 @@ def row(way: Way, trains: int, done: list[Worked], seconds: float) -> tuple[str,
     return text, way.clean and any(found.values())
 
 
-def _timed(file: str, seed: int, options: Options) -> tuple[Worked, float]:
+def _timed(file: str, seed: int, options: Options, before: Path | None) -> tuple[Worked, float]:
     began = time.process_time()
-    done = one(HEISHAN, file, seed, options)
+    setting = prepared(HEISHAN, file)
+    if before is not None:
+        setting = replace(setting, names=older(before, setting.names))
+    done = Shift(setting, seed, options).run()
     return done, time.process_time() - began
 
 
@@ -101,19 +113,8 @@ TOLD = (
     "all trains with orders stood for ever.  *Wrong place*: trains in a cross-cut that is not theirs, or out over "
     "another boundary.  *Harm*: hazards and signals passed at stop.  *Alarms*: of the train describer and of the "
     "dispatcher; empty: not counted then.  *Held back*: requests that the rule did not "
-    "make.  *Wait*: the longest of a train for one cause, in minutes.  *s*: processor seconds a shift."
-)
-
-STOOD = (
-    "Before commit e66a7a4 one shift with faults (fleet of 8, seed 2) stood for ever: inputs were lost while a train "
-    "passed XB, its route stayed set for nobody, and the operator who is simulated released its sections without "
-    "cancelling it.  Since then it is cancelled first."
-)
-
-NUMBERED = (
-    "Before commit 0dc46e6 (rows by a plan at 539e9d6) a train that came in beside one that ran out was taken for that "
-    "one, so that numbers were wrong for the rest of the shift, and the last train of a fleet of 8 stood without an "
-    "order for 270 minutes (seed 4)."
+    "make.  *Wait*: the longest of a train for one cause, in minutes.  *s*: processor seconds a shift.  *Older runtime*: "
+    "as version 13d8eb7 emitted it for this layout, under the dispatcher of today."
 )
 
 
@@ -134,7 +135,7 @@ def page(kept: list[tuple[str, str]]) -> str:
         "| s | commit |",
         "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---|",
     )
-    texts = (*_wrapped(made), "", *_wrapped(TOLD), "", *head, *rows, "", *_wrapped(STOOD), "", *_wrapped(NUMBERED), "")
+    texts = (*_wrapped(made), "", *_wrapped(TOLD), "", *head, *rows, "")
     return "\n".join(["# Shifts", "", *texts])
 
 
@@ -151,6 +152,7 @@ def main() -> int:
     parser.add_argument("--fleet", action="append", type=int, choices=FLEETS, help="only so many trains")
     parser.add_argument("-j", "--jobs", type=int, default=2)
     parser.add_argument("-o", "--output", type=Path, default=Path("proofs/shift.md"))
+    parser.add_argument("--older", type=Path, help="what an older version wrote for the layout")
     parser.add_argument("--kept", type=Path, help="rows that are done")
     parser.add_argument("--page", action="store_true", help="write the page from the rows that are kept, and no more")
     options = parser.parse_args()
@@ -158,6 +160,7 @@ def main() -> int:
     commit, bad = told.stdout.strip(), False
     kept = _kept(options.kept)
     ways = [w for w in WAYS if not options.page and w.name in (options.way or [w.name])]
+    ways = [w for w in ways if options.older is not None or not w.then]
     with tempfile.TemporaryDirectory() as folder, ProcessPoolExecutor(options.jobs) as pool:
         for way in ways:
             for trains in options.fleet or FLEETS:
@@ -165,7 +168,8 @@ def main() -> int:
                 if any(text.startswith(f"| {way.name} | {trains} | {shifts} |") for _, text in kept):
                     continue
                 file = fleet_of(Path(folder), trains)
-                done = list(pool.map(_timed, [file] * shifts, range(shifts), [way.options] * shifts))
+                before = options.older if way.then else None
+                done = list(pool.map(_timed, [file] * shifts, range(shifts), [way.options] * shifts, [before] * shifts))
                 text, wrong = row(way, trains, [w for w, _ in done], sum(s for _, s in done))
                 print(text, flush=True)
                 kept.append((commit, text))
