@@ -113,8 +113,8 @@ TOLD = (
     "all trains with orders stood for ever.  *Wrong place*: trains in a cross-cut that is not theirs, or out over "
     "another boundary.  *Harm*: hazards and signals passed at stop.  *Alarms*: of the train describer and of the "
     "dispatcher; empty: not counted then.  *Held back*: requests that the rule did not "
-    "make.  *Wait*: the longest of a train for one cause, in minutes.  *s*: processor seconds a shift.  *Older runtime*: "
-    "as version 13d8eb7 emitted it for this layout, under the dispatcher of today."
+    "make.  *Wait*: the longest of a train for one cause, in minutes.  *s*: processor seconds a shift.  "
+    "*Older runtime*: as version 13d8eb7 emitted it for this layout, under the dispatcher of today."
 )
 
 
