@@ -15,12 +15,19 @@ from dataclasses import dataclass
 from interlock.diag import Sink
 from interlock.diag.suggest import did_you_mean
 from interlock.dispatch.language import DispatchFile, Orders, OrderSpec, TrainSpec
-from interlock.dispatch.plan.railway import OUTSIDE, Errand, Journey, Leg, NoVoyage, Place, Railway, TooManyPlaces
+from interlock.dispatch.plan.railway import (
+    MARGIN_M,
+    OUTSIDE,
+    Errand,
+    Journey,
+    Leg,
+    NoVoyage,
+    Place,
+    Railway,
+    TooManyPlaces,
+)
 from interlock.model.elements import SectionId
 from interlock.table.rows import TraversalKey
-
-MARGIN_M = 2.0
-"""Metres before a signal or the end of the track in which a driver stands; as simulated shifts have it (our choice)."""
 
 
 @dataclass(frozen=True)

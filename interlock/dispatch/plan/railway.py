@@ -39,6 +39,10 @@ DIVERGES_S = 10.0
 TURNS_S = 60.0
 """Seconds that a change of direction costs (our choice)."""
 
+MARGIN_M = 2.0
+"""Metres before a signal or the end of the track in which a driver stands, as in simulated shifts (our choice); a train
+counts as so much longer."""
+
 KEEPS_S = 60.0
 """Seconds that it costs to run over a track on which a long train could stand, where others are too short for it:
 somebody may have to wait there of whom nobody knows yet (our choice)."""
@@ -281,8 +285,8 @@ class Railway:
     # --- errands -------------------------------------------------------------------------------
 
     def lies(self, ways: Sequence[TraversalKey], length: float) -> tuple[TraversalKey, ...]:
-        """The last of some ways that a train of a length covers with its head at the end."""
-        covered = 0.0
+        """The last of some ways that a train of a length covers with its head short of the end."""
+        covered = -MARGIN_M
         for k in range(len(ways) - 1, -1, -1):
             covered += self.metres.get(ways[k], float("inf"))
             if covered >= length:
@@ -393,7 +397,7 @@ class Railway:
     def _keeps(self, r: RouteRow, length_m: float) -> bool:
         """A route runs over a track on which such a train could stand, and does not end there, while elsewhere tracks
         are too short for it."""
-        long = [sections for sections, metres in self._standing.values() if metres >= length_m]
+        long = [sections for sections, metres in self._standing.values() if metres >= length_m + MARGIN_M]
         own, _ = self._standing.get(r.id, (frozenset(), 0.0))
         return len(long) < len(self._standing) and any(x != own and not x.isdisjoint(r.section_ids) for x in long)
 
