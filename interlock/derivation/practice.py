@@ -139,14 +139,23 @@ def _check_places(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
         if isinstance(place, str) or any(found.turned(g) for g, _ in found.signals.get(place, ())):
             continue
         name = found.by_id[place].name or found.by_id[place].edges[0].section
+        words = _called(found, place)
         if begins and place not in reached:
-            said = f"no train can reach {name}: no route from a boundary leads there"
+            said = f"no train can reach {words}: no route from a boundary leads there"
             fix = "add a signal that leads there, or check the directions of those near it"
             sink.add("IL7004", said, None, fix, about=Element("sections", str(name)), cause="reach", note=str(name))
         elif leaves and place in backward and place not in left:
-            said = f"no train can leave {name}: no route leads on from there to a boundary"
+            said = f"no train can leave {words}: no route leads on from there to a boundary"
             fix = "add a signal out of it, or check the directions of those near it"
             sink.add("IL7004", said, None, fix, about=Element("sections", str(name)), cause="leave", note=str(name))
+
+
+def _called(found: Plains, place: int) -> str:
+    """A stretch by the section of its own, or, where it is only the leg of a point, by the end to which it leads."""
+    stretch = found.by_id[place]
+    section = str(stretch.name or stretch.edges[0].section)
+    ends = [str(n) for n in stretch.nodes if n in found.layout.buffer_at]
+    return section if stretch.name or not ends else f"{' and '.join(ends)}, in {section}"
 
 
 def _place(found: Plains, node: NodeId, edge: EdgeId) -> str | int:
