@@ -19,6 +19,10 @@ from interlock.model.principles import Principles
 from interlock.model.traversal import topology
 
 
+ENDS = frozenset({"toe", "normal", "reverse", "1a", "1b", "2a", "2b", "outer", "inner"})
+"""Ends of points, slips, crossings and derailers: each is that of an edge."""
+
+
 @dataclass(frozen=True)
 class Overlaps:
     """What the layout says of overlaps, and what follows from the principle."""
@@ -71,9 +75,6 @@ def _bars(ctx: Context, g: SignalId, wiring: Wiring) -> Iterator[tuple[SignalId,
             ctx.add(
                 "IL2003" if "." in x else "IL2004", what, ctx.at("overlaps", g, "not_over", i), did_you_mean(x, known)
             )
-
-
-ENDS = frozenset({"toe", "normal", "reverse", "1a", "1b", "2a", "2b", "outer", "inner"})
 
 
 def _metres(ctx: Context, name: str, spec: OverlapSpec) -> float | None:

@@ -21,8 +21,8 @@ def check_overlaps(ctx: Context, layout: Layout) -> None:
                     "IL1014",
                     f"no overlap of {g} of {way.length:g} m, to the next joint, leads over {', '.join(way.over)}",
                     ctx.at("overlaps", g, "ways", i),
-                    "name sections that tell this way from the others, as near to the signal as possible; a short overlap "
-                    "that lies wholly within a longer one of the same signal is not told apart (R4)",
+                    "name sections that tell this way from the others, as near to the signal as possible; a short "
+                    "overlap that lies wholly within a longer one of the same signal is not told apart (R4)",
                 )
     for g in ctx.file.overlaps:
         _bars(ctx, layout, SignalId(g))
