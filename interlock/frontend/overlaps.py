@@ -18,7 +18,6 @@ from interlock.model.overlap import stand_s
 from interlock.model.principles import Principles
 from interlock.model.traversal import topology
 
-
 ENDS = frozenset({"toe", "normal", "reverse", "1a", "1b", "2a", "2b", "outer", "inner"})
 """Ends of points, slips, crossings and derailers: each is that of an edge."""
 
