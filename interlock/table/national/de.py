@@ -87,7 +87,7 @@ def _overlaps(x: Reading, r: RouteRow) -> tuple[str, ...]:
 
 
 def _deciding(x: Reading, r: RouteRow) -> str:
-    return ", ".join(f"{p}{end_lage(x, p, position)}" for p, position in x.choices(r))
+    return ", ".join(f"{p}{end_lage(x, p, position)}" for p, position in x.deciding(r))
 
 
 def _devices(x: Reading, r: RouteRow, kind: DeviceKind) -> list[str]:
