@@ -178,6 +178,15 @@ signals:
 """
 
 
+def test_where_all_trains_run_one_way_a_signal_behind_points_looks_the_right_way(tmp_path: Path) -> None:
+    """An outer home behind a junction on a track to which trains come from both lines, and from which none leaves over
+    them: turned round it would lead nowhere."""
+    text = Path("tests/stations/edgware.yaml").read_text("utf-8")
+    assert lints(tmp_path, text) == []
+    home, both = "S36: {from: BA, into: BB}", text.replace("131B 300, trains: in", "131B 300")
+    assert home in text and lints(tmp_path, both)[:1] == [("IL7001", "S36")]
+
+
 def test_in_a_balloon_loop_both_ways_are_told_apart(tmp_path: Path) -> None:
     """Both ends of its track are one set of points."""
     assert lints(tmp_path, RING) == []
