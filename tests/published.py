@@ -24,7 +24,16 @@ from interlock.table.rows import InterlockingTable, Role, RouteKind, RouteRow
 from tests.layouts import grown
 
 HERE = Path(__file__).resolve().parent / "stations"
-STATIONS = ("komano", "shinnozaki", "akayama", "hbg", "railml", "swtbahn", "cranz", "tatehama", "spurs") + (
+STATIONS = (
+    "komano",
+    "shinnozaki",
+    "akayama",
+    "hbg",
+    "railml",
+    "swtbahn",
+    "cranz",
+    "tatehama",
+    "spurs",
     "phausen",
     "edgware",
 )

@@ -124,14 +124,14 @@ def _unknown_key(root: Node, path: Loc, known: tuple[str, ...], sink: Sink) -> s
         said = f"unknown key `{key}`: keys are written in small letters"
         sink.add("IL1011", said, span, f"write `{key.lower()}`", cause="capitals", note=f"`{key}`")
         return key.lower()
-    fix = did_you_mean(key, known, _known_keys(path, known))
+    meant = did_you_mean(key, known, _known_keys(path, known))
     words = _before(root, path) if isinstance(value, Scalar) and not value.text else None
     if words is not None and words[0] in TEXTS and nearest(key, known) is None:  # `reason: short, steep`
         said = f"the comma ends the text of `{words[0]}`, and `{key}` is no key"
         quoted = f'put the text in quotes: `{words[0]}: "{words[1].text}, {key}"`'
         sink.add("IL1011", said, span, quoted, cause="a comma in a text", note=f"`{key}`")
         return None
-    sink.add("IL1011", f"unknown key `{key}`", span, fix)
+    sink.add("IL1011", f"unknown key `{key}`", span, meant)
     return nearest(key, known)
 
 
