@@ -191,8 +191,20 @@ def test_deciding_points_are_those_whose_other_leg_leads_to_the_same_end() -> No
     rows = told(sheets("cn6502", **{"profile: cn": "profile: de"})["de_sslz"])
     own = {r["Route"]: r["Deciding points"] for r in rows}
     assert own["XD/E1"] == own["XD/E4"] == own["S5/DJ"] == "", "facing points on the way, and one way to the end"
-    ways = [own[x] for x in ("X/E3", "X/E3 [U1]", "X/E3 [U2]", "X/E3 [U3]")]
+    ways = [own[x] for x in ("X/E3", "X/E3 [U2]", "X/E3 [U3]", "X/E3 [U4]")]
     assert ways == ["5+, 9+", "5−, 13+", "5+, 9−", "5−, 13−"]
+
+
+def test_german_tables_call_the_halves_of_a_slip_as_the_drawing_does() -> None:
+    text = Path("tests/stations/phausen.yaml").read_text("utf-8")
+    made = grown(text)
+    assert made is not None
+    form = {s.key: told(s) for s in national_sheets(made[0], made[1])}
+    assert only(form["de_sslz"], Route="60ZR4/60L123X [U2]", Overlap="D1*")["Deciding points"] == "60W28AB−"
+    assert {r["Requester"] for r in form["de_sslf"]} >= {"60W28AB", "60W28CD"}
+    assert not any(
+        "60W28a" in cell for rows in form.values() for r in rows for k, cell in r.items() if k != "Conflicts"
+    )
 
 
 def test_german_flank_protection_tells_transfer_and_space() -> None:

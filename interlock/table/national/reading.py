@@ -144,6 +144,11 @@ class Reading:
                 others = [o for o in others if o.get(p) is x]
         return out
 
+    def called(self, point: PointId) -> str:
+        """A point end by the name that a drawing has for it: what a slip is made of has the names of its machines."""
+        of_slip = any(b.point == point for b in self.layout.blades)
+        return str(self.layout.point[point].machine if of_slip else point)
+
     def deciding(self, r: RouteRow) -> list[tuple[PointId, Position]]:
         """The points that a route passes facing where the other leg leads to its end, too, in order: of several ways
         from start to end they tell this one, whether or not the others are routes."""
