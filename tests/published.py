@@ -19,12 +19,25 @@ import yaml
 
 from interlock.model.elements import RouteId
 from interlock.model.layout import Layout
-from interlock.table.rows import InterlockingTable, Role, RouteRow
+from interlock.table.national.reading import Reading
+from interlock.table.rows import InterlockingTable, Role, RouteKind, RouteRow
 from tests.layouts import grown
 
 HERE = Path(__file__).resolve().parent / "stations"
-STATIONS = ("komano", "shinnozaki", "akayama", "hbg", "railml", "swtbahn", "cranz", "tatehama", "spurs")
-COLUMNS = ("route", "ends", "points", "clear", "locked", "hostile", "delay")
+STATIONS = (
+    "komano",
+    "shinnozaki",
+    "akayama",
+    "hbg",
+    "railml",
+    "swtbahn",
+    "cranz",
+    "tatehama",
+    "spurs",
+    "phausen",
+    "edgware",
+)
+COLUMNS = ("route", "ends", "past", "decides", "points", "overlap", "clear", "locked", "hostile", "delay")
 ROLES = {Role.PATH: "", Role.DEVICE: "", Role.FLANK: " (flank)", Role.ADDED: " (added)", Role.OVERLAP: " (overlap)"}
 
 
@@ -76,8 +89,23 @@ class Station:
 
     @cached_property
     def derived(self) -> Mapping[str, RouteRow]:
-        """Each derived route by the name of the row that it stands for."""
+        """Each derived route by the name of the row that it stands for; of several overlaps the first."""
         return {n: r for r in self.table.routes for n in r.names}
+
+    def way(self, r: RouteRow) -> tuple[object, ...]:
+        """What the routes of a row have in common that differ in their overlaps."""
+        return r.kind, r.entry, r.traversals, () if r.onward is None else self.table.route[r.onward].traversals
+
+    @cached_property
+    def reading(self) -> Reading:
+        """The table as national forms read it."""
+        return Reading(self.layout, self.table)
+
+    def overlaps(self, name: str) -> set[str]:
+        """The overlaps of a row, each as its sections and its points: `q4+q5:P2+P3R`."""
+        those = [r for r in self.table.routes if self.way(r) == self.way(self.derived[name])]
+        last = [r if r.onward is None else self.table.route[r.onward] for r in those]
+        return {_overlap(r) for r in last if r.overlap is not None}
 
     @cached_property
     def published(self) -> Mapping[str, Mapping[str, str]]:
@@ -115,6 +143,13 @@ class Station:
         said = any({y["route"], y["entry"]} & set(x["levers"].split()) for x, y in ((a, b), (b, a)))
         theirs = self.points(b)
         return said or any(p[:-1] + "NR"[p[-1] == "N"] in theirs for p in self.points(a))
+
+
+def _overlap(r: RouteRow) -> str:
+    assert r.overlap is not None
+    sections = sorted(s for s, _ in r.overlap.ways)
+    points = sorted(f"{p.machine}{'R' if p.position == 'R' else ''}" for p in r.points if p.role is Role.OVERLAP)
+    return f"{'+'.join(sections)}:{'+'.join(points)}"
 
 
 ADDITIONS = re.compile(r"^(exclude|demand|hostile|sections):\n((?:[ #].*\n|\n)*)", re.MULTILINE)
@@ -179,22 +214,24 @@ def _routes(s: Station) -> Iterator[Difference]:
     for n in s.published:
         if n not in s.derived:
             yield Difference(n, "route", "published", n)
+    told = {s.way(s.derived[n]) for n in s.published if n in s.derived}
     for r in s.table.routes:
-        if not set(r.names) & set(s.published):
+        if r.kind is not RouteKind.IDENTIFIER and s.way(r) not in told and not set(r.names) & set(s.published):
             yield Difference(r.id, "route", "derived", r.id)
 
 
 def _row(s: Station, name: str) -> Iterator[Difference]:
     row, r = s.published[name], s.derived[name]
     yield from _both(name, "ends", {s.called("entry", row["entry"])}, {str(r.entry)})
-    yield from _both(name, "ends", {s.called("exit", row["exit"])}, {str(r.exit)})
-    roles = {f"{p.machine} {p.position}": ROLES[p.role] for p in r.points}
+    yield from _both(name, "ends", {s.called("exit", row["exit"])}, {str(r.destination or r.exit)})
+    yield from _more(s, name)
+    roles = {f"{p.machine} {p.position}": ROLES[p.role] for p in r.points} if "points" in s.columns else {}
     theirs = s.points(row)
     for d in _both(name, "points", theirs, set(roles)):
         yield Difference(name, d.column, d.side, d.item + (roles[d.item] if d.side == "derived" else ""))
     pieces = {"clear": {str(c.section) for c in (*r.sections, *r.foul)}, "locked": set(map(str, r.section_ids))}
     for column, mine in pieces.items():
-        if column in s.columns:
+        if column in s.columns and row[column] != UNTOLD:
             yield from _both(name, column, s.words(row, "clear" if column == "clear" else column), s.sections(mine))
     if "delay" in s.columns:
         yield from _both(name, "delay", {f"{row['delay']} s"} if row["delay"] else set(), {f"{r.approach.delay_s:g} s"})
@@ -202,6 +239,22 @@ def _row(s: Station, name: str) -> Iterator[Difference]:
         named: dict[RouteId, str] = {x.id: n for n, x in s.derived.items()}
         mine = {named[h] for h in r.hostile.routes if h in named}
         yield from _both(name, "hostile", {n for n in s.published if n != name and s.apart(name, n)}, mine)
+
+
+def _more(s: Station, name: str) -> Iterator[Difference]:
+    """What German tables have: signals at identifier light, deciding points, overlaps."""
+    row, r = s.published[name], s.derived[name]
+    if "past" in s.columns:
+        yield from _both(name, "past", set(row["past"].split()), {str(r.exit)} if r.onward else set())
+    if "decides" in s.columns:
+        chosen = {f"{s.layout.point[p].machine}{'R' if x == 'R' else ''}" for p, x in s.reading.deciding(r)}
+        yield from _both(name, "decides", set(row["decides"].split()), chosen)
+    if "overlap" in s.columns:
+        yield from _both(name, "overlap", set(row["overlap"].split()), s.overlaps(name))
+
+
+UNTOLD = "-"
+"""A cell that this row of the source does not have."""
 
 
 def _both(name: str, column: str, published: set[str], derived: set[str]) -> Iterator[Difference]:

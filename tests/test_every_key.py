@@ -355,6 +355,12 @@ RESTRICTS: dict[str, Case] = {
         PRESET,
         "overlaps: {X2: {length: 50}}",
     ),
+    "overlap.not_over": said(
+        FORK,
+        "overlaps: {X2: {length: 50, not_over: [P1.reverse]}}",
+        PLANT,
+        "overlaps: {X2: {length: 50}}",
+    ),
     "overlap.ways": said(
         FORK, "overlaps: {X2: {length: 50, ways: [{over: [q3], length: 150}]}}", PLANT, "overlaps: {X2: {length: 50}}"
     ),

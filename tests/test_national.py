@@ -176,15 +176,35 @@ def test_german_tables_print_left_and_right_where_the_hand_is_stated() -> None:
     made = sheets("flank_lab")
     routes = told(made["de_sslz"])
     # points 1 and 2 are turnouts to the right and to the left
-    assert only(routes, Start="S1", Destination="N2")["Deciding points"] == "1L"
-    assert only(routes, Start="S1", Destination="N8")["Deciding points"] == "1R"
-    assert only(routes, Route="N2/F")["Deciding points"] == ""  # one way out: nothing to decide
+    assert only(routes, Route="N2/F")["Deciding points"] == ""
+    assert only(routes, Start="S1", Destination="N8")["Deciding points"] == ""  # one way to N8: nothing to decide
     assert only(routes, Route="N2/F")["Overlap"] == "D1*, D2"
     overlap = only(told(made["de_ssld"]), From="S1", Overlap="D2")
     assert (overlap["Points locked"], overlap["Length needed (m)"], overlap["Length (m)"]) == ("1R, 5R", "200", "380")
     assert (overlap["Release section"], overlap["Its length (m)"], overlap["Delay (s)"]) == ("w0", "60", "45")
     unstated = sheets("flank_lab", **{", hand: right}": "}", ", hand: left}": "}"})
-    assert only(told(unstated["de_sslz"]), Start="S1", Destination="N8")["Deciding points"] == "1−"
+    assert only(told(unstated["de_ssld"]), From="S1", Overlap="D2")["Points locked"] == "1−, 5+"
+
+
+def test_deciding_points_are_those_whose_other_leg_leads_to_the_same_end() -> None:
+    """As in the public example of the German planning tables: not every point at which a route to elsewhere leaves."""
+    rows = told(sheets("cn6502", **{"profile: cn": "profile: de"})["de_sslz"])
+    own = {r["Route"]: r["Deciding points"] for r in rows}
+    assert own["XD/E1"] == own["XD/E4"] == own["S5/DJ"] == "", "facing points on the way, and one way to the end"
+    ways = [own[x] for x in ("X/E3", "X/E3 [U2]", "X/E3 [U3]", "X/E3 [U4]")]
+    assert ways == ["5+, 9+", "5−, 13+", "5+, 9−", "5−, 13−"]
+
+
+def test_german_tables_call_the_halves_of_a_slip_as_the_drawing_does() -> None:
+    text = Path("tests/stations/phausen.yaml").read_text("utf-8")
+    made = grown(text)
+    assert made is not None
+    form = {s.key: told(s) for s in national_sheets(made[0], made[1])}
+    assert only(form["de_sslz"], Route="60ZR4/60L123X [U2]", Overlap="D1*")["Deciding points"] == "60W28AB−"
+    assert {r["Requester"] for r in form["de_sslf"]} >= {"60W28AB", "60W28CD"}
+    assert not any(
+        "60W28a" in cell for rows in form.values() for r in rows for k, cell in r.items() if k != "Conflicts"
+    )
 
 
 def test_german_flank_protection_tells_transfer_and_space() -> None:

@@ -12,6 +12,7 @@ import pytest
 from interlock.audit import audit
 from interlock.checker import specification
 from interlock.checker.check import agree
+from interlock.checker.drawing import Unread
 from interlock.checker.lengths import Lengths
 from interlock.checker.railway import Railway
 from interlock.checker.reading import loaded
@@ -89,7 +90,7 @@ def test_an_overlap_that_ends_within_a_section_holds_all_of_it() -> None:
 
 
 def test_a_layout_without_speeds_of_overlaps_is_as_it_was() -> None:
-    keys = ("overlap_ways", "entry_speeds", "overlap_releases")
+    keys = ("overlap_ways", "overlap_bars", "entry_speeds", "overlap_releases")
     for name in ("flank_lab", "junction", "mine11"):
         assert not any(key in built(name)[0].to_text() for key in keys)
 
@@ -109,6 +110,42 @@ def test_it_is_proved_and_the_second_checker_asks_for_it() -> None:
     ):
         with pytest.raises(Rejected):
             agree(loaded(TEXT.replace(old, new)), *system[1:], specification.shipped())
+
+
+BARRED = (
+    TEXT.replace("length: 200\n", "length: 200\n    not_over: [NOT]\n").split("    ways:")[0] + "  X8: {length: 0}\n"
+)
+
+
+@pytest.mark.parametrize(("what", "left"), [("P2.reverse", "q4, q5, q6"), ("q5", "q4, q7"), ("P2.normal", "q4, q7")])
+def test_an_alternative_that_is_not_wanted_is_none_for_all_who_ask(what: str, left: str) -> None:
+    """Of an overlap over a facing point one way is used, as the drawing says; derivation, audit, proof and the second
+    checker know no other, and each refuses what was made with both."""
+    if left.endswith("q7"):  # 80 m are all that there is
+        text = BARRED.replace("NOT", what).replace("length: 200", "length: 60")
+    else:
+        text = BARRED.replace("NOT", what)
+    layout, table = made(text)
+    (route,) = [r for r in table.routes if r.exit == "X3"]
+    assert route.overlap is not None and ", ".join(s for s, _ in route.overlap.ways) == left
+    assert prove(System(layout, lower(layout, table)), Limits(search_s=0)).proved
+    system = told(text)
+    assert agree(*system, specification.shipped()).left == ()
+    both, more = made(text.replace(f"    not_over: [{what}]\n", ""))
+    assert len([r for r in more.routes if r.exit == "X3"]) == 2
+    assert audit(layout, more) != () and audit(both, table) != ()
+    with pytest.raises(Rejected):
+        agree(loaded(text.replace(f"    not_over: [{what}]\n", "")), *system[1:], specification.shipped())
+    with pytest.raises(Unread):
+        Lengths(Railway(loaded(text.replace(f"[{what}]", "[P9.reverse]")))).overlaps  # noqa: B018
+
+
+def test_bars_that_leave_no_overlap_are_refused() -> None:
+    sink = Sink()
+    assert load_text("x.yaml", BARRED.replace("NOT", "q4"), sink)[0] is None
+    assert [(d.code, d.message) for d in sink.diagnostics] == [
+        ("IL1014", "`not_over` leaves X3 no overlap: every way of that length leads over q4")
+    ]
 
 
 def test_the_clear_aspect_is_claimed_of_slow_overlaps_too() -> None:
@@ -138,6 +175,11 @@ def test_a_forgotten_entry_speed_is_killed_by_proof_and_by_trains_in_metres() ->
     [
         ("[q7]", "[q2]", "IL1014", "no overlap of X3 of 60 m"),
         ("[q7]", "[nowhere]", "IL2004", "nowhere"),
+        ("length: 200\n", "length: 200\n    not_over: [nowhere]\n", "IL2004", "no section, and no end"),
+        ("length: 200\n", "length: 200\n    not_over: [P2.revers]\n", "IL2003", "no section, and no end"),
+        ("length: 200\n", "length: 200\n    not_over: [main.end]\n", "IL2003", "no section, and no end"),
+        ("length: 200\n", "length: 200\n    not_over: [P1.reverse]\n", "IL1014", "bars nothing"),
+        ("length: 200\n", "length: 200\n    not_over: [q5, drag.start]\n", "IL2003", "no section, and no end"),
         ("length: 60, entry_speed: 40", "falling: 1", "IL1014", "an `entry_speed`"),
         ("length: 200", "length: 200\n    swing: yes", "IL1014", "does not swing"),
         ("length: 200", "length: 0", "IL1014", "no overlap of 0 m"),

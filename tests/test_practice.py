@@ -90,7 +90,21 @@ def test_a_station_without_signals_is_run_through(tmp_path: Path) -> None:
 
 def test_a_long_crossover_between_two_lines_is_no_station(tmp_path: Path) -> None:
     text = Path("tests/stations/railml.yaml").read_text("utf-8")
-    assert "k: [Sw12.reverse, ne24 170, Sw13.reverse]" in text and lints(tmp_path, text) == []
+    assert "k: [Sw12.reverse, ne24 170, Sw13.reverse]" in text
+    assert lints(tmp_path, text) == [("IL7004", "ne13a")], "what the drawing has indeed: see the next test"
+
+
+def test_past_the_last_signal_before_a_buffer_one_must_lead_back(tmp_path: Path) -> None:
+    """In the railML example no signal leads back from the ends of two tracks: only further out stands one."""
+    text = Path("tests/stations/railml.yaml").read_text("utf-8")
+    (found,) = (d for d in checked(tmp_path, text).diagnostics if d.code == "IL7004")
+    assert "past S09 no signal leads back out" in found.message and len(found.also) == 1
+    back = "signals:\n  B1: {from: ne13a, into: ne13b}\n  B2: {from: ne14d, into: ne14c}"
+    assert lints(tmp_path, text.replace("signals:", back)) == []
+    mid = Path("layouts/terminus.yaml").read_text("utf-8").replace("[P1 200, B1]", "[P1 120, P1b 120, B1]")
+    one = mid.replace("  S11:", "  M1: {from: P1, into: P1b}\n  S11:")
+    assert lints(tmp_path, one) == [("IL7004", "P1b")]
+    assert lints(tmp_path, one.replace("  S11:", "  M2: {from: P1b, into: P1}\n  S11:")) == []
 
 
 def test_a_platform_that_trains_cannot_leave(tmp_path: Path) -> None:
@@ -176,6 +190,15 @@ signals:
   S1: {from: r2, into: T}
   S2: {from: r1, into: T}
 """
+
+
+def test_where_all_trains_run_one_way_a_signal_behind_points_looks_the_right_way(tmp_path: Path) -> None:
+    """An outer home behind a junction on a track to which trains come from both lines, and from which none leaves over
+    them: turned round it would lead nowhere."""
+    text = Path("tests/stations/edgware.yaml").read_text("utf-8")
+    assert lints(tmp_path, text) == []
+    home, both = "S36: {from: BA, into: BB}", text.replace("131B 300, trains: in", "131B 300")
+    assert home in text and lints(tmp_path, both)[:1] == [("IL7001", "S36")]
 
 
 def test_in_a_balloon_loop_both_ways_are_told_apart(tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""Published interlocking tables of nine stations and lines against what is derived; every difference is explained.
+"""Published interlocking tables of eleven stations and lines against what is derived; every difference is explained.
 
 [The page](../proofs/stations.md) is written by `python -m tests.campaigns.published`.
 """
@@ -28,7 +28,7 @@ def compared(name: str) -> Comparison:
     return compare(station(name))
 
 
-ROWS = dict(zip(STATIONS, (43, 20, 16, 12, 14, 45, 33, 8, 16), strict=True))
+ROWS = dict(zip(STATIONS, (43, 20, 16, 12, 14, 45, 33, 8, 16, 150, 20), strict=True))
 
 
 def count(c: Comparison) -> dict[str, int]:
@@ -61,12 +61,21 @@ def test_what_differs_and_what_does_not() -> None:
     assert count(compared("swtbahn")) == {"points": 65}
     assert count(compared("cranz")) == {"route": 19, "points": 25, "clear": 48}
     assert count(compared("spurs")) == {"route": 1, "clear": 18}
+    assert count(compared("phausen")) == {"route": 3, "past": 5, "decides": 2, "overlap": 20, "clear": 28}
+    assert count(compared("edgware")) == {"route": 7, "points": 12, "hostile": 4}
     assert count(compared("tatehama")) == {"points": 12, "clear": 1, "locked": 4}
 
 
 def test_all_thousand_and_four_conflicts_of_swtbahn_are_derived() -> None:
     s = compared("swtbahn").station
     assert sum(len(r.hostile) for r in s.table.routes) == 1004 == sum(len(r["conflicts"].split()) for r in s.rows)
+
+
+def test_overlaps_and_deciding_points_of_the_german_example_are_those_published() -> None:
+    s = compared("phausen").station
+    rows = [(n, set(r["overlap"].split())) for n, r in s.published.items() if r["overlap"]]
+    assert (len(rows), sum(len(o) for _, o in rows), sum(len(o & s.overlaps(n)) for n, o in rows)) == (47, 71, 57)
+    assert sum(bool(r["decides"]) for r in s.rows) == 22 and count(compared("phausen"))["decides"] == 2  # one misprint
 
 
 def test_what_the_author_of_komano_adds_is_what_the_table_has_beyond_the_track() -> None:
@@ -103,6 +112,12 @@ def changed(name: str, route: str, column: str, cell: str) -> Station:
         ("cranz", "R_12", "route", "R_99"),
         ("spurs", "R_07", "clear", "41"),
         ("tatehama", "5LB", "points", "27R 26 25 24 23"),
+        ("phausen", "60G/60ZV4", "decides", "60W34R"),
+        ("phausen", "60G/60P13", "past", ""),
+        ("phausen", "60ZR3/60N21", "overlap", "60G221:60W35"),
+        ("phausen", "60LW52X/60L124X R", "clear", "60W24"),
+        ("edgware", "5", "points", "21R"),
+        ("edgware", "12", "points", "26"),
     ],
 )
 def test_another_word_in_the_source_is_noticed(name: str, route: str, column: str, cell: str) -> None:

@@ -235,6 +235,8 @@ def _overruns(
         moves, positions, gone = todo.pop()
         here = moves[-1]
         section = layout.section_of(here.edge)
+        if (g.id, section) in layout.overlap_bars or (g.id, here.edge) in layout.overlap_bars:
+            continue
         if here.node in layout.buffer_at and layout.buffer_at[here.node].kind == "derail":
             continue
         ends = here.node in layout.boundary_at or here.node in layout.buffer_at

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 
-from interlock.checker.drawing import Edge
+from interlock.checker.drawing import Edge, Unread
 from interlock.checker.kilometres import item_parts
 from interlock.checker.railway import Demand, Path, Railway, Signal, Way
 
@@ -127,8 +127,12 @@ class Lengths:
         return base * max(0.0, 1.0 + (0.10 if falling > 0 else 0.05) * falling)
 
     def _reach(self, g: Signal, metres: float, steps: frozenset[tuple[str, str, str]]) -> Iterator[tuple[Way, ...]]:
+        barred = self._barred(g)
+
         def go(ways: tuple[Way, ...], gone: float) -> Iterator[tuple[Way, ...]]:
             last = ways[-1]
+            if barred & {last.section, *last.edges}:
+                return
             ahead = self.r.beyond(last.section, last.exit)
             enough = gone >= metres or (metres == float("inf") and (last.exit, ahead) in self.r.main_into)
             if ahead is None or (enough and (last.section, last.exit, ahead) not in steps):
@@ -139,6 +143,14 @@ class Lengths:
 
         for w in self.r.from_end(g.into, g.node):
             yield from go((w,), w.length)
+
+    def _barred(self, g: Signal) -> frozenset[str]:
+        """Sections, and ends of points and the like, over which no alternative of the overlap shall lead."""
+        told = ((self.r.body.get("overlaps") or {}).get(g.name) or {}).get("not_over") or ()
+        for x in told:
+            if x not in self.d.edges and x not in self.r.sections:
+                raise Unread(f"the overlap of {g.name}: {x} is no section and no end")
+        return frozenset(told)
 
     # --- foul joints ---
 

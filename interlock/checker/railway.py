@@ -185,7 +185,7 @@ class Railway:
         for g, v in (self.body.get("overlaps") or {}).items():
             known = {"length", "speed", "falling", "successive", "swing", "entry_speed", "release", "release_by_length"}
             own = [set(x) - {"over", "length", "falling", "entry_speed"} for x in v.get("ways") or ()]
-            if set(v) - {*known, "ways"} or any(own):
+            if set(v) - {*known, "ways", "not_over"} or any(own):
                 raise Unread(f"something of the overlap of {g}")
         for s, v in self.told.items():
             if set(v) - {"lane", "one_way", "speed", "detected", "berth"}:

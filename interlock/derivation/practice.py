@@ -29,6 +29,7 @@ def check_practice(layout: Layout, paths: Sequence[Path], sink: Sink) -> None:
     found = plains(layout)
     _check_starting(found, paths, sink)
     _check_places(found, paths, sink)
+    _check_ends(found, paths, sink)
     _check_waiting(found, paths, sink)
 
 
@@ -139,14 +140,40 @@ def _check_places(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
         if isinstance(place, str) or any(found.turned(g) for g, _ in found.signals.get(place, ())):
             continue
         name = found.by_id[place].name or found.by_id[place].edges[0].section
+        words = _called(found, place)
         if begins and place not in reached:
-            said = f"no train can reach {name}: no route from a boundary leads there"
+            said = f"no train can reach {words}: no route from a boundary leads there"
             fix = "add a signal that leads there, or check the directions of those near it"
             sink.add("IL7004", said, None, fix, about=Element("sections", str(name)), cause="reach", note=str(name))
         elif leaves and place in backward and place not in left:
-            said = f"no train can leave {name}: no route leads on from there to a boundary"
+            said = f"no train can leave {words}: no route leads on from there to a boundary"
             fix = "add a signal out of it, or check the directions of those near it"
             sink.add("IL7004", said, None, fix, about=Element("sections", str(name)), cause="leave", note=str(name))
+
+
+def _check_ends(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
+    """Signals on a track towards its buffer past which a train comes, and where none leads back: what turns there meets
+    the next one only further out, where another movement may be."""
+    for g in {p.entry: found.layout.signal[p.entry] for p in paths if p.exit_kind is ExitKind.BUFFER}.values():
+        stretch = found.of[g.into]
+        end = next((n for n in (stretch.nodes[0], stretch.nodes[-1]) if n in found.layout.buffer_at), None)
+        if end is None or g.node in found.layout.boundary_at or found.behind_points(g) is not None:
+            continue
+        forward, at = end == stretch.nodes[-1], stretch.nodes.index(g.node)
+        beyond = stretch.nodes[at:] if forward else stretch.nodes[: at + 1]
+        if not any(h.node in beyond for h in found.looking(stretch, not forward)):
+            section = str(found.layout.section_of(g.into))
+            said = f"no train can leave {section}: past {g.id} no signal leads back out before the next section"
+            fix = f"add a signal `from: {section}` at the joint of {g.id}"
+            sink.add("IL7004", said, None, fix, about=Element("sections", section), cause="leave", note=section)
+
+
+def _called(found: Plains, place: int) -> str:
+    """A stretch by the section of its own, or, where it is only the leg of a point, by the end to which it leads."""
+    stretch = found.by_id[place]
+    section = str(stretch.name or stretch.edges[0].section)
+    ends = [str(n) for n in stretch.nodes if n in found.layout.buffer_at]
+    return section if stretch.name or not ends else f"{' and '.join(ends)}, in {section}"
 
 
 def _place(found: Plains, node: NodeId, edge: EdgeId) -> str | int:

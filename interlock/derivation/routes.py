@@ -302,7 +302,8 @@ def _overlaps(layout: Layout, f: _Found, name: str, sink: Sink) -> list[tuple[in
     if not fits:
         sink.add(
             "IL4008",
-            f"{called('route', name)} finds no overlap beyond {f.exit}: wanted is {_wanted(layout, f.exit)}",
+            f"{called('route', name)} finds no overlap beyond {f.exit}: wanted is {_wanted(layout, f.exit)}"
+            f"{_hindered(layout, f, options)}",
             None,
             f"shorten it: `overlaps: {{{f.exit}: {{length: ...}}}}`; 0 for none",
             about=Element("signals", f.signal.id),
@@ -310,6 +311,16 @@ def _overlaps(layout: Layout, f: _Found, name: str, sink: Sink) -> list[tuple[in
             note=name,
         )
     return list(fits)
+
+
+def _hindered(layout: Layout, f: _Found, options: Sequence[Ways]) -> str:
+    """Why the first alternative of an overlap is none for a route."""
+    mine = {t.section for t in f.ways}
+    for ways in options:
+        again = next((f"it meets {t.section} again" for t in ways if t.section in mine), None)
+        why = again or obstacle(layout, (*f.ways, *ways), ways)
+        return f"; over {', '.join(dict.fromkeys(t.section for t in ways))}: {why}"
+    return ""
 
 
 def _wanted(layout: Layout, g: str) -> str:

@@ -189,6 +189,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         excluded=excluded,
         overlaps=over.all,
         overlap_ways=over.ways,
+        overlap_bars=over.bars,
         entry_speeds=over.entry,
         distants=distants,
         voyages=voyages,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from pydantic_core import PydanticCustomError
@@ -10,12 +11,15 @@ from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.ports import Wiring
 from interlock.frontend.schema import OverlapSpec, OverlapWaySpec
-from interlock.model.elements import Overlap, OverlapWay, SectionId, Signal, SignalId
+from interlock.model.elements import EdgeId, Overlap, OverlapWay, SectionId, Signal, SignalId
 from interlock.model.layout import Layout
 from interlock.model.needs import needs
 from interlock.model.overlap import stand_s
 from interlock.model.principles import Principles
 from interlock.model.traversal import topology
+
+ENDS = frozenset({"toe", "normal", "reverse", "1a", "1b", "2a", "2b", "outer", "inner"})
+"""Ends of points, slips, crossings and derailers: each is that of an edge."""
 
 
 @dataclass(frozen=True)
@@ -24,6 +28,7 @@ class Overlaps:
 
     all: tuple[Overlap, ...]
     ways: tuple[OverlapWay, ...]
+    bars: tuple[tuple[SignalId, SectionId | EdgeId], ...]
     entry: tuple[tuple[SignalId, int], ...]
 
 
@@ -51,7 +56,24 @@ def resolve_overlaps(ctx: Context, principles: Principles, signals: tuple[Signal
     entry = ((SignalId(g), v) for g in sorted(stated) if (v := ctx.file.overlaps[g].entry_speed) is not None)
     ways.sort(key=lambda w: w.signal)  # of one signal they stay in the order in which they are stated
     overlaps = tuple(Overlap(SignalId(g), x, g in swing) for g, x in lengths.items() if x > 0)
-    return Overlaps(overlaps, tuple(ways), tuple(entry))
+    bars = {b for g in stated for b in _bars(ctx, SignalId(g), wiring)}
+    return Overlaps(overlaps, tuple(ways), tuple(sorted(bars)), tuple(entry))
+
+
+def _bars(ctx: Context, g: SignalId, wiring: Wiring) -> Iterator[tuple[SignalId, SectionId | EdgeId]]:
+    """The sections, and the ends of points, slips, crossings and derailers, over which no alternative shall lead."""
+    ends = {str(e.id) for e in wiring.edges if e.id.rpartition(".")[2] in ENDS}
+    for i, x in enumerate(ctx.file.overlaps[g].not_over):
+        if x in ends:
+            yield g, EdgeId(x)
+        elif x in wiring.sections:
+            yield g, SectionId(x)
+        else:
+            known = {*ends, *wiring.sections}
+            what = f"{x} is no section, and no end of a point, slip, crossing or derailer"
+            ctx.add(
+                "IL2003" if "." in x else "IL2004", what, ctx.at("overlaps", g, "not_over", i), did_you_mean(x, known)
+            )
 
 
 def _metres(ctx: Context, name: str, spec: OverlapSpec) -> float | None:

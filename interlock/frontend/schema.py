@@ -286,9 +286,7 @@ class OverlapWaySpec(_Part):
 class OverlapSpec(_Part):
     """The overlap beyond a main signal inside the layout: `length`, or `speed` and `falling`, or `successive`."""
 
-    length: Metres | None = key(
-        "its length in metres, 0 for no overlap; without it, what `speed` or `successive` says", None
-    )
+    length: Metres | None = key("metres, 0 for no overlap; without it, what `speed` or `successive` says", None)
     speed: Length | None = key(
         "km/h towards the signal, from which the length follows; without it, what `length` or `successive` says", None
     )
@@ -315,6 +313,7 @@ class OverlapSpec(_Part):
         "released after the time to run through the section before the signal at half the speed there, and to stop",
         False,
     )
+    not_over: list[End] = key("sections, and legs of points (`P.reverse`), over none of which an alternative leads", [])
     ways: list[OverlapWaySpec] = key("alternatives over certain sections, with values of their own", [])
 
     def metres(self) -> float:

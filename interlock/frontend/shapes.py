@@ -105,7 +105,7 @@ def _unknown_key(root: Node, path: Loc, known: tuple[str, ...], sink: Sink) -> s
         return before
     if number_text(key) and isinstance(value, Scalar) and not value.text:  # `legs: 30,5`
         whole = _before(root, path)
-        if whole is not None:
+        if whole is not None and whole[1].text.isdigit():
             name, number = whole
             text = f"{number.text},{key}"
             place = Span(span.file, number.span.line, number.span.column, len(text))
@@ -124,8 +124,19 @@ def _unknown_key(root: Node, path: Loc, known: tuple[str, ...], sink: Sink) -> s
         said = f"unknown key `{key}`: keys are written in small letters"
         sink.add("IL1011", said, span, f"write `{key.lower()}`", cause="capitals", note=f"`{key}`")
         return key.lower()
-    sink.add("IL1011", f"unknown key `{key}`", span, did_you_mean(key, known, _known_keys(path, known)))
+    meant = did_you_mean(key, known, _known_keys(path, known))
+    words = _before(root, path) if isinstance(value, Scalar) and not value.text else None
+    if words is not None and words[0] in TEXTS and nearest(key, known) is None:  # `reason: short, steep`
+        said = f"the comma ends the text of `{words[0]}`, and `{key}` is no key"
+        quoted = f'put the text in quotes: `{words[0]}: "{words[1].text}, {key}"`'
+        sink.add("IL1011", said, span, quoted, cause="a comma in a text", note=f"`{key}`")
+        return None
+    sink.add("IL1011", f"unknown key `{key}`", span, meant)
     return nearest(key, known)
+
+
+TEXTS = frozenset({"label", "reason", "text", "title", "button", "company", "author", "number", "revision", "date"})
+"""Keys whose values are free text."""
 
 
 def _known_keys(path: Loc, known: tuple[str, ...]) -> str:
@@ -134,14 +145,14 @@ def _known_keys(path: Loc, known: tuple[str, ...]) -> str:
 
 
 def _before(root: Node, path: Loc) -> tuple[str, Scalar] | None:
-    """The key before the one at a path, if it has a whole number."""
+    """The key before the one at a path, with its value, if that is a scalar."""
     room = node_at(root, path[:-1])
     if not isinstance(room, Mapping):
         return None
     names = list(room.items)
     at = names.index(str(path[-1]))
     value = room.items[names[at - 1]][1] if at else None
-    return (names[at - 1], value) if isinstance(value, Scalar) and value.text.isdigit() else None
+    return (names[at - 1], value) if isinstance(value, Scalar) else None
 
 
 def _missing(root: Node, path: Loc, sink: Sink) -> None:

@@ -99,6 +99,8 @@ class Layout:
     identifiers: tuple[SignalId, ...] = ()
     """Main signals that a longer route can pass: they show an identifier light meanwhile."""
     overlap_ways: tuple[OverlapWay, ...] = ()
+    overlap_bars: tuple[tuple[SignalId, SectionId | EdgeId], ...] = ()
+    """Sections and edges over which no alternative of a signal's overlap leads, as the author chose (R4)."""
     """Alternatives of overlaps with values of their own; of several that fit, the first counts."""
     entry_speeds: tuple[tuple[SignalId, int], ...] = ()
     """Signals with an overlap that is made for a speed (km/h): no train to it is shown more, but where its alternative
@@ -333,7 +335,7 @@ class Layout:
 _ONLY_STATED = frozenset(
     {"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted", "hands", "target", "health"}
     | {"title_block", "named_kinds", "no_berths", "signal_releases", "anchors"}
-    | {"overlap_ways", "entry_speeds", "overlap_releases", "identifiers"}
+    | {"overlap_ways", "overlap_bars", "entry_speeds", "overlap_releases", "identifiers"}
 )
 """Written only where there are any: a new element of the language changes no digest of layouts that do not have it."""
 

@@ -2,7 +2,7 @@
 
 Lengths are metres.  An overlap ends at the first joint at or beyond its length, at a boundary, or at the end of the
 track; one of infinite length, a successive route, also at the next main signal.  Alternatives over different points may
-have lengths of their own, and speeds for which they are made.
+have lengths of their own, and speeds for which they are made; those over what the author bars are none.
 """
 
 from __future__ import annotations
@@ -81,6 +81,7 @@ def _search(layout: Layout, signal: SignalId, length: float, steps: Steps) -> li
     """Paths that are long enough and do not end where one of the steps goes on."""
     g = layout.signal[signal]
     topo = topology(layout)
+    barred: set[str] = {x for h, x in layout.overlap_bars if h == signal}
     found: list[tuple[Traversal, ...]] = []
     todo: list[tuple[tuple[Traversal, ...], float]] = [
         ((t,), t.length) for t in topo.through(layout.section_of(g.into), g.node)
@@ -88,6 +89,8 @@ def _search(layout: Layout, signal: SignalId, length: float, steps: Steps) -> li
     while todo:
         ways, gone = todo.pop()
         last = ways[-1]
+        if not barred.isdisjoint((last.section, *last.edges)):
+            continue
         onward = topo.beyond(last.section, last.exit)
         enough = gone >= length or (isinf(length) and (last.exit, onward) in topo.main_into)
         if onward is None or (enough and (last.section, last.exit, onward) not in steps):

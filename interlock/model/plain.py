@@ -7,6 +7,7 @@ from functools import lru_cache
 
 from interlock.model.elements import BoundaryKind, BufferKind, Edge, EdgeId, NodeId, SectionId, Signal
 from interlock.model.layout import Layout
+from interlock.model.traversal import onward_edges
 
 
 @dataclass(frozen=True)
@@ -109,6 +110,7 @@ class Plains:
         """Whether a main signal looks the wrong way: from points into a track from which trains come without a signal.
 
         It stands where a signal out of that track belongs, there is none in that place, and trains come from there.
+        They do not where the way out leads only to boundaries at which trains come in: all run the other way.
         """
         p = self.of[g.into]
         forward = self._forward(p, g)
@@ -121,7 +123,26 @@ class Plains:
         boundary, buffer = self.layout.boundary_at.get(far), self.layout.buffer_at.get(far)
         nothing = boundary is not None and boundary.kind is BoundaryKind.OUT
         nothing = nothing or (buffer is not None and buffer.kind is not BufferKind.STOP)
-        return p.runs(not forward) and not nothing
+        return p.runs(not forward) and not nothing and self._leads_out(g)
+
+    def _leads_out(self, g: Signal) -> bool:
+        """Whether a train that came towards the back of a signal could run on to where it may leave, or stand."""
+        todo, seen = [(g.node, g.into)], set[tuple[NodeId, EdgeId]]()
+        while todo:
+            node, arriving = todo.pop()
+            boundary, buffer = self.layout.boundary_at.get(node), self.layout.buffer_at.get(node)
+            if boundary is not None or buffer is not None:
+                if boundary is not None and boundary.kind is not BoundaryKind.IN:
+                    return True
+                if buffer is not None and buffer.kind is BufferKind.STOP:
+                    return True
+                continue
+            for e in onward_edges(self.layout, node, arriving):
+                ahead = self.layout.far(e, node), e
+                if ahead not in seen:
+                    seen.add(ahead)
+                    todo.append(ahead)
+        return False
 
 
 @lru_cache(maxsize=8)

@@ -54,8 +54,8 @@ def _is_w(x: Reading, p: PointDemand) -> bool:
 
 
 def _name(r: RouteRow) -> str:
-    """As PT1 prints it: start/destination, [U1] for the first alternative; the overlaps stand in their column."""
-    other = f" [U{r.variant - 1}]" if r.variant > 1 else ""
+    """As PT1 prints it: start/destination, [U2] for the second way; the overlaps stand in their column."""
+    other = f" [U{r.variant}]" if r.variant > 1 else ""
     return f"{r.entry}/{_destination(r)}{other}"
 
 
@@ -87,7 +87,7 @@ def _overlaps(x: Reading, r: RouteRow) -> tuple[str, ...]:
 
 
 def _deciding(x: Reading, r: RouteRow) -> str:
-    return ", ".join(f"{p}{end_lage(x, p, position)}" for p, position in x.choices(r))
+    return ", ".join(f"{x.called(p)}{end_lage(x, p, position)}" for p, position in x.deciding(r))
 
 
 def _devices(x: Reading, r: RouteRow, kind: DeviceKind) -> list[str]:
@@ -142,7 +142,7 @@ def train_routes(layout: Layout, table: InterlockingTable) -> Sheet:
         Field(heading("A", "Bezeichnung", "Route", "进路"), _name),
         Field(heading("B", "Start", "Start", "始端"), lambda r: r.entry),
         Field(heading("C", "Ziel", "Destination", "终端"), _destination),
-        Field(heading("D", "Nr.", "No.", "号码"), lambda r: str(r.variant - 1) if r.variant > 1 else ""),
+        Field(heading("D", "Nr.", "No.", "号码"), lambda r: str(r.variant) if r.variant > 1 else ""),
         Field(heading("E", "Entscheidungsweiche", "Deciding points", "决定道岔"), lambda r: _deciding(x, r)),
         Field(heading("F", "D-Weg", "Overlap", "保护区段"), lambda r: _overlaps(x, r)),
         Field(heading("G", "Art", "Kind", "性质"), _kind),
@@ -209,11 +209,11 @@ def _onto(x: Reading, r: RouteRow) -> str:
     return ("ja" if against <= set(r.hostile.routes) else "nein") if against else ""
 
 
-def _with_flank(r: RouteRow) -> str:
+def _with_flank(x: Reading, r: RouteRow) -> str:
     """The points of the path for which the route asks for flank protection."""
     found = (c for c in r.flank if all(p.kind is not ProviderKind.WAIVED for p in c.providers))
     names = (c.requester.rpartition(".") for c in found)
-    return ", ".join(dict.fromkeys(name for name, _, leg in names if leg in ("normal", "reverse")))
+    return ", ".join(dict.fromkeys(x.called(PointId(name)) for name, _, leg in names if leg in ("normal", "reverse")))
 
 
 def shunt_routes(layout: Layout, table: InterlockingTable) -> Sheet:
@@ -223,13 +223,16 @@ def shunt_routes(layout: Layout, table: InterlockingTable) -> Sheet:
         Field(heading("A", "Bezeichnung", "Route", "进路"), _name),
         Field(heading("B", "Start", "Start", "始端"), lambda r: r.entry),
         Field(heading("C", "Ziel", "Destination", "终端"), lambda r: r.exit),
-        Field(heading("D", "Nr.", "No.", "号码"), lambda r: str(r.variant - 1) if r.variant > 1 else ""),
+        Field(heading("D", "Nr.", "No.", "号码"), lambda r: str(r.variant) if r.variant > 1 else ""),
         Field(heading("E", "Entscheidungsweiche", "Deciding points", "决定道岔"), lambda r: _deciding(x, r)),
         Field(heading("F", "Art", "Kind", "性质"), _kind),
         Field(heading("G", "Autom. Einstellung", "Automatic", "自动"), lambda r: "x" if r.id in automatic else ""),
         Field(heading("J", "Gegenfahrtausschluss", "Opposing excluded", "迎面进路"), lambda r: _onto(x, r)),
         Field(heading("K", "Gleisfreimeldung", "Sections clear", "轨道区段"), lambda r: tuple(x.sections(r))),
-        Field(heading("L", "Fahrwegweichen mit Flankenschutz", "Points with flank", "要求防护道岔"), _with_flank),
+        Field(
+            heading("L", "Fahrwegweichen mit Flankenschutz", "Points with flank", "要求防护道岔"),
+            lambda r: _with_flank(x, r),
+        ),
         Field(heading("M", "Überwachte Ssp", "Keys supervised", "钥匙锁"), lambda r: _keys(x, r)),
         Field(
             heading("N", "Abhängiger BÜ", "Level crossings", "道口"),

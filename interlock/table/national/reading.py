@@ -144,6 +144,41 @@ class Reading:
                 others = [o for o in others if o.get(p) is x]
         return out
 
+    def called(self, point: PointId) -> str:
+        """A point end by the name that a drawing has for it: what a slip is made of has the names of its machines."""
+        of_slip = any(b.point == point for b in self.layout.blades)
+        return str(self.layout.point[point].machine if of_slip else point)
+
+    def deciding(self, r: RouteRow) -> list[tuple[PointId, Position]]:
+        """The points that a route passes facing where the other leg leads to its end, too, in order: of several ways
+        from start to end they tell this one, whether or not the others are routes."""
+        onward = () if r.onward is None else self.table.route[r.onward].traversals
+        ways = [self.way(k) for k in (*r.traversals, *onward)]
+        end = ways[-1].section, ways[-1].exit
+        out = []
+        for i, t in enumerate(ways):
+            mine = self._facing_in(t)
+            others = topology(self.layout).through(t.section, t.entry)
+            for k, (p, x) in enumerate(mine):
+                those = [u for u in others if self._facing_in(u)[: k + 1] == [*mine[:k], (p, x.other)]]
+                if self._lead(those, end, {w.section for w in ways[:i]}):
+                    out.append((p, x))
+        return out
+
+    def _lead(self, ways: list[Traversal], end: tuple[SectionId, NodeId], before: set[SectionId]) -> bool:
+        """Whether one of some ways goes on to an end, and not back over where the route came from."""
+        topo, todo, seen = topology(self.layout), list(ways), {(t.section, t.number) for t in ways}
+        while todo:
+            t = todo.pop()
+            if (t.section, t.exit) == end:
+                return True
+            onward = topo.beyond(t.section, t.exit)
+            if onward is not None and onward not in before:
+                further = [u for u in topo.through(onward, t.exit) if u.key not in seen]
+                seen |= {u.key for u in further}
+                todo += further
+        return False
+
     def opposing(self, r: RouteRow) -> list[Opposing]:
         """The opposing routes that stay in the way of a route although, or after, the points are free.
 
@@ -177,15 +212,16 @@ class Reading:
 
     def facing_ends(self, r: RouteRow) -> list[tuple[PointId, Position]]:
         """The point ends that the route passes facing, in order."""
+        return [f for key in r.traversals for f in self._facing_in(self.way(key))]
+
+    def _facing_in(self, t: Traversal) -> list[tuple[PointId, Position]]:
         out = []
-        for key in r.traversals:
-            t = self.way(key)
-            node: NodeId = t.entry
-            for here, onward in zip(t.edges, t.edges[1:], strict=False):
-                node = self.layout.far(here, node)
-                p = self.layout.point_at.get(node)
-                if p is not None and here == p.toe:
-                    out.append((p.id, Position.NORMAL if onward == p.normal else Position.REVERSE))
+        node: NodeId = t.entry
+        for here, onward in zip(t.edges, t.edges[1:], strict=False):
+            node = self.layout.far(here, node)
+            p = self.layout.point_at.get(node)
+            if p is not None and here == p.toe:
+                out.append((p.id, Position.NORMAL if onward == p.normal else Position.REVERSE))
         return out
 
     def facing(self, r: RouteRow) -> list[tuple[str, Position]]:
