@@ -58,7 +58,14 @@ def _every_pair_is_told_apart(layout: Layout, table: InterlockingTable) -> int:
     ]
     both = [
         cnf.literal(
-            conj((f.sym.signal(a.signal, a.shunt), f.sym.signal(b.signal, b.shunt), lie(f, a.ways), lie(f, b.ways)))
+            conj(
+                (
+                    f.sym.aspects.signal(a.signal, a.shunt),
+                    f.sym.aspects.signal(b.signal, b.shunt),
+                    lie(f, a.ways),
+                    lie(f, b.ways),
+                )
+            )
         )
         for a, b in pairs
     ]

@@ -24,10 +24,6 @@ LONG = frozenset(("cli", "frontend"))
 """Rooms with functions that are longer; no other room may have one."""
 
 LARGE = {
-    "logic/controller.py": {"RouteSymbols": 22, "Symbols": 82},
-    "logic/lower/draft.py": {"Draft": 61},
-    "logic/plant/build.py": {"PlantBuilder": 32},
-    "logic/plant/hazards.py": {"Railway": 16},
     "proof/abstraction/local.py": {"LocalAbstractions": 22},
     "proof/abstraction/quotient.py": {"_Quotient": 31},
     "proof/claims/kinds.py": {"Facts": 38},

@@ -122,7 +122,7 @@ class Shift:
             self._scan(1_200_000)
         self.yard.write("RELALL", 0)
         for s in self.setting.blocked:
-            self.yard.write(self.setting.symbols.blocked[s], 1)
+            self.yard.write(self.setting.symbols.sections.blocked[s], 1)
         self._zero_ms = self._progress_ms = self._stepped_ms = self.agenda.now_ms
         self._telling = True
 

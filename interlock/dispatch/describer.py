@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 
 from interlock.dispatch.panel import Indications
-from interlock.logic.controller import Symbols
+from interlock.logic.symbols import Symbols
 from interlock.model.elements import SectionId
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
@@ -44,7 +44,7 @@ class Describer:
     def __init__(self, layout: Layout, symbols: Symbols, fleet: frozenset[str] = frozenset()) -> None:
         self.symbols, self.fleet = symbols, fleet
         topo = topology(layout)
-        self.next_to: dict[SectionId, set[SectionId]] = {s: set() for s in symbols.clear}
+        self.next_to: dict[SectionId, set[SectionId]] = {s: set() for s in symbols.sections.clear}
         for _, a, b in topo.joints():
             if a in self.next_to and b in self.next_to:
                 self.next_to[a].add(b)
@@ -76,7 +76,7 @@ class Describer:
         trains are beside a section that became occupied, the one for which a route leads there has come into it.
         """
         self._leads = {(a, b) for way in ways for a, b in pairwise(way)}
-        now = {s for s, n in self.symbols.clear.items() if not seen.get(n, 0)}
+        now = {s for s, n in self.symbols.sections.clear.items() if not seen.get(n, 0)}
         entered, left = sorted(now - self._occupied), self._occupied - now
         self._occupied = now
         while entered:
@@ -192,7 +192,7 @@ class Describer:
 
     def writes(self) -> Mapping[str, int]:
         """The operator inputs that keep sections blocked."""
-        names = self.symbols.blocked
+        names = self.symbols.sections.blocked
         return {names[s]: 1 for s in self.blocked if s in names}
 
     def where(self, number: str) -> SectionId | None:

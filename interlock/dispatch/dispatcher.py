@@ -24,7 +24,7 @@ from interlock.dispatch.plan.railway import Errand, Railway, Step
 from interlock.dispatch.plan.search import BUDGET, Verdict
 from interlock.dispatch.policy import Policy, enters, yields
 from interlock.dispatch.run import Run
-from interlock.logic.controller import Symbols
+from interlock.logic.symbols import Symbols
 from interlock.model.elements import Lane, SectionId, SignalId
 
 REOPENS_MS = 15_000
@@ -133,7 +133,7 @@ class Dispatcher:
     @property
     def ways(self) -> list[tuple[SectionId, ...]]:
         """The sections of routes that are set and not yet run over, each from the one in rear of its signal on."""
-        rear = self.symbols.approach_of
+        rear = self.symbols.cancellation.approach_of
         found = []
         for run in self.runs:
             for k, stage in enumerate(run.granted[max(0, run.at - 1) :], max(0, run.at - 1)):
@@ -146,25 +146,25 @@ class Dispatcher:
     def step(self, seen: Indications, dt_ms: int) -> dict[str, int]:
         """What to write after a scan, from what was seen in it; `dt_ms` milliseconds after the step before."""
         for run in self.runs:
-            name = self.symbols.cancel[run.granted[run.at].entry] if run.ahead else ""
+            name = self.symbols.cancellation.cancel[run.granted[run.at].entry] if run.ahead else ""
             run.by_hand |= bool(name and seen.get(name, 0) and not self._cancels.get(name, 0))
         for name in self._cancels:
             self._cancels[name] = 0
         for run in tuple(self.runs):
             self._follow(run, seen, dt_ms)
             for stage in run.granted[run.at :] if run.cancelling else ():
-                self._cancels[self.symbols.cancel[stage.entry]] = 1
+                self._cancels[self.symbols.cancellation.cancel[stage.entry]] = 1
         self._passing = {g: s for g, s in self._passing.items() if s.stands(seen) and s.entered(seen)}
         if self._obstacles.look(seen, dt_ms, {s for run in self.runs for s in run.near}):
             self._holding.obstacles = self._obstacles.things
             self._holding.forget()
         self.arbiter.tick(seen, dt_ms)
-        acknowledged = seen.get(self.symbols.seen[self.symbols.request], 0)
+        acknowledged = seen.get(self.symbols.requests.seen[self.symbols.requests.request], 0)
         if self._writes and acknowledged:
             self._answered(seen)
         elif not self._writes and not acknowledged and seen.get(self.symbols.valid, 0):
             self._next(seen)
-        return {self.symbols.request: self._writes, **self._cancels}
+        return {self.symbols.requests.request: self._writes, **self._cancels}
 
     def _follow(self, run: Run, seen: Indications, dt_ms: int) -> None:
         """Where the train of a run has come to, and whether what was set for it is open."""

@@ -30,7 +30,9 @@ def exposed(f: Facts, beyond: Beyond) -> Expr:
         return FALSE
     if beyond.signal is not None:
         g = f.layout.signal[beyond.signal]
-        called = [x for k in f.functions(g.id) for x in (f.sym.signal(g.id, k), lamp(g.id, k), accepted(g.id, k))]
+        called = [
+            x for k in f.functions(g.id) for x in (f.sym.aspects.signal(g.id, k), lamp(g.id, k), accepted(g.id, k))
+        ]
         if not g.main:  # a train passes it on a lock that leads this way
             s = beyond.section
             called.append(conj((f.train(s), f.firm(s), f.locked_in(s, g.node))))
@@ -53,17 +55,17 @@ def flank(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                     over.setdefault(t.key, {})[g.id, k] = None
     for s in f.topo.sections:
         for t in f.topo.traversals[s]:
-            if (s, t.number) not in f.sym.lock:
+            if (s, t.number) not in f.sym.sections.lock:
                 continue
             uses = conj((f.firm(s), f.lock(s, t.number)))
             train = conj((o(s), neg(rests(s)), came(s, t.entry)))
-            shown = disj(f.sym.signal(g, k) for g, k in over.get(t.key, ()))
+            shown = disj(f.sym.aspects.signal(g, k) for g, k in over.get(t.key, ()))
             for name, danger in _dangers(f, t):
                 yield "T-FLANK", f"{s}:{t.number}:{name}", implies(conj((uses, train)), neg(danger))
                 yield "S-FLANK", f"{s}:{t.number}:{name}", implies(conj((uses, shown)), neg(danger))
-    for option, held in f.sym.overlap.items():
-        firm = conj((var(held), var(f.sym.overlap_firm[option[0]])))
-        for s, n in f.sym.overlap_ways[option]:
+    for option, held in f.sym.overlaps.held.items():
+        firm = conj((var(held), var(f.sym.overlaps.firm[option[0]])))
+        for s, n in f.sym.overlaps.ways[option]:
             for name, danger in _dangers(f, f.topo.traversals[s][n - 1]):
                 place = f"{s}:{n}:{name} as overlap {option[1]} of {option[0]}"
                 yield "T-FLANK", place, implies(firm, neg(danger))
@@ -95,7 +97,7 @@ def scissors(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     ground = ground_of(f)
     for s in f.topo.sections:
         for t in f.topo.traversals[s]:
-            if (s, t.number) not in f.sym.lock:
+            if (s, t.number) not in f.sym.sections.lock:
                 continue
             uses = conj((f.firm(s), f.lock(s, t.number)))
             train = conj((uses, o(s), neg(rests(s)), came(s, t.entry)))
@@ -190,8 +192,8 @@ class _Space:
         looked_at = layout.principles.flank_space and s != self.own and s not in (*layout.undetected, *self.beside)
         clear = self.f.steadily_clear(s) if looked_at else TRUE
         if beyond.signal is not None:
-            lit = layout.principles.flank_lamp and beyond.signal in self.f.sym.stop_lamp
-            return conj((clear, var(self.f.sym.stop_lamp[beyond.signal]))) if lit else clear
+            lit = layout.principles.flank_lamp and beyond.signal in self.f.sym.lamp_proof.stop
+            return conj((clear, var(self.f.sym.lamp_proof.stop[beyond.signal]))) if lit else clear
         if beyond.closed or beyond.boundary is not None:
             return clear
         onward = conj((clear, *(self.quiet(x) for x in beyond.onward)))

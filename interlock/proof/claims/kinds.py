@@ -8,10 +8,10 @@ from functools import cached_property
 from typing import Any, Protocol
 
 from interlock.logic import names
-from interlock.logic.controller import Symbols
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.logic.names import Name
 from interlock.logic.plant import Plant, lies, old_command
+from interlock.logic.symbols import Symbols
 from interlock.model.elements import EdgeId, MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint
 from interlock.model.layout import Layout
@@ -84,12 +84,12 @@ class Facts:
         self.sym = system.symbols
         self.paths: dict[tuple[SignalId, bool], list[Any]] = {}
         self._locks: dict[str, list[tuple[int, Expr]]] = {}
-        for (sec, n), name in sorted(self.sym.lock.items()):
+        for (sec, n), name in sorted(self.sym.sections.lock.items()):
             self._locks.setdefault(sec, []).append((n, var(name)))
         self._overlaps: dict[str, list[tuple[int, Expr]]] = {}
         self._options: dict[str, dict[tuple[SignalId, int], Name]] = {}
-        for option, name in self.sym.overlap.items():
-            for s, n in self.sym.overlap_ways[option]:
+        for option, name in self.sym.overlaps.held.items():
+            for s, n in self.sym.overlaps.ways[option]:
                 self._overlaps.setdefault(s, []).append((n, var(name)))
                 self._options.setdefault(s, {})[option] = name
 
@@ -113,7 +113,7 @@ class Facts:
 
     def lock(self, s: str, n: int) -> Expr:
         """Locked for one way."""
-        return var(self.sym.lock[SectionId(s), n])
+        return var(self.sym.sections.lock[SectionId(s), n])
 
     def locks(self, s: str) -> list[tuple[int, Expr]]:
         """All locks of a section."""
@@ -121,40 +121,40 @@ class Facts:
 
     def clear(self, s: str) -> Expr:
         """Reported clear by a healthy detector; never, without detection."""
-        if SectionId(s) not in self.sym.clear:
+        if SectionId(s) not in self.sym.sections.clear:
             return FALSE
-        healthy = [var(self.sym.healthy[SectionId(s)])] if SectionId(s) in self.sym.healthy else []
-        return conj((var(self.sym.clear[SectionId(s)]), *healthy))
+        healthy = [var(self.sym.sections.healthy[SectionId(s)])] if SectionId(s) in self.sym.sections.healthy else []
+        return conj((var(self.sym.sections.clear[SectionId(s)]), *healthy))
 
     def steadily_clear(self, s: str) -> Expr:
         """Reported clear, and that without a break for the release delay (R15); never, without detection."""
-        timer = self.sym.release_timer.get(SectionId(s))
+        timer = self.sym.sections.release_timer.get(SectionId(s))
         return FALSE if timer is None else conj((self.clear(s), var(timer)))
 
     def reported(self, m: MachineId, x: Position) -> Expr:
         """A machine is detected in a position, by valid and unambiguous contacts."""
-        contact, opposite = var(self.sym.detected[m, x]), var(self.sym.detected[m, x.other])
+        contact, opposite = var(self.sym.machines.detected[m, x]), var(self.sym.machines.detected[m, x.other])
         return conj((var(self.sym.valid), contact, neg(opposite)))
 
     def restart(self, s: str) -> Expr:
         """Restart lock."""
-        return var(self.sym.restart[SectionId(s)])
+        return var(self.sym.sections.restart[SectionId(s)])
 
     def firm(self, s: str) -> Expr:
         """Firmly locked."""
-        return var(self.sym.firm[SectionId(s)])
+        return var(self.sym.sections.firm[SectionId(s)])
 
     def used(self, s: str) -> Expr:
         """Used by a train."""
-        return var(self.sym.used[SectionId(s)])
+        return var(self.sym.sections.used[SectionId(s)])
 
     def passed(self, s: str) -> Expr:
         """The train has gone on."""
-        return var(self.sym.passed[SectionId(s)])
+        return var(self.sym.sections.passed[SectionId(s)])
 
     def stale(self, s: str) -> Expr:
         """Inputs were lost while locked."""
-        return var(self.sym.stale[SectionId(s)])
+        return var(self.sym.sections.stale[SectionId(s)])
 
     def been(self, s: str) -> Expr:
         """History: a train has come in since it was locked."""
@@ -167,11 +167,11 @@ class Facts:
     @property
     def shunts(self) -> bool:
         """Whether the layout has shunt signals, so that locks are of two kinds."""
-        return bool(self.sym.train)
+        return bool(self.sym.sections.train)
 
     def train(self, s: str) -> Expr:
         """The lock is for a train movement that has not come to its end."""
-        return var(self.sym.train[SectionId(s)]) if self.shunts else TRUE
+        return var(self.sym.sections.train[SectionId(s)]) if self.shunts else TRUE
 
     def berth(self, s: str) -> bool:
         """Vehicles may stand there in any number."""
@@ -223,7 +223,7 @@ class Facts:
     @cached_property
     def ends_of_shunts(self) -> frozenset[SectionId]:
         """The berths in which shunt routes end."""
-        return frozenset(r.berth[0] for r in self.sym.routes if r.berth is not None)
+        return frozenset(r.path.berth[0] for r in self.sym.routes if r.path.berth is not None)
 
     @property
     def fouls(self) -> tuple[FoulJoint, ...]:

@@ -26,7 +26,7 @@ def overrun(f: Facts, s: str) -> Expr:
 def overlap_invariants(f: Facts) -> list[Invariant]:
     """All of them, ordered by signal and section."""
     out: list[Invariant] = []
-    for option, name in f.sym.overlap.items():
+    for option, name in f.sym.overlaps.held.items():
         out += _option(f, option, var(name))
     for s in f.topo.sections:
         if names.RUNNING(s) in f.system.plant.state:
@@ -45,8 +45,8 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
             out.append(Invariant(f"O-STAYS:{g}", s, implies(overran(g, s), neg(disj(calls)))))
             firmly = [
                 conj((var(name), firm_for(f, opt), *_only_in(f, s, n)))
-                for opt, name in f.sym.overlap.items()
-                for sec, n in f.sym.overlap_ways[opt]
+                for opt, name in f.sym.overlaps.held.items()
+                for sec, n in f.sym.overlaps.ways[opt]
                 if sec == s and opt[0] == g
             ]
             there = conj((o(s), rests(s), disj(firmly)))
@@ -84,19 +84,19 @@ def _option(f: Facts, option: tuple[SignalId, int], held: Expr) -> list[Invarian
     g, k = option
     place = f"{g}:{k}"
     out = []
-    firm = var(f.sym.overlap_firm[g])
-    ways = f.sym.overlap_ways[option]
+    firm = var(f.sym.overlaps.firm[g])
+    ways = f.sym.overlaps.ways[option]
     for s, n in ways:
         others = [x for m, x in f.locks(s) if m != n]
         out.append(Invariant("O-FREE", f"{place}:{s}", implies(held, neg(disj((f.restart(s), *others))))))
         if f.berth(s):
             shunt = conj((f.any_lock(s), neg(f.train(s)), neg(f.used(s))))
             out.append(Invariant("O-TRAIN", f"{place}:{s}", implies(held, neg(shunt))))
-        for m, p in f.sym.demands[s, n]:
-            out.append(Invariant(f"O-COMMAND:{m}", f"{place}:{s}", implies(held, var(f.sym.command[m, p]))))
+        for m, p in f.sym.ways.demands[s, n]:
+            out.append(Invariant(f"O-COMMAND:{m}", f"{place}:{s}", implies(held, var(f.sym.machines.command[m, p]))))
             sure = implies(conj((held, firm)), f.settled(m, p))
             out.append(Invariant(f"O-LIES:{m}", f"{place}:{s}", sure))
-        for other, whole, numbers in f.sym.excluded[s, n]:
+        for other, whole, numbers in f.sym.ways.excluded[s, n]:
             bad = against_of(f, other, whole, numbers)
             out.append(Invariant(f"O-EXCLUDES:{other}", f"{place}:{s}", implies(held, neg(bad))))
     for s, n in ways:
@@ -117,18 +117,18 @@ def _option(f: Facts, option: tuple[SignalId, int], held: Expr) -> list[Invarian
 def firm_for(f: Facts, option: tuple[SignalId, int]) -> Expr:
     """An overlap is held firmly: locked and detected, or swung and really come to lie."""
     g = option[0]
-    firm = var(f.sym.overlap_firm[g])
-    if g not in f.sym.swings:
+    firm = var(f.sym.overlaps.firm[g])
+    if g not in f.sym.overlaps.swings:
         return firm
-    wanted = [d for way in f.sym.overlap_ways[option] for d in f.sym.demands[way]]
-    return disj((firm, conj((var(f.sym.swings[g]), *(f.settled(m, p) for m, p in wanted)))))
+    wanted = [d for way in f.sym.overlaps.ways[option] for d in f.sym.ways.demands[way]]
+    return disj((firm, conj((var(f.sym.overlaps.swings[g]), *(f.settled(m, p) for m, p in wanted)))))
 
 
 def turned(f: Facts, option: tuple[SignalId, int]) -> Expr:
     """Every machine of an alternative to which an overlap swings lies, or still turns to it since before a train was
     reported before the signal."""
     g = option[0]
-    wanted = [d for way in f.sym.overlap_ways[option] for d in f.sym.demands[way]]
+    wanted = [d for way in f.sym.overlaps.ways[option] for d in f.sym.ways.demands[way]]
     turns = [(m, p, names.TURNS_SINCE(g, m)) for m, p in wanted]
     known = f.system.plant.state
     return conj(disj((f.settled(m, p), var(t))) if t in known else f.settled(m, p) for m, p, t in turns)
@@ -140,8 +140,8 @@ def running_into(f: Facts, g: SignalId, s: SectionId) -> Expr:
     b = f.topo.beyond(f.layout.section_of(f.layout.signal[g].into), node)
     assert b is not None
     out = []
-    for opt, name in f.sym.overlap.items():
-        ways = f.sym.overlap_ways[opt] if opt[0] == g else ()
+    for opt, name in f.sym.overlaps.held.items():
+        ways = f.sym.overlaps.ways[opt] if opt[0] == g else ()
         if any(a == s for a, _ in ways):
             out += [conj((var(name), f.firm(b), x)) for n, _ in f.locks(b) for x in _towards(f, b, n, node)]
         for i, (a, n) in enumerate(ways):
@@ -167,18 +167,18 @@ def _signal(f: Facts, g: SignalId) -> list[Invariant]:
     t = f.layout.section_of(f.layout.signal[g].into)
     b = f.topo.beyond(t, node)
     assert b is not None
-    firm = var(f.sym.overlap_firm[g]) if g in f.sym.overlap_firm else neg(TRUE)  # no train route leads to it
-    swings = var(f.sym.swings[g]) if g in f.sym.swings else FALSE
+    firm = var(f.sym.overlaps.firm[g]) if g in f.sym.overlaps.firm else neg(TRUE)  # no train route leads to it
+    swings = var(f.sym.overlaps.swings[g]) if g in f.sym.overlaps.swings else FALSE
     apart = [] if swings is FALSE else [Invariant("O-SWINGS", g, implies(swings, neg(firm)))]
     firm = disj((firm, swings))
     options = [
-        (var(name), conj(neg(o(s)) for s, _ in f.sym.overlap_ways[opt]))
-        for opt, name in f.sym.overlap.items()
+        (var(name), conj(neg(o(s)) for s, _ in f.sym.overlaps.ways[opt]))
+        for opt, name in f.sym.overlaps.held.items()
         if opt[0] == g
     ]
     ready = disj(conj((held, empty)) for held, empty in options)
     out = apart
-    for option, name in f.sym.overlap.items() if swings is not FALSE else ():
+    for option, name in f.sym.overlaps.held.items() if swings is not FALSE else ():
         if option[0] == g:
             close = conj((swings, var(name), o(b), neg(rests(b)), image(b), running(b)))
             out.append(Invariant(f"O-TURNS:{option[1]}", g, implies(close, turned(f, option))))
@@ -197,11 +197,17 @@ def _coming(f: Facts, b: SectionId, entry: str) -> Expr:
     rear = f.topo.beyond(b, entry)  # type: ignore[arg-type]
     g = f.topo.main_into.get((entry, b))  # type: ignore[arg-type]
     if g is not None:
-        active = [var(r.active) for r in f.sym.routes_from.get(g, ()) if not r.shunt]
+        active = [var(r.active) for r in f.sym.routes.of_signal.get(g, ()) if not r.shunt]
         went = [accepted(g)] if names.ACCEPTED(g) in f.system.plant.state else []
-        shown = disj((f.sym.signal(g), lamp(g)))
-        if f.sym.passing(g) is not FALSE:  # nobody comes after the one that passes
-            shown = disj((f.sym.opens(g), f.sym.called(g), conj((shown, o(f.sym.approach_of[g] or "")))))
+        shown = disj((f.sym.aspects.signal(g), lamp(g)))
+        if f.sym.routes.passing(g) is not FALSE:  # nobody comes after the one that passes
+            shown = disj(
+                (
+                    f.sym.routes.opens(g),
+                    f.sym.routes.called(g),
+                    conj((shown, o(f.sym.cancellation.approach_of[g] or ""))),
+                )
+            )
         return disj([*active, shown, *went])
     if rear is None:
         return disj(())

@@ -82,7 +82,7 @@ def ground_of(f: Facts) -> Ground:
     ground = Ground({}, {})
     for who in ((g.id, k) for g in f.layout.signals for k in f.functions(g.id)):
         for path in signal_paths(f, *who):
-            there = conj((f.sym.signal(*who), lie(f, path.ways)))
+            there = conj((f.sym.aspects.signal(*who), lie(f, path.ways)))
             for t in path.ways:
                 ground.over.setdefault(t.key, {}).setdefault(who, []).append(there)
             for a, b in pairwise(path.ways):

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from interlock.logic import names
-from interlock.logic.controller import RouteSymbols
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, iff, implies, neg, var
 from interlock.logic.plant import (
     accepted,
@@ -26,6 +25,7 @@ from interlock.logic.plant import (
     shunting,
     was_called,
 )
+from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.proof.claims.added import added_invariants
 from interlock.proof.claims.block import token_invariants
@@ -46,16 +46,16 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
         out += [Invariant(i, f"{joint}:{here}>{there}", x) for i, x in _crossing_joint(f, joint, here, there)]
     for g in f.layout.signals:
         for k in f.functions(g.id):
-            lit = iff(f.sym.signal(g.id, k), f.sym.opened(g.id, k))
+            lit = iff(f.sym.aspects.signal(g.id, k), f.sym.routes.opened(g.id, k))
             out.append(Invariant("G-SHUNT-LIT" if k else "G-LIT", g.id, lit))
             out += [Invariant(i, g.id, x) for i, x in _signal(f, g.id, k)]
-        if g.id in f.sym.stop_aspect:
-            lamps = [*f.sym.main_lamps(g.id), *f.sym.proceed_lamps(g.id, shunt=True)]
-            lamps += [f.sym.identifier_aspect[g.id]] if g.id in f.sym.identifier_aspect else []
-            out.append(Invariant("G-STOP", g.id, iff(var(f.sym.stop_aspect[g.id]), neg(disj(map(var, lamps))))))
-        routes = f.sym.routes_from.get(g.id, ())
-        several = g.call_on or any(r.identifier or r.onward is not None for r in routes)
-        if several or any(r.overlap is not None and r.overlap[0] in f.sym.swings for r in routes):
+        if g.id in f.sym.aspects.stop:
+            lamps = [*f.sym.aspects.main_lamps(g.id), *f.sym.aspects.proceed_lamps(g.id, shunt=True)]
+            lamps += [f.sym.aspects.identifier[g.id]] if g.id in f.sym.aspects.identifier else []
+            out.append(Invariant("G-STOP", g.id, iff(var(f.sym.aspects.stop[g.id]), neg(disj(map(var, lamps))))))
+        routes = f.sym.routes.of_signal.get(g.id, ())
+        several = g.call_on or any(r.path.identifier or r.path.onward is not None for r in routes)
+        if several or any(r.path.overlap is not None and r.path.overlap[0] in f.sym.overlaps.swings for r in routes):
             one = at_most_one(var(r.active) for r in routes)  # they lock the same ways
             out.append(Invariant("G-ONE", g.id, one))
     out += [Invariant("C-COVERED", t.timer.name, var(t.covered)) for t in f.system.ties]
@@ -75,14 +75,14 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
                 conj(
                     (
                         at_most_one(lies(m, x) for x in Position),
-                        at_most_one(var(f.sym.command[m, x]) for x in Position),
+                        at_most_one(var(f.sym.machines.command[m, x]) for x in Position),
                         at_most_one(old_command(m, x) for x in Position),
                     )
                 ),
             )
         )
-        same = implies if m in f.sym.turn else iff
-        driven = conj(same(var(f.sym.drive[m, x]), var(f.sym.command[m, x])) for x in Position)
+        same = implies if m in f.sym.machines.turn else iff
+        driven = conj(same(var(f.sym.machines.drive[m, x]), var(f.sym.machines.command[m, x])) for x in Position)
         out.append(Invariant("P-DRIVEN", m, driven))
     return tuple(out)
 
@@ -138,12 +138,12 @@ def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
         moved = conj((moved, disj((f.firm(s), neg(overrun(f, s))))))
     yield "S-SEEN", implies(conj((o(s), image(s), moved)), disj((f.used(s), f.stale(s))))
     for n, x in locks:
-        if (s, n) not in f.sym.routes_over:
+        if (s, n) not in f.sym.routes.over:
             yield f"S-UNUSED:{n}", neg(x)  # the way serves overlaps only
-        for m, p in f.sym.demands[s, n]:
-            yield f"S-COMMAND:{n}:{m}", implies(x, var(f.sym.command[m, p]))
+        for m, p in f.sym.ways.demands[s, n]:
+            yield f"S-COMMAND:{n}:{m}", implies(x, var(f.sym.machines.command[m, p]))
             yield f"S-LIES:{n}:{m}", implies(conj((x, f.firm(s))), f.settled(m, p))
-        for other, whole, numbers in f.sym.excluded[s, n]:
+        for other, whole, numbers in f.sym.ways.excluded[s, n]:
             against = against_of(f, other, whole, numbers)
             yield f"S-EXCLUDES:{n}:{other}", implies(x, neg(against))
         train = f.train(s) if f.berth(s) else TRUE
@@ -166,7 +166,7 @@ def _standing_section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
         yield "S-PARTED", implies(parted(s), o(s))
     for m in f.layout.machines:
         if s in f.layout.sections_of_machine[m]:
-            told = [(p, x) for p in Position for x in (var(f.sym.command[m, p]), old_command(m, p))]
+            told = [(p, x) for p in Position for x in (var(f.sym.machines.command[m, p]), old_command(m, p))]
             quiet = [implies(x, lies(m, p)) for p, x in told]
             held_open = any((d.machine, d.position) == (m, Position.NORMAL) for d in f.layout.demanded)
             if m in f.layout.device and not held_open:  # it may be closed, and nothing opens it
@@ -180,7 +180,7 @@ def _movement(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
     yield "M-LOCK", implies(f.train(s), f.any_lock(s))
     ends_here = s in f.ends_of_shunts
     for n, x in f.locks(s):
-        kinds = {r.shunt for r in f.sym.routes_over.get((s, n), ())}
+        kinds = {r.shunt for r in f.sym.routes.over.get((s, n), ())}
         if kinds == {False} and not ends_here:
             yield f"M-TRAIN:{n}", implies(x, f.train(s))
         if kinds == {True}:
@@ -236,7 +236,7 @@ def _joint(f: Facts, j: str, s: str, t: str, past: bool) -> Iterator[tuple[str, 
                     x
                     for shunts in f.functions(g)
                     if names.accepted(g, shunts) in f.system.plant.state
-                    for x in (accepted(g, shunts), lamp(g, shunts), f.sym.passing(g, shunts))
+                    for x in (accepted(g, shunts), lamp(g, shunts), f.sym.routes.passing(g, shunts))
                 )
                 yield f"J-SHUNT-ALONE:{k}", implies(conj((shunt, f.locked_in(t, k))), conj((f.used(t), neg(waiting))))
         yield "J-SHUNT-STALE", implies(conj((shunt, f.stale(s))), disj((f.restart(t), f.stale(t))))
@@ -263,10 +263,10 @@ def _joint(f: Facts, j: str, s: str, t: str, past: bool) -> Iterator[tuple[str, 
 
 def _crossing_joint(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Expr]]:
     """A train stands across a joint, from s to t (t may be outside, s may be an approach section)."""
-    if t and s in f.sym.restart and not f.berth(s):
+    if t and s in f.sym.sections.restart and not f.berth(s):
         unmoved = rests(t) if not f.berth(t) else f.restart(t)
         yield "X-CALLED", implies(conj((across(j, s), rests(s), f.restart(s))), disj((unmoved, was_called(s))))
-    if t and s in f.sym.restart and not f.berth(t):
+    if t and s in f.sym.sections.restart and not f.berth(t):
         yield "X-ASTRIDE", implies(conj((across(j, s), f.restart(t))), f.restart(s))
     yield "X-BOTH", implies(across(j, s), conj((o(s), conj((o(t), came(t, j))) if t else o(s))))
     if SectionId(s) in f.topo.ends:
@@ -307,7 +307,7 @@ def _crossing_joint(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Exp
         else:
             over = disj(
                 overran(g, t)
-                for (g, _), ways in f.sym.overlap_ways.items()
+                for (g, _), ways in f.sym.overlaps.ways.items()
                 if names.OVERRAN(g, t) in f.system.plant.state and any(a == t and f.way(a, n)[0] == j for a, n in ways)
             )
             yield "X-LOCKED", implies(conj((stands, neg(over), neg(overrun(f, s)))), f.locked_out(s, j))
@@ -327,23 +327,23 @@ def _signal(f: Facts, g: SignalId, shunt: bool) -> Iterator[tuple[str, Expr]]:
         return
     mark = "G-SHUNT" if shunt else "G"
     went = accepted(g, shunt)
-    shown = disj((f.sym.signal(g, shunt), lamp(g, shunt)))
+    shown = disj((f.sym.aspects.signal(g, shunt), lamp(g, shunt)))
     kind = neg(f.train(t)) if shunt else f.train(t)
     locked = conj((f.firm(t), f.locked_in(t, j), kind))
     ready = conj((locked, neg(f.passed(t))))
     fresh = conj((ready, implies(f.been(t), conj((o(t), across(j, rear))))))
-    passing = f.sym.passing(g, shunt)
+    passing = f.sym.routes.passing(g, shunt)
     if passing is FALSE:
         yield f"{mark}-SHOWN", implies(shown, fresh)
     else:
-        left = parted(rear) if rear in f.sym.restart and not f.berth(rear) else FALSE
+        left = parted(rear) if rear in f.sym.sections.restart and not f.berth(rear) else FALSE
         alone = disj((neg(o(rear)), across(j, rear), left, conj((kind, neg(f.been(t)), neg(f.passed(t))))))
         yield f"{mark}-SHOWN", implies(shown, conj((f.firm(t), f.locked_in(t, j), alone)))
-        new = disj(var(r.proceed) for r in f.sym.routes_from.get(SignalId(g), ()) if r.shunt is shunt)
+        new = disj(var(r.proceed) for r in f.sym.routes.of_signal.get(SignalId(g), ()) if r.shunt is shunt)
         yield f"{mark}-SHOWN-NEW", implies(new, conj((fresh, neg(image(t)))))
     yield f"{mark}-ACCEPTED", implies(went, conj((ready, neg(f.been(t)), neg(o(t)))))
     standing = [o(rear), neg(across(j, rear))]
-    if rear in f.sym.restart and not f.berth(rear):
+    if rear in f.sym.sections.restart and not f.berth(rear):
         standing.append(
             disj(
                 conj((came(rear, way.entry), conj(lies(f.layout.point[p].machine, x) for p, x in way.points)))
@@ -354,14 +354,14 @@ def _signal(f: Facts, g: SignalId, shunt: bool) -> Iterator[tuple[str, Expr]]:
     yield f"{mark}-TRAIN", implies(went, conj(standing))
     if names.IMAGE(rear) in f.system.plant.state:
         yield f"{mark}-REPORTED", implies(went, image(rear))
-    if rear in f.sym.restart:
+    if rear in f.sym.sections.restart:
         yield f"{mark}-REAR", _from_rear(f, j, SectionId(rear), disj((shown, went)))
-    routes = f.sym.routes_from.get(SignalId(g), [])
+    routes = f.sym.routes.of_signal.get(SignalId(g), [])
     active = disj(var(r.active) for r in routes)
     seen = disj(var(r.shown) for r in routes)
     yield f"{mark}-MEMORY", implies(conj((active, disj((went, lamp(g, shunt))))), seen)
     if routes:
-        yield f"{mark}-CANCEL", implies(var(f.sym.cancelling[g]), neg(f.sym.signal(g, shunt)))
+        yield f"{mark}-CANCEL", implies(var(f.sym.cancellation.cancelling[g]), neg(f.sym.aspects.signal(g, shunt)))
 
 
 def _from_rear(f: Facts, joint: str, rear: SectionId, called: Expr) -> Expr:
@@ -395,16 +395,16 @@ def _stays(f: Facts, s: str) -> Expr:
 
 def _route(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:
     active, locked, shows = var(r.active), var(r.locked), var(r.proceed)
-    first = r.ways[0][0]
-    yield "R-LOCKS", implies(active, conj(f.lock(s, n) for s, n in r.ways))
-    yield "R-UNUSED", implies(active, conj(neg(f.used(s)) for s, _ in r.ways))
-    yield "R-FIRM", implies(locked, conj([active, *(f.firm(s) for s, _ in r.ways)]))
-    yield "R-SETTING", implies(conj((active, neg(locked))), conj(neg(f.firm(s)) for s, _ in r.ways))
+    first = r.path.ways[0][0]
+    yield "R-LOCKS", implies(active, conj(f.lock(s, n) for s, n in r.path.ways))
+    yield "R-UNUSED", implies(active, conj(neg(f.used(s)) for s, _ in r.path.ways))
+    yield "R-FIRM", implies(locked, conj([active, *(f.firm(s) for s, _ in r.path.ways)]))
+    yield "R-SETTING", implies(conj((active, neg(locked))), conj(neg(f.firm(s)) for s, _ in r.path.ways))
     trusted = TRUE if r.call_on else neg(f.stale(first))
     yield "R-PROCEED", implies(shows, conj((locked, var(r.shown), trusted)))
     if r.call_on:
-        yield "R-CALL-ON", implies(active, conj(f.stale(s) for s, _ in r.ways))
-        yield "R-CALL-ON-FREE", implies(active, conj(neg(x) for s, _ in r.ways for x in f.overlaps(s)))
+        yield "R-CALL-ON", implies(active, conj(f.stale(s) for s, _ in r.path.ways))
+        yield "R-CALL-ON-FREE", implies(active, conj(neg(x) for s, _ in r.path.ways for x in f.overlaps(s)))
         yield "R-CALL-ON-ONCE", implies(conj((var(r.want), var(r.shown))), shows)
         yield "R-CALL-ON-CLEAR", implies(shows, neg(image(first)))
         yield "R-CALL-ON-BEEN", implies(conj((active, f.been(first))), var(r.shown))
@@ -412,56 +412,56 @@ def _route(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:
     yield "R-SHOWN", implies(var(r.shown), locked)
     yield "R-SHUT", implies(f.shut(r.number), conj((locked, neg(var(r.want)), neg(shows))))
     if f.shunts:
-        kind = [neg(f.train(s)) if r.shunt else f.train(s) for s, _ in r.ways]
+        kind = [neg(f.train(s)) if r.shunt else f.train(s) for s, _ in r.path.ways]
         yield "R-KIND", implies(active, conj(kind))
     if r.passing is not None:
         yield from _passing(f, r, r.passing)
-    if r.identifier:
+    if r.path.identifier:
         yield from _identifier(f, r)
-    if r.onward is not None:
-        yield "R-PAST", implies(shows, var(f.sym.number[r.onward].proceed))
+    if r.path.onward is not None:
+        yield "R-PAST", implies(shows, var(f.sym.routes.number[r.path.onward].proceed))
     yield from added_invariants(f, r)
-    if r.overlap is not None:
-        yield "R-OVERLAP", implies(active, _overlap_of(f, r.overlap))
-    if r.berth is not None:
-        yield "R-BERTH", implies(active, conj((f.locked(r.berth[0]), neg(f.train(r.berth[0])))))
+    if r.path.overlap is not None:
+        yield "R-OVERLAP", implies(active, _overlap_of(f, r.path.overlap))
+    if r.path.berth is not None:
+        yield "R-BERTH", implies(active, conj((f.locked(r.path.berth[0]), neg(f.train(r.path.berth[0])))))
 
 
 def _identifier(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:
     """While a signal shows its identifier light, the section before it is locked towards it for one route alone: the
     one that leads past it."""
-    before, node = f.sym.approach_of[r.entry], f.layout.signal[r.entry].node
+    before, node = f.sym.cancellation.approach_of[r.entry], f.layout.signal[r.entry].node
     assert before is not None
     lit = var(r.proceed)
     yield "R-IDENTIFIER", implies(lit, conj((f.locked_out(before, node), f.firm(before), f.train(before))))
     for x in f.sym.routes:
-        s, n = x.ways[-1]
-        if s == before and f.way(s, n)[1] == node and x.number not in r.parts_of:
+        s, n = x.path.ways[-1]
+        if s == before and f.way(s, n)[1] == node and x.number not in r.path.parts_of:
             own = [x.active] if x.passing is None else [x.active, x.passing]
             yield f"R-IDENTIFIER-ALONE:{x.number}", implies(lit, neg(disj(map(var, own))))
 
 
 def _overlap_of(f: Facts, option: tuple[SignalId, int]) -> Expr:
     """The overlap is held, or any other of the signal's where it may swing."""
-    if option[0] not in f.sym.swings:
-        return var(f.sym.overlap[option])
-    return disj(var(name) for o, name in f.sym.overlap.items() if o[0] == option[0])
+    if option[0] not in f.sym.overlaps.swings:
+        return var(f.sym.overlaps.held[option])
+    return disj(var(name) for o, name in f.sym.overlaps.held.items() if o[0] == option[0])
 
 
 def _passing(f: Facts, r: RouteSymbols, name: names.Name) -> Iterator[tuple[str, Expr]]:
     """The signal is open for the movement that passes it: everything is still locked, and nobody comes after it."""
-    first, rear = r.ways[0][0], f.sym.approach_of[r.entry]
+    first, rear = r.path.ways[0][0], f.sym.cancellation.approach_of[r.entry]
     assert rear is not None
     passing = var(name)
-    kind = [neg(f.train(s)) if r.shunt else f.train(s) for s, _ in r.ways] if f.shunts else []
-    held = [x for s, n in r.ways for x in (f.lock(s, n), f.firm(s))]
+    kind = [neg(f.train(s)) if r.shunt else f.train(s) for s, _ in r.path.ways] if f.shunts else []
+    held = [x for s, n in r.path.ways for x in (f.lock(s, n), f.firm(s))]
     yield "R-PASSING", implies(passing, conj([*held, *kind, f.used(first), image(first), image(rear)]))
-    if rear in f.sym.restart:
+    if rear in f.sym.sections.restart:
         overran = conj((neg(f.firm(rear)), disj(f.overlaps(rear))))
         yield "R-PASSING-LAST", implies(passing, disj((f.restart(rear), f.been(rear), overran)))
     for h in f.overrun(rear):
         yield f"R-PASSING-ALONE:{h}", implies(passing, neg(running_into(f, h, rear)))
-    if r.overlap is not None:
-        yield "R-PASSING-OVERLAP", implies(passing, _overlap_of(f, r.overlap))
-    if r.berth is not None:
-        yield "R-PASSING-BERTH", implies(passing, conj((f.locked(r.berth[0]), neg(f.train(r.berth[0])))))
+    if r.path.overlap is not None:
+        yield "R-PASSING-OVERLAP", implies(passing, _overlap_of(f, r.path.overlap))
+    if r.path.berth is not None:
+        yield "R-PASSING-BERTH", implies(passing, conj((f.locked(r.path.berth[0]), neg(f.train(r.path.berth[0])))))

@@ -27,13 +27,15 @@ def _memory(w: Words, s: SectionId) -> Iterator[tuple[str, str, Expr]]:
             ahead.append(w.coming_in(t, j))
     gone = conj((neg(f.passed(s)), f.used(s), w.occupied(s), disj(ahead)))
     yield "F-PASSED", s, iff(w.rises(f.passed(s)), gone)
-    over = [r for r in w.sym.routes if any(x == s for x, _ in r.ways)]
+    over = [r for r in w.sym.routes if any(x == s for x, _ in r.path.ways)]
     called = disj(w.set_now(r) for r in over if r.call_on)
     lost = conj((neg(f.stale(s)), disj((conj((neg(w.valid), f.any_lock(s))), called))))
     yield "F-STALE", s, iff(w.rises(f.stale(s)), lost)
     firm = [w.rises(var(r.locked)) for r in over]
     firm += [
-        conj((w.rises(var(r.locked)), f.any_lock(s))) for r in w.sym.routes if r.berth is not None and r.berth[0] == s
+        conj((w.rises(var(r.locked)), f.any_lock(s)))
+        for r in w.sym.routes
+        if r.path.berth is not None and r.path.berth[0] == s
     ]
     yield "F-FIRM", s, iff(w.rises(f.firm(s)), conj((neg(f.firm(s)), disj(firm))))
     kept = [f.used(s), f.passed(s), f.stale(s), f.firm(s)]
@@ -59,7 +61,7 @@ def _ends_here(w: Words, s: SectionId) -> Iterator[Expr]:
         if t is not None and not w.main_at(t, j):
             yield neg(conj((w.f.locked_out(s, j), w.f.locked_in(t, j), w.on(t, j, s))))
     for r in w.sym.routes:
-        if r.identifier and w.sym.approach_of[r.entry] == s:
+        if r.path.identifier and w.sym.cancellation.approach_of[r.entry] == s:
             yield neg(var(r.proceed))
 
 
@@ -69,7 +71,7 @@ def _releasing(w: Words, s: SectionId) -> Iterator[Expr]:
     long, rear, closed = w.long(s), w.rear_released(s), w.closed(s)
     yield conj((w.valid, f.used(s), long, closed, rear, disj((f.passed(s), *_left(w, s)))))  # R9
     inside = []
-    hand = disj((var(sym.release[s]), conj((var(sym.release_all), f.stale(s)))))
+    hand = disj((var(sym.sections.release[s]), conj((var(sym.sections.release_all), f.stale(s)))))
     by_hand = [w.valid, long, closed, rear, hand, f.any_lock(s)]
     for j in w.topo.ends[s]:
         locked, g = f.locked_in(s, j), w.signal_at(s, j)
@@ -80,9 +82,9 @@ def _releasing(w: Words, s: SectionId) -> Iterator[Expr]:
             by_hand.append(disj((neg(locked), conj((neg(w.active(g)), w.safe(g))))))
     yield conj((w.valid, long, neg(f.used(s)), disj(inside), rear))  # withdrawn, R8
     yield conj(by_hand)
-    operator = disj((var(sym.release[s]), var(sym.release_all)))
+    operator = disj((var(sym.sections.release[s]), var(sym.sections.release_all)))
     vehicles = rear if w.ends_shunts(s) else TRUE
-    yield conj((w.valid, long, f.restart(s), var(sym.restart_timer), operator, vehicles))  # R16
+    yield conj((w.valid, long, f.restart(s), var(sym.start.restart_timer), operator, vehicles))  # R16
 
 
 def _left(w: Words, s: SectionId) -> Iterator[Expr]:

@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property
 from itertools import pairwise
 
-from interlock.logic.controller import RouteSymbols
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
+from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint
 from interlock.model.measured import Beyond
@@ -40,16 +40,18 @@ class Words:
 
     def long(self, s: str) -> Expr:
         """Steadily clear: without a break for the release delay (R15); never, without detection."""
-        name = self.sym.release_timer.get(SectionId(s))
+        name = self.sym.sections.release_timer.get(SectionId(s))
         return FALSE if name is None or s in self.layout.undetected else var(name)
 
     def detected(self, m: MachineId, x: Position) -> Expr:
         """Detected there by valid and unambiguous contacts (R10)."""
-        return conj((self.valid, var(self.sym.detected[m, x]), neg(var(self.sym.detected[m, x.other]))))
+        return conj(
+            (self.valid, var(self.sym.machines.detected[m, x]), neg(var(self.sym.machines.detected[m, x.other])))
+        )
 
     def commanded(self, m: MachineId, x: Position) -> Expr:
         """Commanded to a position."""
-        return var(self.sym.command[m, x])
+        return var(self.sym.machines.command[m, x])
 
     def anew(self, m: MachineId) -> Expr:
         """Commanded with this scan to where it was not commanded."""
@@ -63,15 +65,15 @@ class Words:
 
     def active(self, g: SignalId) -> Expr:
         """A route from the signal is set and not yet used."""
-        return disj(var(r.active) for r in self.sym.routes_from.get(g, ()))
+        return disj(var(r.active) for r in self.sym.routes.of_signal.get(g, ()))
 
     def passing(self, g: SignalId) -> Expr:
         """The signal is still open for a movement that has begun to pass it."""
-        return disj(self.sym.passing(g, shunt) for shunt in (False, True))
+        return disj(self.sym.routes.passing(g, shunt) for shunt in (False, True))
 
     def seen(self, g: SignalId) -> Expr:
         """The signal has been open for the route that is set."""
-        return disj(var(r.shown) for r in self.sym.routes_from.get(g, ()))
+        return disj(var(r.shown) for r in self.sym.routes.of_signal.get(g, ()))
 
     def nobody(self, g: SignalId) -> Expr:
         """No train can be on its way to the signal (R8)."""
@@ -80,15 +82,15 @@ class Words:
     def _coming(self, x: Approach) -> Expr:
         if x.section is None or x.unseen:
             return TRUE
-        lock = self.sym.lock
+        lock = self.sym.sections.lock
         further = (conj((var(lock[x.section, n]), self._coming(y))) for n, y in x.further if (x.section, n) in lock)
         return disj((neg(self.long(x.section)), *further))
 
     def safe(self, g: SignalId) -> Expr:
         """No train can be about to pass the signal: none is on its way or starts there, or the delay is over (R8)."""
-        if g not in self.sym.approach_timer:
+        if g not in self.sym.cancellation.approach_timer:
             return TRUE
-        return disj((self.nobody(g), var(self.sym.approach_timer[g])))
+        return disj((self.nobody(g), var(self.sym.cancellation.approach_timer[g])))
 
     def first(self, g: SignalId) -> SectionId:
         """The section just beyond a signal."""
@@ -96,10 +98,12 @@ class Words:
 
     def given_up(self, g: SignalId) -> Expr:
         """The cancelled route may be given up (R8)."""
-        if g not in self.sym.cancelling:
+        if g not in self.sym.cancellation.cancelling:
             return FALSE
         permitted = disj((self.safe(g), neg(self.seen(g))))
-        return conj((var(self.sym.cancelling[g]), self.active(g), self.valid, self.long(self.first(g)), permitted))
+        return conj(
+            (var(self.sym.cancellation.cancelling[g]), self.active(g), self.valid, self.long(self.first(g)), permitted)
+        )
 
     # --- sections ----------------------------------------------------------------------------------
 
@@ -132,7 +136,7 @@ class Words:
 
     def rear_released(self, s: SectionId) -> Expr:
         """No lock in rear leads into the section, and no shunting movement is set into it in this scan (R9)."""
-        out = [neg(self.set_now(r)) for r in self.sym.routes if r.berth is not None and r.berth[0] == s]
+        out = [neg(self.set_now(r)) for r in self.sym.routes if r.path.berth is not None and r.path.berth[0] == s]
         for j in self.nodes[s]:
             rear = self.topo.beyond(s, j)
             if rear is None or self.main_at(s, j):
@@ -175,10 +179,10 @@ class Words:
     def _overrunning(self, rear: SectionId, j: NodeId, s: SectionId) -> list[Expr]:
         """The overlaps over a joint, within which a train that has overrun a signal runs on."""
         found = []
-        for option, ways in self.sym.overlap_ways.items():
+        for option, ways in self.sym.overlaps.ways.items():
             for a, b in pairwise(ways):
                 if a[0] == rear and b[0] == s and self.f.way(*a)[1] == j:
-                    found.append(var(self.sym.overlap[option]))
+                    found.append(var(self.sym.overlaps.held[option]))
         return found
 
     def into_berth(self, s: SectionId, n: int) -> Expr:
@@ -208,18 +212,18 @@ class Words:
 
     def powered(self, m: MachineId) -> bool:
         """Whether the controller drives the machine, so that it may be trailed."""
-        return m in self.sym.trailed
+        return m in self.sym.machines.trailed
 
     def holding(self, way: Way) -> Expr:
         """A way is held, by a route or as overlap."""
-        over = [var(self.sym.overlap[o]) for o, ways in self.sym.overlap_ways.items() if way in ways]
+        over = [var(self.sym.overlaps.held[o]) for o, ways in self.sym.overlaps.ways.items() if way in ways]
         return disj((self.f.lock(*way), *over))
 
     @cached_property
     def _flanks(self) -> Mapping[MachineId, list[Way]]:
         """The ways that demand a machine which lies in none of their section's points: as flank protection."""
         found: dict[MachineId, list[Way]] = {}
-        for way, those in self.sym.demands.items():
+        for way, those in self.sym.ways.demands.items():
             for m, _ in those:
                 if way[0] not in self.layout.sections_of_machine[m]:
                     found.setdefault(m, []).append(way)
@@ -235,7 +239,7 @@ class Words:
         for s in self.layout.sections_of_machine[m]:
             free += [neg(self.f.held(s)), self.long(s)]
         free += [
-            neg(var(r.added)) for r in self.sym.routes if r.added is not None and any(m == n for n, _ in r.demands)
+            neg(var(r.added)) for r in self.sym.routes if r.added is not None and any(m == n for n, _ in r.path.demands)
         ]
         return conj((*free, *(neg(self.holding(way)) for way in self.flanks(m))))
 
@@ -258,13 +262,13 @@ class Words:
 
     def blocked(self, s: SectionId) -> Expr:
         """Somebody has blocked the section."""
-        return var(self.sym.blocked[s]) if s in self.sym.blocked else FALSE
+        return var(self.sym.sections.blocked[s]) if s in self.sym.sections.blocked else FALSE
 
     def trouble(self, s: SectionId, n: int, wide: bool = True) -> Expr:
         """Why a way can neither be had nor be shown: a trailed point, something foul, the flank space (`wide`: wherever
         something in it might count)."""
         f, t = self.f, self.way(s, n)
-        out = [var(self.sym.trailed[m]) for m, _ in self.sym.demands[s, n] if self.powered(m)]
+        out = [var(self.sym.machines.trailed[m]) for m, _ in self.sym.ways.demands[s, n] if self.powered(m)]
         out += [neg(self._not_foul(fj)) for fj in f.fouls if fj.fouls(t)]
         return disj((*out, self._space(t) if wide else FALSE))
 
@@ -288,27 +292,27 @@ class Words:
     def _anything(self, own: SectionId, beyond: Beyond) -> Expr:
         s = beyond.section
         out = [neg(self.long(s))] if s != own and s not in self.layout.undetected else []
-        if beyond.signal is not None and beyond.signal in self.sym.stop_lamp:
-            out.append(neg(var(self.sym.stop_lamp[beyond.signal])))
+        if beyond.signal is not None and beyond.signal in self.sym.lamp_proof.stop:
+            out.append(neg(var(self.sym.lamp_proof.stop[beyond.signal])))
         return disj((*out, *(self._anything(own, x) for x in beyond.onward)))
 
     def lies(self, s: SectionId, n: int, wide: bool = True) -> Expr:
         """The points and devices of a way are detected, and nothing is in its way from beside (R3)."""
-        there = (self.detected(m, x) for m, x in self.sym.demands[s, n])
+        there = (self.detected(m, x) for m, x in self.sym.ways.demands[s, n])
         return conj((*there, neg(self.trouble(s, n, wide))))
 
     def overlap_lies(self, r: RouteSymbols, wide: bool = True) -> Expr:
         """The overlap that the route needs lies and is clear: its own, or the one to which it has swung (R4)."""
-        if r.overlap is None:
+        if r.path.overlap is None:
             return TRUE
-        own = r.overlap
-        swings = own[0] in self.sym.swings
-        options = [o for o in self.sym.overlap if o[0] == own[0]] if swings else [own]
+        own = r.path.overlap
+        swings = own[0] in self.sym.overlaps.swings
+        options = [o for o in self.sym.overlaps.held if o[0] == own[0]] if swings else [own]
 
         def clear(o: tuple[SignalId, int]) -> Expr:
-            ways = self.sym.overlap_ways[o]
+            ways = self.sym.overlaps.ways[o]
             return conj(x for s, n in ways for x in (self.long(s), self.lies(s, n, wide)))
 
         if not swings:
             return clear(own)
-        return disj(conj((var(self.sym.overlap[o]), clear(o))) for o in options)
+        return disj(conj((var(self.sym.overlaps.held[o]), clear(o))) for o in options)
