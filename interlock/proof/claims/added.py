@@ -31,7 +31,7 @@ def fits(f: Facts, choice: Choice, g: SignalId, shunt: bool, ways: Sequence[Trav
 
 def declared(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """S-DECLARED, for each two signals with such routes."""
-    callings = [(g.id, k) for g in f.layout.signals for k in f.functions(g.id)]
+    callings = [(g.id, k) for g in f.layout.signals for k in f.track.functions(g.id)]
 
     def shown(g: SignalId, shunt: bool, choice: Choice) -> Expr:
         over = disj(lie(f, p.ways) for _, p in chosen(f, choice, g, shunt))
@@ -88,7 +88,7 @@ def _last_lock(f: Facts, r: RouteSymbols) -> Expr:
     boundary, as no shunting movement does, or that has one section, the last one."""
     leaves = not r.shunt and _run(f, r)[-1].exit in f.layout.boundary_at
     through = r.path.ways if r.path.berth is not None or leaves else r.path.ways[:-1]
-    return f.lock(*(through or r.path.ways)[-1])
+    return f.locking.lock(*(through or r.path.ways)[-1])
 
 
 def demanded(f: Facts) -> Iterator[tuple[str, str, Expr]]:
@@ -99,7 +99,7 @@ def demanded(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         there = [var(f.sym.machines.detected[m, x]), neg(var(f.sym.machines.detected[m, x.other]))]
         if m in f.sym.machines.trailed:
             there.append(neg(var(f.sym.machines.trailed[m])))
-        for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.functions(h.id)):
+        for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.track.functions(h.id)):
             for n, path in chosen(f, d.routes, g, shunt):
                 here = conj((after(f.sym.aspects.signal(g, shunt)), after(lie(f, path.ways))))
                 yield "S-DEMANDED", f"{_who(g, shunt)}:{n} {m} {x}", implies(here, conj(there))

@@ -39,7 +39,7 @@ def past_identifier(
         exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
         if exit_ is not None:
             lying = after(conj((f.sym.aspects.identifies(passed), lie(f, (*first.ways, *path.ways)))))
-            for id_, what, x in entry(f, signal, path, exit_, f.overlap_paths(exit_)):
+            for id_, what, x in entry(f, signal, path, exit_, f.track.overlap_paths(exit_)):
                 yield id_, f" past {passed}:{k}{what}", implies(lying, x)
 
 

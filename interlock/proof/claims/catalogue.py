@@ -207,7 +207,7 @@ def _pairs(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         for kind, cases in sorted(bad.items()):
             yield kind, s, neg(disj(cases))
     for g in f.layout.signals:
-        one = [f.sym.aspects.signal(g.id, k) for k in f.functions(g.id)] + [disj(ground.past.get(g.id, ()))]
+        one = [f.sym.aspects.signal(g.id, k) for k in f.track.functions(g.id)] + [disj(ground.past.get(g.id, ()))]
         yield "S-HOSTILE", f"signal {g.id}", at_most_one(one)
     for c in f.layout.crossings:
         arms = [
@@ -215,7 +215,7 @@ def _pairs(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             for arm in (0, 1)
         ]
         yield "S-HOSTILE", f"diamond {c.id}", _apart(*arms)
-    for fj in f.fouls:
+    for fj in f.track.fouls:
         section, beside = f.topo.traversals[fj.section], f.topo.traversals[fj.neighbour]
         over, near = shown_over(ground, filter(fj.fouls, section)), shown_over(ground, filter(fj.touches, beside))
         yield "S-HOSTILE", f"joint {fj.section}/{fj.neighbour} foul of {fj.element}", _apart(over, near)
@@ -227,7 +227,7 @@ def _who(g: SignalId, shunt: bool) -> str:
 
 def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """Claims about the scan that shows proceed: new outputs against the inputs of that scan."""
-    for signal, shunt in ((g.id, k) for g in f.layout.signals for k in f.functions(g.id)):
+    for signal, shunt in ((g.id, k) for g in f.layout.signals for k in f.track.functions(g.id)):
         shows = f.system.after(f.sym.aspects.signal(signal, shunt))
         paths = signal_paths(f, signal, shunt)
         yield from _signal(f, signal, shunt, shows, paths)
@@ -269,7 +269,7 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
     after = f.system.after
     lit = FALSE if shunt else f.sym.aspects.identifies(signal)
     opened = conj((after(disj((shows_open(f, signal, shunt), lit))), after(lie(f, path.ways))))
-    yield "S-CLEAR", "", implies(opened, conj(f.steadily_clear(t.section) for t in path.kept_clear))
+    yield "S-CLEAR", "", implies(opened, conj(f.seen.steadily_clear(t.section) for t in path.kept_clear))
     if signal in f.sym.aspects.call_on and f.layout.signal[signal].call_on and not shunt:
         called = conj((after(var(f.sym.aspects.call_on[signal])), here))
         yield "S-CALL-ON", "", implies(called, _may_call_on(f, path))
@@ -283,7 +283,7 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
         yield "S-TRAILED", "", implies(here, conj(trailed))
     ahead = f.topo.beyond(path.ways[-1].section, path.ways[-1].exit)
     exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
-    over = () if exit_ is None or shunt else f.overlap_paths(exit_)
+    over = () if exit_ is None or shunt else f.track.overlap_paths(exit_)
     if over and exit_ is not None:
         yield "S-OVERLAP", "", implies(here, disj(_overlap(f, ways) for ways in over))
         yield from entry(f, signal, path, exit_, over)
@@ -321,10 +321,10 @@ def _points_detected(f: Facts, path: SignalPath) -> Expr:
 def _path_locked(f: Facts, shunt: bool, path: SignalPath) -> Expr:
     """Every section of a path is firmly locked for its way, and for what the signal calls."""
     own = path.kept_clear
-    locked = [f.lock(t.section, t.number) for t in own if (t.section, t.number) in f.sym.sections.lock]
-    kind = [neg(f.train(t.section)) if shunt else f.train(t.section) for t in own]
-    ok = conj([*locked, *kind, *(f.firm(t.section) for t in own)]) if len(locked) == len(own) else FALSE
-    return ok if path.berth is None else conj((ok, f.held(path.berth), neg(f.train(path.berth))))
+    locked = [f.locking.lock(t.section, t.number) for t in own if (t.section, t.number) in f.sym.sections.lock]
+    kind = [neg(f.locking.train(t.section)) if shunt else f.locking.train(t.section) for t in own]
+    ok = conj([*locked, *kind, *(f.locking.firm(t.section) for t in own)]) if len(locked) == len(own) else FALSE
+    return ok if path.berth is None else conj((ok, f.locking.held(path.berth), neg(f.locking.train(path.berth))))
 
 
 def _beyond_the_path(
@@ -343,8 +343,8 @@ def _beyond_the_path(
         ours = conj((var(f.sym.token[boundary.node].have), neg(has_token(boundary.node, "has"))))
         yield "S-DIRECTION", "", implies(here, f.system.after(ours))
     if boundary is not None and boundary.approach is not None and not shunt:
-        needed.append(f.steadily_clear(boundary.approach))
-    needed += [_not_foul(f, fj) for fj in f.fouls if any(map(fj.fouls, path.ways))]
+        needed.append(f.seen.steadily_clear(boundary.approach))
+    needed += [_not_foul(f, fj) for fj in f.track.fouls if any(map(fj.fouls, path.ways))]
     if needed:
         yield "S-CONDITION", "", implies(here, conj(needed))
 
@@ -354,9 +354,11 @@ def _still_passing(f: Facts, g: SignalId, shunt: bool) -> Expr:
     it, and none in rear of it may take the signal for itself."""
     first, rear = f.layout.section_of(f.layout.signal[g].into), f.sym.cancellation.approach_of[g]
     assert rear is not None
-    occupied = [neg(f.clear(s)) for s in (first, rear) if s in f.sym.sections.clear]
+    occupied = [neg(f.seen.clear(s)) for s in (first, rear) if s in f.sym.sections.clear]
     name = names.accepted(g, shunt)
-    second = conj((f.system.after(f.been(first)), f.system.after(var(name)))) if name in f.system.plant.state else FALSE
+    second = (
+        conj((f.system.after(f.seen.been(first)), f.system.after(var(name)))) if name in f.system.plant.state else FALSE
+    )
     return conj([f.sym.aspects.signal(g, shunt), *occupied, neg(second)])
 
 
@@ -364,7 +366,7 @@ def _may_call_on(f: Facts, path: SignalPath) -> Expr:
     """A train may be called on over a path: R2."""
     stop = f.system.after(var(f.sym.aspects.stop[path.signal]))
     standing = [t.section for i, t in enumerate(path.ways) if i == 0 or t.section in f.topo.berths]
-    return conj([stop, *map(f.steadily_clear, standing)])
+    return conj([stop, *map(f.seen.steadily_clear, standing)])
 
 
 def _requests(f: Facts) -> Iterator[tuple[str, str, Expr]]:
@@ -373,7 +375,7 @@ def _requests(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for x, fresh in f.sym.requests.fresh.items():
         yield "S-REQUEST", x, iff(after(var(fresh)), conj((valid, eq(x, 0))))
         yield "S-REQUEST", f"{x} seen", iff(after(var(f.sym.requests.seen[x])), neg(after(var(fresh))))
-    for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.functions(h.id)):
+    for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.track.functions(h.id)):
         shown = implies(after(f.sym.aspects.signal(g, shunt)), after(f.sym.routes.opened(g, shunt)))
         yield "S-REQUEST", f"{_who(g, shunt)} shown", shown
     for r in f.sym.routes:
@@ -396,7 +398,11 @@ def _set(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         new = conj((f.system.after(var(name)), neg(var(name))))
         blocked = [neg(var(f.sym.sections.blocked[s]))] if s in f.sym.sections.blocked else []
         occupied = any(r.call_on or r.path.berth == (s, n) for r in f.sym.routes.over.get((s, n), ()))
-        free = [] if occupied else [neg(f.locked(s)), *([f.steadily_clear(s)] if s in f.sym.sections.clear else [])]
+        free = (
+            []
+            if occupied
+            else [neg(f.locking.locked(s)), *([f.seen.steadily_clear(s)] if s in f.sym.sections.clear else [])]
+        )
         yield "S-SET", f"{s} {n}", implies(new, conj((var(f.sym.valid), *blocked, *free)))
 
 
@@ -405,7 +411,7 @@ def _boards(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for g in sorted({*f.layout.boards, *f.layout.stops}):
         signal = f.layout.signal[g]
         s = f.layout.section_of(signal.into)
-        train = f.system.after(f.train(s))
+        train = f.system.after(f.locking.train(s))
         past = FALSE if g in f.layout.boards and g in f.layout.stops else train if g in f.layout.boards else neg(train)
         for n, name in f.sym.sections.locks_of.get(s, ()):
             if f.topo.traversals[s][n - 1].entry == signal.node:
@@ -415,7 +421,7 @@ def _boards(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
 def _again(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for r in f.sym.routes:
-        yield "S-AGAIN", r.id, implies(f.shut(r.number), neg(f.system.after(var(r.proceed))))
+        yield "S-AGAIN", r.id, implies(f.seen.shut(r.number), neg(f.system.after(var(r.proceed))))
         if r.call_on:
             seen = conj((var(r.shown), var(r.active), neg(var(r.proceed))))
             yield "S-CALL-ON", f"{r.id} once", implies(seen, neg(f.system.after(var(r.proceed))))
@@ -426,7 +432,7 @@ def _overlap(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
     points = [(f.layout.point[p].machine, x) for t in ways for p, x in t.points]
     return conj(
         [
-            *(f.steadily_clear(t.section) for t in ways),
+            *(f.seen.steadily_clear(t.section) for t in ways),
             f.system.after(conj(lies(m, x) for m, x in points)),
             *(var(f.sym.machines.detected[m, x]) for m, x in points),
             *(neg(var(f.sym.machines.detected[m, x.other])) for m, x in points),
@@ -436,7 +442,7 @@ def _overlap(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
 
 def _not_foul(f: Facts, fj: FoulJoint) -> Expr:
     """The neighbour is clear, or its point is detected so that nothing in it stands at the joint."""
-    clear = f.steadily_clear(fj.neighbour)
+    clear = f.seen.steadily_clear(fj.neighbour)
     if fj.when is None:
         return clear
     m, x = fj.when
@@ -450,18 +456,18 @@ def _locks(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     after = f.system.after
     valid = var(f.sym.valid)
     for s in f.topo.sections:
-        held = f.held(s)
+        held = f.locking.held(s)
         gone = conj((held, neg(after(held))))
         coming = []
         for j in f.topo.ends[s]:
             g = f.topo.signal_into.get((j, s))
-            for k in f.functions(g) if g is not None else ():
-                coming.append(conj((f.locked_in(s, j), after(accepted(SignalId(str(g)), k)))))
-        for j, a, past in f.passed_into(s):
+            for k in f.track.functions(g) if g is not None else ():
+                coming.append(conj((f.locking.locked_in(s, j), after(accepted(SignalId(str(g)), k)))))
+        for j, a, past in f.track.passed_into(s):
             as_train = neg(shunting(a)) if past else TRUE
-            for n, x in f.locks(a):
-                if f.way(a, n)[1] == j:
-                    coming.append(after(conj((o(a), came(a, f.way(a, n)[0]), x, neg(rests(a)), as_train))))
+            for n, x in f.locking.of(a):
+                if f.track.way(a, n)[1] == j:
+                    coming.append(after(conj((o(a), came(a, f.track.way(a, n)[0]), x, neg(rests(a)), as_train))))
         yield "L-RELEASE", s, implies(gone, conj((valid, neg(after(o(s))), neg(disj(coming)))))
         yield "L-HELD", s, implies(o(s), held)
         yield (
@@ -473,10 +479,10 @@ def _locks(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
 def _held_fast(f: Facts, s: SectionId) -> Expr:
     """Held otherwise than by an overlap that swings away in this step, with the section before its signal clear."""
-    held = [f.locked(s)]
-    for (g, _), name in f.options(s).items():
+    held = [f.locking.locked(s)]
+    for (g, _), name in f.locking.options(s).items():
         before = f.topo.beyond(f.layout.section_of(f.layout.signal[g].into), f.layout.signal[g].node)
-        close = neg(f.steadily_clear(before)) if g in f.sym.overlaps.swings and before is not None else TRUE
+        close = neg(f.seen.steadily_clear(before)) if g in f.sym.overlaps.swings and before is not None else TRUE
         held.append(conj((var(name), disj((close, f.system.after(var(name)))))))
     return disj(held)
 
@@ -499,7 +505,7 @@ def _points(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         free = conj(
             [
                 *(neg(_held_fast(f, s)) for s in secs),
-                *(f.steadily_clear(s) for s in secs),
+                *(f.seen.steadily_clear(s) for s in secs),
                 var(f.sym.valid),
             ]
         )

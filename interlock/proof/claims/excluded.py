@@ -20,7 +20,7 @@ def excluded(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """Claim, place and expression for each path of a signal, and for each two in a row where the signal between them
     shows its identifier light, that no route may take."""
     after = f.system.after
-    for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.functions(h.id)):
+    for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.track.functions(h.id)):
         who = f"{g} shunt" if shunt else g
         for k, path in enumerate(signal_paths(f, g, shunt), 1):
             here = after(conj((f.sym.aspects.signal(g, shunt), lie(f, path.ways))))

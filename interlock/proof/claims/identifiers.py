@@ -22,7 +22,7 @@ def identifiers(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         ]
         others += [f.sym.aspects.call_on[g]] if g in f.sym.aspects.call_on else []
         alone = neg(disj(after(var(x)) for x in others))
-        led = after(conj((f.locked_out(before, node), f.firm(before), f.train(before))))
+        led = after(conj((f.locking.locked_out(before, node), f.locking.firm(before), f.locking.train(before))))
         yield "S-IDENTIFIER", g, implies(after(var(name)), conj((alone, led)))
     for r in f.sym.routes:
         if r.path.onward is not None:

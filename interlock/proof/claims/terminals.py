@@ -63,12 +63,12 @@ def _indications(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """What an operator is told, in terms of the state after the scan, or of what the scan has read."""
     after, told = f.system.after, f.sym.indication
     for s in f.topo.sections:
-        yield "I-TOLD", f"locked {s}", iff(after(var(told[f"locked {s}"])), after(f.held(s)))
+        yield "I-TOLD", f"locked {s}", iff(after(var(told[f"locked {s}"])), after(f.locking.held(s)))
     for s, healthy in f.sym.sections.healthy.items():
         yield "I-TOLD", f"faulty {s}", iff(after(var(told[f"faulty {s}"])), neg(var(healthy)))
     for m in f.layout.machines:
         timer = f.sym.machines.late_timer[m]
-        astray = disj(conj((var(f.sym.machines.command[m, x]), neg(f.reported(m, x)))) for x in Position)
+        astray = disj(conj((var(f.sym.machines.command[m, x]), neg(f.seen.reported(m, x)))) for x in Position)
         yield "I-TOLD", f"late {m}", iff(after(var(told[f"late {m}"])), var(timer))
         yield "I-TOLD", f"late {m} timed", iff(var(f.system.waits_for[timer]), astray)
     for m, trailed in f.sym.machines.trailed.items():
@@ -79,7 +79,7 @@ def _indications(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         words = {"gives": var(x.give), "has": var(x.have)}
         for word, is_so in words.items():
             yield "I-TOLD", f"{word} {b}", iff(after(var(x.tells[word])), after(is_so))
-        towards = disj(f.locked_out(s, b) for s in f.topo.sections if b in f.topo.ends[s])
+        towards = disj(f.locking.locked_out(s, b) for s in f.topo.sections if b in f.topo.ends[s])
         yield "I-TOLD", f"asks {b}", iff(after(var(x.tells["asks"])), after(conj((towards, neg(var(x.have))))))
         yield "I-TOLD", f"keeps {b}", implies(after(var(x.tells["keeps"])), neg(after(var(x.give))))
 

@@ -12,10 +12,12 @@ from interlock.proof.functions.words import Words
 def points(w: Words) -> Iterator[tuple[str, str, Expr]]:
     """F-TRAILED, F-POINT and F-TURN."""
     for m, name in w.sym.machines.trailed.items():
-        there = disj(conj((w.commanded(m, x), w.detected(m, x))) for x in Position)
-        lost = disj(conj((w.commanded(m, x), neg(w.detected(m, x)))) for x in Position)
-        was, quiet, trailed = var(w.sym.machines.seen_right[m]), neg(w.anew(m)), var(name)
-        seen = conj((var(w.sym.machines.looked_at[m]), w.valid, *(w.long(s) for s in w.layout.sections_of_machine[m])))
+        there = disj(conj((w.points.commanded(m, x), w.points.detected(m, x))) for x in Position)
+        lost = disj(conj((w.points.commanded(m, x), neg(w.points.detected(m, x)))) for x in Position)
+        was, quiet, trailed = var(w.sym.machines.seen_right[m]), neg(w.points.anew(m)), var(name)
+        seen = conj(
+            (var(w.sym.machines.looked_at[m]), w.valid, *(w.sections.long(s) for s in w.layout.sections_of_machine[m]))
+        )
         new = conj((was, w.valid, lost, quiet))
         yield "F-TRAILED", f"{m} detected", iff(w.after(was), conj((there, quiet)))
         yield "F-TRAILED", m, iff(w.after(trailed), disj((new, conj((trailed, neg(seen))))))
@@ -31,32 +33,32 @@ def _starts(w: Words, last: Expr, gap: Expr) -> Iterator[tuple[str, str, Expr]]:
     starting = []
     for m, name in w.sym.machines.turn.items():
         runs = var(name)
-        missing = disj(conj((w.commanded(m, x), neg(w.detected(m, x)))) for x in Position)
+        missing = disj(conj((w.points.commanded(m, x), neg(w.points.detected(m, x)))) for x in Position)
         waits = conj((missing, neg(runs)))
         begins = conj((waits, gap, neg(disj(before))))
-        yield "F-TURN", m, iff(w.after(runs), conj((disj((runs, begins)), missing, neg(w.anew(m)))))
+        yield "F-TURN", m, iff(w.after(runs), conj((disj((runs, begins)), missing, neg(w.points.anew(m)))))
         before.append(waits)
         starting.append(begins)
     yield "F-TURN", "last", iff(w.after(last), disj(starting))
 
 
 def _commands(w: Words, m: MachineId) -> Iterator[tuple[str, str, Expr]]:
-    nothing_set = conj(neg(w.set_now(r)) for r in w.sym.routes)
+    nothing_set = conj(neg(w.signals.set_now(r)) for r in w.sym.routes)
     no_overlap = conj(neg(w.rises(var(name))) for name in w.sym.overlaps.held.values())
     both = conj((nothing_set, no_overlap, *(var(w.sym.machines.by_hand[m, x]) for x in Position)))
-    yield "F-POINT", f"{m} both by hand", implies(both, neg(w.anew(m)))
+    yield "F-POINT", f"{m} both by hand", implies(both, neg(w.points.anew(m)))
     for x in Position:
-        command, other = w.commanded(m, x), w.commanded(m, x.other)
+        command, other = w.points.commanded(m, x), w.points.commanded(m, x.other)
         key, opposite = var(w.sym.machines.by_hand[m, x]), var(w.sym.machines.by_hand[m, x.other])
-        permitted = conj(()) if w.closing(m, x) else conj((w.movable(m), nothing_set))
+        permitted = conj(()) if w.points.closing(m, x) else conj((w.points.movable(m), nothing_set))
         turned = conj((key, neg(opposite), permitted))
         yield "F-POINT", f"{m} {x} by hand", implies(turned, w.after(command))
         yield "F-POINT", f"{m} {x} stays", implies(w.ends(command), w.after(other))
         if m in w.layout.device and x is Position.NORMAL:
-            back = conj((w.movable(m), nothing_set, neg(opposite)))
+            back = conj((w.points.movable(m), nothing_set, neg(opposite)))
             yield "F-POINT", f"{m} returns", implies(back, w.after(command))
         demanded = [
-            w.set_now(r)
+            w.signals.set_now(r)
             for r in w.sym.routes
             for way in (
                 *r.path.ways,
@@ -64,5 +66,5 @@ def _commands(w: Words, m: MachineId) -> Iterator[tuple[str, str, Expr]]:
             )
             if (m, x) in w.sym.ways.demands[way]
         ]
-        demanded += [w.set_now(r) for r in w.sym.routes if (m, x) in r.path.demands]
+        demanded += [w.signals.set_now(r) for r in w.sym.routes if (m, x) in r.path.demands]
         yield "F-POINT", f"{m} {x} by a route", implies(disj(demanded), w.after(command))
