@@ -16,8 +16,9 @@ from interlock.emit.drawing import plan_svg
 from interlock.emit.drawing.place import place
 from interlock.field.plc import Cycle
 from interlock.logic.controller import Controller
+from interlock.logic.names import Name
 from interlock.logic.symbols import Symbols
-from interlock.model.elements import Position
+from interlock.model.elements import Position, SignalId
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
 from interlock.panel.simulated import SimulatedField
@@ -139,6 +140,40 @@ def _awaited(y: Symbols) -> dict[str, list[str]]:
     return before
 
 
+_Signal = tuple[
+    str,
+    tuple[tuple[str, Name], ...],
+    Name | None,
+    Name | None,
+    tuple[tuple[str, Name, Name], ...],
+    Name | None,
+]
+"""A signal, lamps by word, cancellation, approach locking, its routes (name, set, locked), proof of its stop lamp."""
+
+
+def _of_signal(y: Symbols, g: SignalId) -> _Signal:
+    """What is read of a signal: its lamps, cancellation and approach locking, its routes, its stop lamp."""
+    return (
+        f"g:{g}",
+        tuple(
+            (word, aspect[g])
+            for word, aspect in (
+                ("call", y.aspects.call_on),
+                ("identifier", y.aspects.identifier),
+                ("clear", y.aspects.clear),
+                ("caution", y.aspects.caution),
+                ("shunt", y.aspects.shunt),
+                ("stop", y.aspects.stop),
+            )
+            if g in aspect
+        ),
+        y.cancellation.cancelling.get(g),
+        y.cancellation.approach_timer.get(g),
+        tuple((str(r.id), r.active, r.locked) for r in y.routes.of_signal.get(g, [])),
+        y.lamp_proof.stop.get(g),
+    )
+
+
 class Picture:
     """Makes what is shown from a cycle."""
 
@@ -174,28 +209,7 @@ class Picture:
             )
             for m in self.layout.machines
         ]
-        self._signals = [
-            (
-                f"g:{g.id}",
-                tuple(
-                    (word, aspect[g.id])
-                    for word, aspect in (
-                        ("call", y.aspects.call_on),
-                        ("identifier", y.aspects.identifier),
-                        ("clear", y.aspects.clear),
-                        ("caution", y.aspects.caution),
-                        ("shunt", y.aspects.shunt),
-                        ("stop", y.aspects.stop),
-                    )
-                    if g.id in aspect
-                ),
-                y.cancellation.cancelling.get(g.id),
-                y.cancellation.approach_timer.get(g.id),
-                tuple((str(r.id), r.active, r.locked) for r in y.routes.of_signal.get(g.id, [])),
-                y.lamp_proof.stop.get(g.id),
-            )
-            for g in self.layout.signals
-        ]
+        self._signals = [_of_signal(y, g.id) for g in self.layout.signals]
         self._distants = [
             (f"g:{d.id}", y.aspects.distant_clear.get(d.id), y.aspects.distant_caution.get(d.id))
             for d in self.layout.distants

@@ -198,6 +198,23 @@ def _by_hand(d: Draft, s: SectionId) -> list[Term]:
     return out
 
 
+def _after_restart(d: Draft, s: SectionId, ready: list[Term], rear: list[Term]) -> None:
+    """The release of the restart lock by an operator, when the restart delay is over."""
+    d.wire(
+        names.RELEASED_AFTER_RESTART(s),
+        Join.ALL,
+        (
+            *ready,
+            Term(var(names.RESTART_LOCK(s)), "restart lock"),
+            Term(var(RESTART_DELAY), "restart delay over"),
+            Term(disj((var(names.RELEASE_BY_HAND(s)), var(names.RELEASE_ALL))), "operator"),
+            *(rear if s in d.routes.berths else ()),
+        ),
+        f"section {s}",
+        f"{s} released after a restart (R16)",
+    )
+
+
 def release(d: Draft) -> None:
     """All the ways in which a section is released; none of them before it has been clear for the release delay."""
     valid = Term(var(names.VALID), "inputs valid")
@@ -236,20 +253,7 @@ def release(d: Draft) -> None:
             Term(var(names.CANCELLED(g)), "cancelled", f"route from {g} cancelled") for g, _ in _signals_into(d, s)
         ]
         d.wire(names.RELEASED_BY_HAND(s), Join.ALL, by_hand, group, f"{s} released by hand (R8, section fault release)")
-        d.wire(
-            names.RELEASED_AFTER_RESTART(s),
-            Join.ALL,
-            (
-                valid,
-                clear,
-                Term(var(names.RESTART_LOCK(s)), "restart lock"),
-                Term(var(RESTART_DELAY), "restart delay over"),
-                Term(disj((var(names.RELEASE_BY_HAND(s)), var(names.RELEASE_ALL))), "operator"),
-                *(rear if s in d.routes.berths else ()),
-            ),
-            group,
-            f"{s} released after a restart (R16)",
-        )
+        _after_restart(d, s, [valid, clear], rear)
         d.wire(
             names.RELEASED(s),
             Join.ANY,

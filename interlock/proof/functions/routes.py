@@ -26,11 +26,9 @@ def routes(w: Words) -> Iterator[tuple[str, str, Expr]]:
         yield "F-CANCEL", g, conj((iff(w.after(x), going), implies(done, neg(w.after(active)))))
 
 
-def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
-    after, sym = w.after, w.sym
-    active, locked, want, shows, shown = (var(n) for n in (r.active, r.locked, r.want, r.proceed, r.shown))
-    cancelling, cancelled = var(sym.cancellation.cancelling[r.entry]), var(sym.cancellation.cancel[r.entry])
-    free = conj((neg(cancelling), neg(cancelled), neg(_withdrawn(w, r))))
+def _grants(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
+    """When a route is set, and what of it is locked then."""
+    after, sym, active = w.after, w.sym, var(r.active)
     if r.path.identifier:  # it is set with a route that leads past its signal
         yield (
             "F-GRANT",
@@ -43,10 +41,18 @@ def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
         narrow, all_ = (disj(x for p in parts for x in _refusing(w, p, wide)) for wide in (False, True))
         yield "F-GRANT", r.id, implies(refused, all_)
         yield "F-GRANT", f"{r.id} set", implies(w.signals.set_now(r), neg(narrow))
-    stays = after(active)
     if r.path.berth is not None:
         unlocked = conj((w.signals.set_now(r), neg(w.f.locking.held(r.path.berth[0]))))
         yield "F-GRANT", f"{r.id} into its berth", implies(unlocked, after(w.f.locking.lock(*r.path.berth)))
+
+
+def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
+    after, sym = w.after, w.sym
+    active, locked, want, shows, shown = (var(n) for n in (r.active, r.locked, r.want, r.proceed, r.shown))
+    cancelling, cancelled = var(sym.cancellation.cancelling[r.entry]), var(sym.cancellation.cancel[r.entry])
+    free = conj((neg(cancelling), neg(cancelled), neg(_withdrawn(w, r))))
+    yield from _grants(w, r)
+    stays = after(active)
     setting = [active, neg(locked), w.valid, free, stays]
     ready, needed = (
         conj((*setting, *_lie(w, r, wide), *_added_lie(w, r), w.ways.overlap_lies(r, wide))) for wide in (True, False)
