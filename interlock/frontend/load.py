@@ -48,6 +48,7 @@ from interlock.frontend.resolve import (
     stops,
     title_block,
 )
+from interlock.frontend.schema import LayoutFile
 from interlock.frontend.validate import validate
 from interlock.frontend.wiring import Wirer
 from interlock.frontend.yaml_tree import parse
@@ -71,7 +72,7 @@ from interlock.model.elements import (
     Zone,
 )
 from interlock.model.layout import Layout
-from interlock.model.principles import PROFILES, Principles
+from interlock.model.principles import KNOBS, PROFILES, Principles
 
 MAX_BYTES = 4_000_000
 
@@ -262,6 +263,12 @@ def _layout(ctx: Context, principles: Principles, wiring: Wiring, named: _Named,
     )
 
 
+def _principles(data: LayoutFile) -> Principles:
+    """Those of the profile, but for what the layout states itself."""
+    stated = {k: v for k in KNOBS if (v := getattr(data.principles, k)) is not None}
+    return replace(PROFILES[data.profile], **stated)
+
+
 def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
     """Resolve a layout from its text."""
     root = parse(file, text, sink)
@@ -273,7 +280,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
     ctx = Context(data, root, sink)
     source = Source(file, text, ctx)
     sink.allowed = frozenset((x.lint, name) for x in data.allow for name in x.at)
-    principles = data.principles.override(PROFILES[data.profile])
+    principles = _principles(data)
     wiring = Wirer(ctx, principles).run()
     sink.locate = Places(ctx, {**wiring.approaches, **wiring.sections})
     check_names(ctx, {**wiring.sections, **wiring.approaches})

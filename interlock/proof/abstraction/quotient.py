@@ -317,9 +317,7 @@ class _Quotient:
                 others = -1
                 for i in bits_of(those):
                     others &= of.get(i, 0) | 1 << i
-                false = [
-                    self._use(family, c) for c in reached if c != block and self._parts.blocks[c] & ~others == 0
-                ]
+                false = [self._use(family, c) for c in reached if c != block and self._parts.blocks[c] & ~others == 0]
                 if false:
                     self._facts.append(neg(conj((self._use(family, block), disj(false)))))
 
