@@ -42,11 +42,13 @@ class Join(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Term:
-    """One operand with its reason; `kind` names the sort of condition, for comments and mutants."""
+    """One operand with its reason; `kind` names the sort of condition, for comments and mutants; `rule`: that of the
+    table's cell from which the condition is."""
 
     expr: Expr
     kind: str
     note: str = ""
+    rule: str = ""
 
 
 @dataclass(frozen=True)
@@ -165,9 +167,9 @@ class Controller:
                 raise MalformedController(f"output {o.name} reads more than the new state")
             if evaluate(o.expr, initial.__getitem__, {}) != o.restrictive:
                 raise MalformedController(f"output {o.name} is not restrictive in the initial state")
-        self._look_at_words(defined | {computed(name) for name in kept})
+        self._check_words(defined | {computed(name) for name in kept})
 
-    def _look_at_words(self, readable: set[str]) -> None:
+    def _check_words(self, readable: set[str]) -> None:
         """Words read what a scan reads and computes, and words before them; nothing else can read a word."""
         told: set[str] = set()
         for w in self.words.words:

@@ -26,7 +26,12 @@ def holds(r: RouteRow) -> Name | None:
 def free(d: Draft, r: RouteRow) -> list[Term]:
     """Nothing that was added keeps the route from being granted."""
     out = [
-        Term(neg(var(names.HOLDS_ADDED(d.table.route[c.route].number))), "declared hostile", c.because.text)
+        Term(
+            neg(var(names.HOLDS_ADDED(d.table.route[c.route].number))),
+            "declared hostile",
+            c.because.text,
+            c.because.rule,
+        )
         for c in r.barred
     ]
     for p in r.added:

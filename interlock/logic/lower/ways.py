@@ -99,7 +99,7 @@ def _foul(d: Draft, t: TraversalRow) -> list[Term]:
         clear = d.sections.clear(c.section)
         if c.when is not None:
             clear = disj((clear, d.machines.detected(c.when[0], c.when[1].other)))
-        out.append(Term(clear, "foul section clear", c.because.text))
+        out.append(Term(clear, "foul section clear", c.because.text, c.because.rule))
     return out
 
 
@@ -108,9 +108,9 @@ def _space(d: Draft, t: TraversalRow) -> list[Term]:
     out = []
     for c in t.space:
         if c.lamp:
-            out.append(Term(var(names.STOP_LAMP(c.name)), "flank lamp intact", c.because.text))
+            out.append(Term(var(names.STOP_LAMP(c.name)), "flank lamp intact", c.because.text, c.because.rule))
         else:
-            out.append(Term(d.sections.clear(SectionId(c.name)), "flank space clear", c.because.text))
+            out.append(Term(d.sections.clear(SectionId(c.name)), "flank space clear", c.because.text, c.because.rule))
     return out
 
 

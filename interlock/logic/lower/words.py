@@ -113,7 +113,7 @@ class _Writer:
         """A section does not count as clear: reported occupied, its detector faulty, or clear not yet for long."""
         s = str(name.at[0])
         e = self.equations[names.OCCUPIED(s)]
-        wanted = [Term(neg(t.expr), t.kind, t.note) for t in e.terms if t.expr is not neg(var(names.VALID))]
+        wanted = [Term(neg(t.expr), t.kind, t.note, t.rule) for t in e.terms if t.expr is not neg(var(names.VALID))]
         late = self._code(var(name), sentence(name, False), SENTENCES[names.LONG_CLEAR].rule, about(name))
         return self._word(names.WHY_NOT_CLEAR(s), e, chain(self._cases(wanted), (Case(neg(var(name)), late),)))
 
@@ -152,7 +152,9 @@ class _Writer:
         return f" from {ends[0]} to {ends[1]}" + (f" for route {routes}" if over else "")
 
     def _rule(self, x: Expr, t: Term) -> str:
-        """The page of the rule that asks for a condition."""
+        """The page of the rule that asks for a condition: that of its cell in the table, if it is from one."""
+        if t.rule:
+            return t.rule
         inner = x.args[0] if x.op is NOT else x
         known = SENTENCES.get(self._name(inner).family) if inner.op is VAR else None
         return known.rule if known is not None and t.kind not in RULES else RULES.get(t.kind, "R6")

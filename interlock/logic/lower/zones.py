@@ -59,7 +59,7 @@ def terms(d: Draft, r: RouteRow) -> list[Term]:
     for c in r.zones:
         z = d.layout.zones[number[c.zone] - 1]
         full = _at_least(d, number[c.zone], z.trains - c.entries + 1)
-        out.append(Term(neg(full), "zone not full", c.because.text))
+        out.append(Term(neg(full), "zone not full", c.because.text, c.because.rule))
     return out
 
 

@@ -36,8 +36,8 @@ from interlock.proof.abstraction.indexed import GuardedClause, HasFamilies, Inde
 
 _KEPT = Kind.KEPT
 
-WIDE = 30  # a fact that reads more names than this is in no abstraction
-HUB = 60  # a name in more facts than this says nothing about what lies together
+MAX_SUPPORT = 30  # a fact whose support, the names that it reads, is larger is in no abstraction
+MAX_DEGREE = 60  # a name of the support of more facts than this leads to none of them
 
 
 class Located(HasFamilies, Protocol):
@@ -78,7 +78,7 @@ class Focus:
     """Goals that share a local abstraction.
 
     whole: goals by number.  pieces: an expression over families, and for each member of which it is to hold the goals
-    that it is a part of.  homes: elements that are near.
+    that it is a part of.  homes: elements that the goals name.
     """
 
     homes: tuple[Owner, ...]
@@ -152,7 +152,7 @@ class PlaceIndex:
         self.names_of = [m.read(x)[0] for x, _ in m.plain]
         """What each fact about places reads."""
         for n, names in enumerate(self.names_of):
-            if len(names) <= WIDE:
+            if len(names) <= MAX_SUPPORT:
                 _note(self.facts_at, names, n)
             if len(names) == 1:
                 _note(self.alone_at, names, n)
@@ -164,7 +164,7 @@ class PlaceIndex:
         for n, (x, _) in enumerate(m.mixed):
             _note(self.mixed_at, m.read(x)[0], n)
         for at in (self.facts_at, self.mixed_at):
-            for v in [v for v, facts in at.items() if len(facts) > HUB]:
+            for v in [v for v, facts in at.items() if len(facts) > MAX_DEGREE]:
                 del at[v]
 
 

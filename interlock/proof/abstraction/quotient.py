@@ -43,11 +43,11 @@ class _Cone:
         self._local, self._truncated = local, truncated
         self.names: dict[Name, None] = {}
         self._families: dict[Name, None] = {}
-        self._near: dict[Owner, None] = dict.fromkeys(focus.homes)
+        self._elements: dict[Owner, None] = dict.fromkeys(focus.homes)
         self._grow(focus)
 
     def _grow(self, focus: Focus) -> None:
-        """Find the names near the goals."""
+        """Begin with the names in the goals, and the elements to which they belong."""
         m, homes = self._local.members, self._local.places.homes
         names: dict[Name, None] = {}
         families: dict[Name, None] = {}
@@ -60,29 +60,29 @@ class _Cone:
                     families[v] = None
                 else:
                     names[v] = None
-        self._near |= dict.fromkeys(homes[v] for v in names if v in homes)
-        self._reach(names, families, self._near)
+        self._elements |= dict.fromkeys(homes[v] for v in names if v in homes)
+        self._reach(names, families, self._elements)
 
-    def _reach(self, names: Iterable[Name], families: Iterable[Name], near: Iterable[Owner]) -> None:
-        """Add names to the cone, what they mean, and what families of which they speak say of what is near.
+    def _reach(self, names: Iterable[Name], families: Iterable[Name], elements: Iterable[Owner]) -> None:
+        """Add names to the cone, what they mean, and what families of which they speak say of the elements.
 
-        A truncated cone has no reasons for what is at an element that is not near.
+        A truncated cone has no reasons for what is at an element that the goals do not name.
         """
         todo, fresh, leads = list(names), list(families), self._local.places.leads
-        far, near_by = self._local.places.homes if self._truncated else {}, self._near
+        homes, named = self._local.places.homes if self._truncated else {}, self._elements
         while todo or fresh:
             while fresh:
                 f = fresh.pop()
                 if f not in self._families:
                     self._families[f] = None
                     fresh.extend(self._local.clauses.families.get(f, ()))
-                    for h in near:
+                    for h in elements:
                         todo.extend(self._local.clauses.names_at.get((f, h), ()))
             while todo:
                 v = todo.pop()
                 if v not in self.names:
                     self.names[v] = None
-                    if v in leads and (v not in far or far[v] in near_by):
+                    if v in leads and (v not in homes or homes[v] in named):
                         reads, speaks_of = leads[v]
                         todo += reads
                         fresh += speaks_of
@@ -94,13 +94,13 @@ class _Cone:
     def _deepen(self, facts: Iterable[int]) -> None:
         """See what names mean that stand in facts of which the abstraction sees all else."""
         homes, next_to, names_of = self._local.places.homes, self._local.places.next_to, self._local.places.names_of
-        near = set(map(homes.get, self.names)) - {None}
+        inside = set(map(homes.get, self.names)) - {None}
         cone, states = set(self.names), self._local.places.state_homes
         for n in facts:
             names = names_of[n]
             if not cone.issuperset(names):
                 for v in next_to[n]:
-                    if v not in self.names and states.get(v) not in near:
+                    if v not in self.names and states.get(v) not in inside:
                         break
                 else:
                     self._reach(names, (), ())
@@ -119,13 +119,13 @@ class _Cone:
     def clauses(self) -> list[GuardedClause]:
         """The guarded clauses of which all names are in the cone.
 
-        Of what is not near, a truncated cone has none.
+        A truncated cone has none that speaks of other elements than the goals name.
         """
         hits = Counter(chain.from_iterable(filter(None, map(self._local.clauses.guarded_at.get, self.names))))
         found = [t for t, n in hits.items() if n == len(t.names)]
         if self._truncated:
             homes = self._local.clauses.homes_of
-            found = [t for t in found if t not in homes or not homes[t].isdisjoint(self._near)]
+            found = [t for t in found if t not in homes or not homes[t].isdisjoint(self._elements)]
         return found
 
 
