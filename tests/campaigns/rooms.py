@@ -87,10 +87,6 @@ LARGE = {
     "simulate/yard.py Yard": (25, "to be taken apart: what stands in a yard, and the scans of its controller"),
     "st/parser.py _Reader": (16, "a recursive-descent parser: one method a rule of the grammar"),
     "st/shared.py _Program": (16, "to be taken apart: reading the blocks, and joining them"),
-    "table/national/reading.py Reading": (
-        21,
-        "to be taken apart: names, points and opposing routes of the printed forms",
-    ),
     "table/rows.py RouteRow": (41, "a row of the table: its cells (34 fields), and seven things that follow from them"),
 }
 """Classes with more than PUBLIC members that are more than fields, each with its reason.  Numbers only fall."""

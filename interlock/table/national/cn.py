@@ -473,7 +473,7 @@ class _Form:
         """A condition by the end of the machine at which a route parts from others, else the first that it passes."""
         machine, position = need
         passed = [p for key in t.traversals for p, _ in self._way(key).points]
-        ends = [*(p for p, _ in self._reading.facing_ends(t)), *passed]
+        ends = [*(p for p, _ in self._reading.machines.facing_ends(t)), *passed]
         return _lying(next((p for p in ends if self.layout.point[p].machine == machine), machine), position)
 
     def _end_in(self, section: SectionId, machine: MachineId) -> PointId | MachineId:
