@@ -247,7 +247,7 @@ def _more(s: Station, name: str) -> Iterator[Difference]:
     if "past" in s.columns:
         yield from _both(name, "past", set(row["past"].split()), {str(r.exit)} if r.onward else set())
     if "decides" in s.columns:
-        chosen = {f"{s.layout.point[p].machine}{'R' if x == 'R' else ''}" for p, x in s.reading.deciding(r)}
+        chosen = {f"{s.layout.point[p].machine}{'R' if x == 'R' else ''}" for p, x in s.reading.machines.deciding(r)}
         yield from _both(name, "decides", set(row["decides"].split()), chosen)
     if "overlap" in s.columns:
         yield from _both(name, "overlap", set(row["overlap"].split()), s.overlaps(name))

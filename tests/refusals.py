@@ -100,21 +100,21 @@ def hostile_hour(name: str, seed: int, seconds: int = HOUR) -> Hour:
     numbers = {r.number: r for r in sym.routes}
     for second in range(seconds):
         asked = chance.choice(list(numbers)) if second % 2 and chance.random() < 0.7 else 0
-        given = {sym.request: asked, sym.release_all: int(chance.random() < 0.3)}
-        given |= {n: int(chance.random() < 0.2) for n in sym.release.values()}
-        given |= {n: int(chance.random() < 0.05) for n in sym.cancel.values()}
-        for n in sym.blocked.values():
+        given = {sym.requests.request: asked, sym.sections.release_all: int(chance.random() < 0.3)}
+        given |= {n: int(chance.random() < 0.2) for n in sym.sections.release.values()}
+        given |= {n: int(chance.random() < 0.05) for n in sym.cancellation.cancel.values()}
+        for n in sym.sections.blocked.values():
             if chance.random() < 0.01:
                 blocked ^= {n}
         given |= dict.fromkeys(blocked, 1)
-        given |= {n: 0 for n in (*sym.condition.values(), *sym.stop_lamp.values()) if chance.random() < 0.02}
-        given |= {n: 0 for n in sym.clear.values() if chance.random() < 0.01}
+        given |= {n: 0 for n in (*sym.condition.values(), *sym.lamp_proof.stop.values()) if chance.random() < 0.02}
+        given |= {n: 0 for n in sym.sections.clear.values() if chance.random() < 0.01}
         given |= {sym.valid: 0} if chance.random() < 0.01 else {}
         possible = sim.possible()
         events = chance.sample(possible, min(len(possible), chance.randrange(3)))
         before = {s.name: bool(sim.state[s.name]) for s in controller.state}, dict(sim.elapsed)
         sim.step(events, given)
-        fresh = before[0][sym.fresh[sym.request]]
+        fresh = before[0][sym.requests.fresh[sym.requests.request]]
         if not asked or not fresh or not sim.last[sym.valid]:
             continue
         inputs = {i.name: int(sim.last[i.name]) for i in controller.inputs}

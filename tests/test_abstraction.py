@@ -62,7 +62,9 @@ class Large:
         for name, (family, number) in system.indexed.items():
             self.of.setdefault(family, []).append((number, named.named(var(name))))
         for r in system.symbols.routes:
-            self.of.setdefault(each_value(names.REQUEST), []).append((r.number, system.symbols.asked(r.number)))
+            self.of.setdefault(each_value(names.REQUEST), []).append(
+                (r.number, system.symbols.requests.asked(r.number))
+            )
         cnf = Cnf()
         for name, x in system.definitions.items():
             cnf.define(name, x)

@@ -161,10 +161,10 @@ def more_than(one: Controller, other: Controller) -> list[str]:
         grant = f"G_R{r.number}"
         asked[grant] = conj((one.expanded[grant], neg(other.expanded[grant])))
         asked[r.proceed] = conj((one.next_state[r.proceed], neg(other.next_state[r.proceed])))
-    for m in dict.fromkeys(m for m, _ in one.symbols.command):
+    for m in dict.fromkeys(m for m, _ in one.symbols.machines.command):
         moves = f"MOV_{portable(m)}"
         asked[moves] = conj((one.expanded[moves], neg(other.expanded[moves])))
-    for name in one.symbols.lock.values():
+    for name in one.symbols.sections.lock.values():
         asked[f"{name} taken"] = conj((one.next_state[name], neg(other.next_state[name])))
         kept = conj((other.next_state[name], neg(one.next_state[name])))
         asked[f"{name} released"] = conj((var(name), nothing, kept))

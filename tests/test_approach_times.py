@@ -47,7 +47,7 @@ def test_it_is_proved_and_the_second_checker_agrees() -> None:
     made = grown(own("60"))
     assert made is not None
     controller = lower(made[0], made[1])
-    name = controller.symbols.approach_timer[next(g.id for g in made[0].signals if g.id == "S1")]
+    name = controller.symbols.cancellation.approach_timer[next(g.id for g in made[0].signals if g.id == "S1")]
     assert {t.preset_ms for t in controller.timers if t.name == name} == {60_000}
     assert prove(System(made[0], controller), limits=Limits(search_s=0)).proved
     assert agree(*told(own("60")), specification.shipped()).left == ()

@@ -33,7 +33,7 @@ class Yard:
 
     def see(self) -> None:
         occupied = {s for x in self.at.values() for s in x}
-        self.d.step({n: int(s not in occupied) for s, n in self.symbols.clear.items()}, self.ways)
+        self.d.step({n: int(s not in occupied) for s, n in self.symbols.sections.clear.items()}, self.ways)
 
     def drive(self, train: str, *sections: str) -> None:
         """Into each section with the head, then out of the one before with the tail."""

@@ -195,7 +195,7 @@ def expected_first(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(
         describer.Describer,
         "_heads",
-        lambda self, s: [t for t in self.trains if t.under and t.under[-1] in self.next_to.get(s, ())],
+        lambda self, s: [t for t in self.trains if t.under and t.under[-1] in self._next_to.get(s, ())],
     )
 
 

@@ -65,7 +65,7 @@ class Three:
         for _ in range(2):
             self.scan({}, 100)
         symbols = self.controller.symbols
-        self.over(dict.fromkeys([symbols.restart_timer, *symbols.release_timer.values()], True))
+        self.over(dict.fromkeys([symbols.start.restart_timer, *symbols.sections.release_timer.values()], True))
 
     def scan(self, inputs: dict[str, int], dt_ms: int) -> dict[str, bool]:
         """One scan of each; they must agree."""

@@ -22,13 +22,13 @@ def faulty_inputs(system: System, rng: random.Random) -> dict[str, int]:
         if i.note.startswith("operator:") and not i.size and not i.name.startswith("BLK_"):
             out[i.name] = int(rng.random() < (0.3 if i.name.startswith("REL") else 0.01))
     if rng.random() < 0.5:  # and 0 between: a number counts on a change
-        out[system.symbols.request] = 1 + rng.randrange(len(system.symbols.routes))
+        out[system.symbols.requests.request] = 1 + rng.randrange(len(system.symbols.routes))
     if rng.random() < 0.05:
-        out[rng.choice(sorted(system.symbols.clear.values()))] = 0
+        out[rng.choice(sorted(system.symbols.sections.clear.values()))] = 0
     if rng.random() < 0.02:
-        out[rng.choice(sorted(system.symbols.detected.values()))] = 0
-    if rng.random() < 0.03 and system.symbols.healthy:
-        out[rng.choice(sorted(system.symbols.healthy.values()))] = 0
+        out[rng.choice(sorted(system.symbols.machines.detected.values()))] = 0
+    if rng.random() < 0.03 and system.symbols.sections.healthy:
+        out[rng.choice(sorted(system.symbols.sections.healthy.values()))] = 0
     if rng.random() < 0.003:
         out[system.symbols.valid] = 0
     return out

@@ -162,14 +162,19 @@ class Desk:
         exec(compile(runtime_py(controller, []), "runtime.py", "exec"), module.__dict__)
         self.one: Any = module.__dict__["Controller"]()
         sym = controller.symbols
-        lying = [name for (_, x), name in sym.detected.items() if x is Position.NORMAL]
+        lying = [name for (_, x), name in sym.machines.detected.items() if x is Position.NORMAL]
         lamps = [
             n
-            for those in (sym.stop_lamp, sym.clear_lamp, sym.caution_lamp, sym.identifier_lamp)
+            for those in (
+                sym.lamp_proof.stop,
+                sym.lamp_proof.clear,
+                sym.lamp_proof.caution,
+                sym.lamp_proof.identifier,
+            )
             for n in those.values()
         ]
-        self.reads: dict[str, int] = dict.fromkeys([sym.valid, *sym.clear.values(), *lying, *lamps], 1)
-        self.reads |= dict.fromkeys(sym.blocked.values(), 0)
+        self.reads: dict[str, int] = dict.fromkeys([sym.valid, *sym.sections.clear.values(), *lying, *lamps], 1)
+        self.reads |= dict.fromkeys(sym.sections.blocked.values(), 0)
         for _ in range(4000):
             self.scan(RELALL=1)
             self.scan()

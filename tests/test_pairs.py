@@ -29,7 +29,7 @@ def _share(f: Facts, a: SignalPath, b: SignalPath) -> bool:
     if any((c, 1 - arm) in crossings for t in b.ways for c, arm in t.crossings):
         return True
     for over, beside in ((a, b), (b, a)):
-        for fj in f.fouls:
+        for fj in f.track.fouls:
             passes = any(p == fj.element and x is not fj.side for t in over.ways for p, x in t.points)
             passes |= any(c == fj.element and arm != fj.side for t in over.ways for c, arm in t.crossings)
             touches = any(
@@ -48,7 +48,7 @@ def _every_pair_is_told_apart(layout: Layout, table: InterlockingTable) -> int:
             cnf.require(c.expr)
     for m in layout.machines:
         cnf.require(at_most_one(lies(m, x) for x in Position))
-    shown = [(g.id, k) for g in layout.signals for k in f.functions(g.id)]
+    shown = [(g.id, k) for g in layout.signals for k in f.track.functions(g.id)]
     pairs = [
         (a, b)
         for x, y in combinations(shown, 2)
@@ -58,7 +58,14 @@ def _every_pair_is_told_apart(layout: Layout, table: InterlockingTable) -> int:
     ]
     both = [
         cnf.literal(
-            conj((f.sym.signal(a.signal, a.shunt), f.sym.signal(b.signal, b.shunt), lie(f, a.ways), lie(f, b.ways)))
+            conj(
+                (
+                    f.sym.aspects.signal(a.signal, a.shunt),
+                    f.sym.aspects.signal(b.signal, b.shunt),
+                    lie(f, a.ways),
+                    lie(f, b.ways),
+                )
+            )
         )
         for a, b in pairs
     ]

@@ -73,7 +73,7 @@ def _leaves(sim: Simulator, event: str) -> bool:
     if not event.startswith("start."):
         return False
     _, m, x = event.split(".")
-    return sim.is_on(sim.controller.symbols.command[MachineId(m), Position(x).other])
+    return sim.is_on(sim.controller.symbols.machines.command[MachineId(m), Position(x).other])
 
 
 def on(sim: Simulator, output: str) -> bool:
@@ -109,14 +109,14 @@ def test_an_automatic_route_is_set_again_after_every_train() -> None:
 
 def sim_joint(sim: Simulator, signal: str) -> str:
     """The joint at which a signal stands, read from its events."""
-    first = next(r.ways[0][0] for r in sim.controller.symbols.routes if r.entry == signal)
-    rear = sim.controller.symbols.approach_of[signal]  # type: ignore[index]
+    first = next(r.path.ways[0][0] for r in sim.controller.symbols.routes if r.entry == signal)
+    rear = sim.controller.symbols.cancellation.approach_of[signal]  # type: ignore[index]
     return joint_between(sim, str(rear), first)
 
 
 def joint_between(sim: Simulator, a: str, b: str) -> str:
     """The joint between two sections."""
-    ends = sim.controller.symbols.ends
+    ends = sim.controller.symbols.ways.ends
     return next(j for j in ends[SectionId(a)] if j in ends[SectionId(b)])
 
 
@@ -342,7 +342,7 @@ def test_an_overlap_swings_until_a_train_is_close() -> None:
         + "overlaps:\n  X2: {length: 60, swing: yes}\n"
     )
     sim = simulator(text)
-    swing = sim.controller.symbols.swing_request["X2"]  # type: ignore[index]
+    swing = sim.controller.symbols.overlaps.swing_request["X2"]  # type: ignore[index]
     steps(sim, 1, ("appear.wa",))
     steps(sim, 4, REQ=number(sim, "X1-X2"))
     assert sim.is_on("V_X2_1") and sim.is_on("CN_P1")

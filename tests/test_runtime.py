@@ -36,15 +36,15 @@ def test_a_route_is_set_by_its_name() -> None:
     row = table.routes[0]
     one = module_of("fig2_2").Controller()
     sym = controller.symbols
-    lying = [name for (_, position), name in sym.detected.items() if position is Position.NORMAL]
-    quiet = {i.name: 0 for i in controller.inputs} | dict.fromkeys([sym.valid, *sym.clear.values(), *lying], 1)
+    lying = [name for (_, position), name in sym.machines.detected.items() if position is Position.NORMAL]
+    quiet = {i.name: 0 for i in controller.inputs} | dict.fromkeys([sym.valid, *sym.sections.clear.values(), *lying], 1)
     for _ in range(4000):
-        one.scan({**quiet, sym.release_all: 1}, 100)
+        one.scan({**quiet, sym.sections.release_all: 1}, 100)
         one.scan(quiet, 100)
     route = sym.routes[0]
-    assert route.id == row.id and not any(one.state[sym.lock[way]] for way in route.ways)
+    assert route.id == row.id and not any(one.state[sym.sections.lock[way]] for way in route.path.ways)
     one.scan({**quiet, **one.request(row.id)}, 100)
-    assert all(one.state[sym.lock[way]] for way in route.ways)
+    assert all(one.state[sym.sections.lock[way]] for way in route.path.ways)
 
 
 def test_what_is_no_input_is_refused_by_name_and_changes_nothing() -> None:

@@ -161,7 +161,7 @@ def test_each_machine_is_watched_for_its_own_time() -> None:
     layout, table, _ = said(text_of("slow_barrier"))
     controller = lower(layout, table)
     presets = {t.name: t.preset_ms for t in controller.timers}
-    watched = {str(m): presets[name] for m, name in controller.symbols.late_timer.items()}
+    watched = {str(m): presets[name] for m, name in controller.symbols.machines.late_timer.items()}
     assert watched == {"1": 6000, "7a": 7000, "7b": 7000, "D": 8000, "LC": 20000}
 
 

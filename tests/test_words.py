@@ -70,8 +70,14 @@ def longest(c: Controller) -> Word:
 def quiet(controller: Controller) -> dict[str, int]:
     """Everything clear, points normal, nothing asked for."""
     sym = controller.symbols
-    lying = [name for (_, position), name in sym.detected.items() if position is Position.NORMAL]
-    on = [sym.valid, *sym.clear.values(), *lying, *sym.stop_lamp.values(), *sym.clear_lamp.values()]
+    lying = [name for (_, position), name in sym.machines.detected.items() if position is Position.NORMAL]
+    on = [
+        sym.valid,
+        *sym.sections.clear.values(),
+        *lying,
+        *sym.lamp_proof.stop.values(),
+        *sym.lamp_proof.clear.values(),
+    ]
     return {i.name: 0 for i in controller.inputs} | dict.fromkeys(on, 1)
 
 
@@ -84,11 +90,11 @@ def test_the_word_of_a_route_from_restart_to_cancellation() -> None:
     one.scan(base, 100)
     assert "is not released since the restart" in one.why_not(route.id)[1] and one.why_not(route.id)[2] == "R16"
     for _ in range(4000):
-        one.scan({**base, sym.release_all: 1}, 100)
+        one.scan({**base, sym.sections.release_all: 1}, 100)
         one.scan(base, 100)
     assert one.status(route.id) == (FREE, "free") and one.why_not(route.id) is None
-    first = route.ways[0][0]
-    one.scan({**base, **one.request(route.id), sym.clear[first]: 0}, 100)
+    first = route.path.ways[0][0]
+    one.scan({**base, **one.request(route.id), sym.sections.clear[first]: 0}, 100)
     assert one.why_not(route.id)[1:] == (f"section {first} is occupied", "R3")
     for _ in range(300):
         one.scan(base, 100)
@@ -97,9 +103,9 @@ def test_the_word_of_a_route_from_restart_to_cancellation() -> None:
     one.scan(base, 100)
     one.scan(base, 100)
     assert one.status(route.id) == (OPEN, "open") and one.countdown_ms(route.id) is None
-    approach = sym.approach_of[route.entry]
-    coming = {sym.clear[approach]: 0} if approach in sym.clear else {}
-    one.scan({**base, **coming, sym.cancel[route.entry]: 1}, 100)
+    approach = sym.cancellation.approach_of[route.entry]
+    coming = {sym.sections.clear[approach]: 0} if approach in sym.sections.clear else {}
+    one.scan({**base, **coming, sym.cancellation.cancel[route.entry]: 1}, 100)
     one.scan({**base, **coming}, 100)
     left = one.countdown_ms(route.id)
     assert one.status(route.id) == (CANCELLING, "being cancelled")
@@ -153,7 +159,7 @@ def test_a_runtime_with_another_word_is_refused() -> None:
         ("if cases[i]:", "if not cases[i]:"),
         (f"1: {c.words.routes[1]},", f"1: {c.words.routes[2]},"),
         ("        if say:\n", "        if not say:\n"),
-        (f"    1: '{c.symbols.approach_timer[c.symbols.routes[0].entry]}'", "    1: 'RST'"),
+        (f"    1: '{c.symbols.cancellation.approach_timer[c.symbols.routes[0].entry]}'", "    1: 'RST'"),
     ):
         assert text.count(old) >= 1 and not compare_runtime(c, text.replace(old, new, 1)).proved, old
 

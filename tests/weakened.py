@@ -83,7 +83,7 @@ def _steps(c: Controller, change: Callable[[Step], Step]) -> Controller:
 
 def _from_setting(c: Controller) -> Controller:
     """The approach locking delay of a signal runs from the setting of its route, not from its cancellation."""
-    names = {portable(str(g)): disj(var(r.active) for r in routes) for g, routes in c.symbols.routes_from.items()}
+    names = {portable(str(g)): disj(var(r.active) for r in routes) for g, routes in c.symbols.routes.of_signal.items()}
 
     def change(e: Equation) -> Equation:
         if not _is(e, "ATI"):

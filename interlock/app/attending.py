@@ -60,7 +60,7 @@ class Attendant:
             self.describer.confirm(SectionId(self.setting.track.sections[r.sections[-1]]), number)
         for s in [s for s, n in self.describer.blocked.items() if n == number]:
             self.describer.looked(s)
-            self.yard.write(self.setting.symbols.blocked[s], 0)
+            self.yard.write(self.setting.symbols.sections.blocked[s], 0)
         self.look()
 
     def operate(self) -> None:
@@ -72,14 +72,14 @@ class Attendant:
             locked = self.setting.symbols.indication.get(f"locked {s.id}")
             if name is None or locked is None:
                 continue
-            clear = seen.get(self.setting.symbols.clear[s.id], 0)
+            clear = seen.get(self.setting.symbols.sections.clear[s.id], 0)
             if seen.get(locked) and clear and s.id not in near:
                 self._press(name, RELEASE_S)
                 self._cancel(s.id)
         ahead = {s.entry for run in self.dispatcher.runs for s in run.granted[run.at :]}
         opened = {s.entry for s in self.dispatcher.stages.values() if s.entry not in ahead and s.open(seen)}
         for g in sorted(opened):
-            self._press(self.setting.symbols.cancel[g], 1.0)
+            self._press(self.setting.symbols.cancellation.cancel[g], 1.0)
         for name in self.setting.confirms:
             if seen.get(name.replace("TC_", "YT_", 1)):
                 self._press(name, 1.0)
@@ -88,7 +88,7 @@ class Attendant:
     def _cancel(self, first: SectionId) -> None:
         """A route that begins in a section may still be set, since nobody was seen to pass its signal."""
         for g in sorted({x.entry for x in self.dispatcher.stages.values() if x.sections[0] == first}):
-            self._press(self.setting.symbols.cancel[g], 1.0)
+            self._press(self.setting.symbols.cancellation.cancel[g], 1.0)
 
     def _press(self, name: str, seconds: float) -> None:
         self.yard.write(name, 1)

@@ -99,7 +99,12 @@ class Ground:
         system = System(layout, self.controller)
         self.lanes = Lanes(self.controller, system.plant, DT_MS)
         sym = self.controller.symbols
-        self._watched = [*sym.clear.values(), *sym.indication.values(), *sym.lamps, sym.seen[sym.request]]
+        self._watched = [
+            *sym.sections.clear.values(),
+            *sym.indication.values(),
+            *sym.aspects.lamps,
+            sym.requests.seen[sym.requests.request],
+        ]
         self._before: dict[str, int] = {}
         self._clock, self._changed = -1, 0
 

@@ -48,18 +48,18 @@ class Guide:
         end_ms: int,
         demands: Demands = Demands(),  # noqa: B008 - frozen
     ) -> None:
-        self.demands = demands
-        self.setting, self.trips, self.assigner, self.end_ms = setting, trips, assigner, end_ms
+        self._demands = demands
+        self._setting, self.trips, self._assigner, self._end_ms = setting, trips, assigner, end_ms
         self.where: dict[str, Where] = {}
         self.ready: dict[str, int] = {}
         """By train: when it will have been loaded, tipped or back, as far as is known (milliseconds)."""
-        self.plan: Staged | None = None
+        self._plan: Staged | None = None
         self.plans = self.by_rules = 0
-        self.granted_ms = 0
+        self._granted_ms = 0
         self._made_ms = -AGAIN_MS
         self._stale = True
         self._rules_until = 0
-        self.now_ms = 0
+        self._now_ms = 0
         """Milliseconds since the shift began."""
         self._order: dict[str, int] = {}
         self._at: dict[str, int] = {}
@@ -80,12 +80,12 @@ class Guide:
 
     def look(self, now_ms: int) -> None:
         """Time has passed."""
-        self.now_ms = now_ms
+        self._now_ms = now_ms
         if now_ms < self._rules_until:
             return
-        if self.plan is not None and now_ms - self.granted_ms > STUCK_MS and self._holds_back():
+        if self._plan is not None and now_ms - self._granted_ms > STUCK_MS and self._holds_back():
             self.by_rules += 1
-            self._rules_until, self.plan = now_ms + STUCK_MS, None
+            self._rules_until, self._plan = now_ms + STUCK_MS, None
             self._held.clear()
             return
         if (self._stale or self._due()) and now_ms - self._made_ms >= AGAIN_MS:
@@ -93,37 +93,37 @@ class Guide:
 
     def granted(self, run: str, sections: Sequence[str]) -> None:
         """A route was set for a run."""
-        self.granted_ms = self.now_ms
+        self._granted_ms = self._now_ms
         self._stale = True
         for train in [t for t, trip in self.trips.items() if trip.run.name == run]:
             self._used |= {(train, x) for x in sections}
             if self.trips[train].phase == "away":  # another may come for its loading place
-                self.assigner.leaves(train)
+                self._assigner.leaves(train)
 
     def waits(self, run: Run, step: Step) -> str:
         """Why a train waits by the plan: others use a section of the step before it; empty: it may go."""
         train = next((t for t, trip in self.trips.items() if trip.run is run), "")
         for x in dict.fromkeys(str(s) for r in step.routes for s in r.section_ids):
-            users = [] if self.plan is None else self._users.get(x, [])
+            users = [] if self._plan is None else self._users.get(x, [])
             if train in users:
                 before = users[: users.index(train)]
                 first = next((o for o in before if (o, x) not in self._used and not self._caught(o)), None)
                 if first is not None:
-                    self._held.setdefault(train, self.now_ms)
+                    self._held.setdefault(train, self._now_ms)
                     return f"another train goes first by the plan: {first} through {x}"
         self._held.pop(train, None)
         return ""
 
     def order(self, train: str) -> tuple[bool, Derived | None]:
         """Whether the plan decides about an idle train, and the order that it takes now; None: not yet."""
-        if self.plan is None:
+        if self._plan is None:
             return False, None
         k = self._turn.get(train)
         if k is None:
             return True, None
-        if self._order[train] - LEAD_S * 1000 > self.now_ms:
+        if self._order[train] - LEAD_S * 1000 > self._now_ms:
             return True, None
-        return True, self.setting.derived[k]
+        return True, self._setting.derived[k]
 
     def _caught(self, train: str) -> bool:
         """No completion plan takes a train on: nobody waits for it."""
@@ -131,23 +131,23 @@ class Guide:
 
     def _holds_back(self) -> bool:
         """A train has been held back by nothing but the plan for as long as nothing was granted."""
-        return any(self.now_ms - since > STUCK_MS for since in self._held.values())
+        return any(self._now_ms - since > STUCK_MS for since in self._held.values())
 
     def _due(self) -> bool:
         """A train was to set out a while ago, and has not."""
-        return any(self._made_ms < at < self.now_ms - AGAIN_MS for at in self._at.values())
+        return any(self._made_ms < at < self._now_ms - AGAIN_MS for at in self._at.values())
 
     # --- the plan ------------------------------------------------------------------------------
 
     def _make(self) -> None:
-        self._made_ms, self._stale = self.now_ms, False
+        self._made_ms, self._stale = self._now_ms, False
         fleet, names = self.fleet()
-        window = min(WINDOW_S, max(60, (self.end_ms - self.now_ms) // 1000))
+        window = min(WINDOW_S, max(60, (self._end_ms - self._now_ms) // 1000))
         found = staged(fleet, window, WIDTH)
         self.plans += 1
         self._at, self._turn, self._order = {}, {}, {}
         for s in found.starts:
-            name, at = names[s.train], self.now_ms + 1000 * s.at
+            name, at = names[s.train], self._now_ms + 1000 * s.at
             if name in self._at or name in self._order:
                 continue
             if s.piece is s.turn.first and name not in self.trips:
@@ -155,7 +155,7 @@ class Guide:
             else:
                 self._at[name] = at
         self._sequence(found, names)
-        self.plan = found if found.starts else None
+        self._plan = found if found.starts else None
 
     def _sequence(self, found: Staged, names: Sequence[str]) -> None:
         """In which order trains use the sections.  One that is not in the plan waits for nobody."""
@@ -167,7 +167,7 @@ class Guide:
 
     def fleet(self) -> tuple[Fleet, list[str]]:
         """All trains as they are now, with their names; of trains alike who has been ready longest comes first."""
-        file, derived = self.setting.orders.file, self.setting.derived
+        file, derived = self._setting.orders.file, self._setting.derived
         kinds: dict[object, int] = {}
         turns: list[tuple[Turn, ...]] = []
         trains: list[Under] = []
@@ -184,12 +184,12 @@ class Guide:
             trains.append(self._under(name, kinds[alike], held, free))
         for x in held:
             free[x] = NEVER
-        limit = min((z.trains for z in self.setting.layout.zones), default=1 << 20)
-        given = tuple(self.assigner.given.get(d.name, 0) for d in derived)
+        limit = min((z.trains for z in self._setting.layout.zones), default=1 << 20)
+        given = tuple(self._assigner.given.get(d.name, 0) for d in derived)
         found = Fleet(
             tuple(trains),
             tuple(turns),
-            tuple(self.assigner.left(d) for d in derived),
+            tuple(self._assigner.left(d) for d in derived),
             tuple(free.get(x, 0) for x in range(len(self._index))),
             limit,
             given,
@@ -200,18 +200,18 @@ class Guide:
     def _whole(self, train: str, k: int) -> Turn:
         found = self._turns.get((train, k))
         if found is None:
-            journey = self.setting.derived[k].journeys[train]
+            journey = self._setting.derived[k].journeys[train]
             found = self._turns[train, k] = self._pieces(train, k, journey.start, None)
         return found
 
     def _under(self, name: str, kind: int, held: set[int], free: dict[int, int]) -> Under:
         """A train as it is now."""
-        trip, now = self.trips.get(name), self.now_ms
+        trip, now = self.trips.get(name), self._now_ms
         left = max(0, (self.ready.get(name, now) - now) // 1000)
         if trip is None:
             return Under(left, kind)
-        k = self.setting.derived.index(trip.order)
-        file = self.setting.orders.file
+        k = self._setting.derived.index(trip.order)
+        file = self._setting.orders.file
         tip = file.places[trip.order.order.to]
         whole = self._whole(name, k)
         if trip.phase in ("tips", "tipping"):
@@ -228,26 +228,26 @@ class Guide:
 
     def _queue(self, trip: Trip) -> int:
         """Seconds until a train that stands before the tippler has been tipped."""
-        tips = round(60 * (self.setting.orders.file.places[trip.order.order.to].minutes or 0))
+        tips = round(60 * (self._setting.orders.file.places[trip.order.order.to].minutes or 0))
         waiting = [t for t in self.trips.values() if t.phase == "tips" and t.order.order.to == trip.order.order.to]
         ahead = [t for t in self.trips.values() if t.phase == "tipping" and t.order.order.to == trip.order.order.to]
-        left = [max(0, (self.ready.get(t.train, 0) - self.now_ms) // 1000) for t in ahead]
+        left = [max(0, (self.ready.get(t.train, 0) - self._now_ms) // 1000) for t in ahead]
         return (min(left) if left else 0) + tips * (1 + waiting.index(trip))
 
     # --- pieces --------------------------------------------------------------------------------
 
     def _pieces(self, train: str, k: int, place: Place, trip: Trip | None) -> Turn:
         """What is still to be done of a turn, as movements without a stop."""
-        d, file = self.setting.derived[k], self.setting.orders.file
+        d, file = self._setting.derived[k], self._setting.orders.file
         load, tip = file.places[d.order.from_], file.places[d.order.to]
-        tippler = self.name(d.order.to) if tip.capacity == 1 else None
-        made = Movement(self.setting, train, self.demands)
+        tippler = self._name(d.order.to) if tip.capacity == 1 else None
+        made = Movement(self._setting, train, self._demands)
         outside = trip is None or not trip.came
         waits = file.places[file.fleet[train].at].at
         if outside:
             made.approaches(waits)
         elif trip is not None:
-            made.stands(trip, self.where.get(train), self.now_ms, load.at, waits)
+            made.stands(trip, self.where.get(train), self._now_ms, load.at, waits)
         phase = "to load" if trip is None else trip.phase
         work = round(60 * (load.minutes or 0))
         first: list[tuple[Movement, int]] = []
@@ -257,15 +257,15 @@ class Guide:
         for step, after in steps:
             if step is not None:
                 for r in step.routes:
-                    made.runs([(str(key[0]), self.setting.railway.metres[key]) for key in r.traversals])
+                    made.runs([(str(key[0]), self._setting.railway.metres[key]) for key in r.traversals])
             if not there and after.leg:
                 made.arrives(load.at)
                 first.append((made, work))
-                there, made = True, Movement(self.setting, train, self.demands)
+                there, made = True, Movement(self._setting, train, self._demands)
                 made.begins(load.at)
-        piece = made.piece(self.name, None, 0)
+        piece = made.piece(self._name, None, 0)
         for movement, seconds in reversed(first):
-            piece = movement.piece(self.name, piece, seconds)
+            piece = movement.piece(self._name, piece, seconds)
         return Turn(k, piece, round(60 * (tip.minutes or 0)), round(60 * tip.back), tippler)
 
     def _steps(self, journey: Journey, place: Place) -> list[tuple[Step | None, Place]]:
@@ -277,7 +277,7 @@ class Guide:
             place = step.after
         return found
 
-    def name(self, resource: str) -> int:
+    def _name(self, resource: str) -> int:
         """The number of a resource."""
         return self._index.setdefault(resource, len(self._index))
 

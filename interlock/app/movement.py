@@ -48,66 +48,66 @@ class Movement:
     """What a train holds, second by second, while it runs without a stop."""
 
     def __init__(self, setting: Setting, train: str, demands: Demands) -> None:
-        self.setting, self.demands = setting, demands
-        self.inner = {str(s) for z in setting.layout.zones for s in z.sections}
-        self.build = setting.orders.file.fleet[train]
-        self.speed = self.build.speed / 3.6
-        self.principles = setting.layout.principles
-        self.metres = {str(k[0]): m for k, m in setting.railway.metres.items()}
-        self.seconds = 0.0
+        self._setting, self._demands = setting, demands
+        self._inner = {str(s) for z in setting.layout.zones for s in z.sections}
+        self._build = setting.orders.file.fleet[train]
+        self._speed = self._build.speed / 3.6
+        self._principles = setting.layout.principles
+        self._metres = {str(k[0]): m for k, m in setting.railway.metres.items()}
+        self._seconds = 0.0
         """Until its head is where the last section so far ends."""
-        self.held: dict[str, tuple[float | None, float]] = {}
-        self.inside = False
+        self._held: dict[str, tuple[float | None, float]] = {}
+        self._inside = False
 
     @property
-    def tail(self) -> float:
+    def _tail(self) -> float:
         """Seconds that the train takes to pass a place."""
-        return self.build.length / self.speed
+        return self._build.length / self._speed
 
     @property
-    def released(self) -> float:
+    def _released(self) -> float:
         """Seconds from the tail's leaving a section until another train may have it."""
-        return self.principles.release_delay_s + RELEASED_MS / 1000 if self.demands.release else 0.0
+        return self._principles.release_delay_s + RELEASED_MS / 1000 if self._demands.release else 0.0
 
     @property
-    def gathers(self) -> float:
+    def _gathers(self) -> float:
         """Seconds lost until a train that stood runs at full speed."""
-        return self.speed / (2 * self.build.acceleration) if self.demands.rides else 0.0
+        return self._speed / (2 * self._build.acceleration) if self._demands.rides else 0.0
 
     @property
-    def brakes(self) -> float:
+    def _brakes(self) -> float:
         """Seconds lost when it stops."""
-        return self.speed / (2 * self.build.braking) if self.demands.rides else 0.0
+        return self._speed / (2 * self._build.braking) if self._demands.rides else 0.0
 
     @property
-    def sets(self) -> float:
+    def _sets(self) -> float:
         """Seconds from asking for a route until its signal opens."""
-        return ASKED_MS / 1000 + self.principles.point_run_s if self.demands.setting else 0.0
+        return ASKED_MS / 1000 + self._principles.point_run_s if self._demands.setting else 0.0
 
     @property
-    def sets_off(self) -> float:
+    def _sets_off(self) -> float:
         """Seconds from asking for a route until the train has as good as run at full speed from its place."""
-        acts = self.build.reaction + SETS_OFF_S if self.demands.setting else 0.0
-        return self.sets + acts + self.gathers
+        acts = self._build.reaction + SETS_OFF_S if self._demands.setting else 0.0
+        return self._sets + acts + self._gathers
 
     def _hold(self, section: str, begin: float | None, end: float) -> None:
-        old = self.held.get(section)
+        old = self._held.get(section)
         if old is not None:
             begin = None if begin is None or old[0] is None else min(begin, old[0])
             end = max(end, old[1])
-        self.held[section] = begin, end
+        self._held[section] = begin, end
 
     def approaches(self, boundary: str) -> None:
         """It comes from the waiting place, over the approach section."""
-        line = next(b for b in self.setting.track.beyond if b.name == boundary)
-        self.seconds = line.approach_m / self.speed + self.gathers
-        self._hold(f"before {boundary}", 0, self.seconds + self.tail + self.released)
+        line = next(b for b in self._setting.track.beyond if b.name == boundary)
+        self._seconds = line.approach_m / self._speed + self._gathers
+        self._hold(f"before {boundary}", 0, self._seconds + self._tail + self._released)
 
     def begins(self, section: str) -> None:
         """It stands wholly in a loading place, and changes direction."""
-        self.inside = section in self.inner
-        self.seconds = self.sets_off + max(0.0, self.metres[section] - self.build.length) / self.speed
-        self._hold(section, None, self.seconds + self.tail + self.released)
+        self._inside = section in self._inner
+        self._seconds = self._sets_off + max(0.0, self._metres[section] - self._build.length) / self._speed
+        self._hold(section, None, self._seconds + self._tail + self._released)
 
     def stands(self, trip: Trip, where: Where | None, now_ms: int, load: str, boundary: str) -> None:
         """It is under way: where it was reported last, and what is set for it from there."""
@@ -115,11 +115,11 @@ class Movement:
         ahead = [str(x) for stage in run.granted[run.at :] for x in stage.sections]
         if trip.phase != "to load" and (where is None or where.section == load):
             self.begins(load)
-        elif where is None or where.section not in self.metres:
-            metres = next(b for b in self.setting.track.beyond if b.name == boundary).approach_m
+        elif where is None or where.section not in self._metres:
+            metres = next(b for b in self._setting.track.beyond if b.name == boundary).approach_m
             since = now_ms if where is None else where.since_ms
             self._comes(metres, now_ms - since, bool(ahead))
-            self._hold(f"before {boundary}", None, self.seconds + self.tail + self.released)
+            self._hold(f"before {boundary}", None, self._seconds + self._tail + self._released)
         else:
             path = [str(x) for stage in run.granted for x in stage.sections]
             since = sum(len(stage.sections) for stage in run.granted[: max(0, run.at - 1)])
@@ -127,53 +127,53 @@ class Movement:
                 path, since = [where.section, *ahead], 0
             here = path.index(where.section, since)
             ahead = path[here + 1 :]
-            self._comes(self.metres[where.section], now_ms - where.since_ms, bool(ahead))
+            self._comes(self._metres[where.section], now_ms - where.since_ms, bool(ahead))
             self._behind(path[: here + 1], now_ms - where.since_ms)
         for x in ahead:
-            self.seconds += self.metres[x] / self.speed
-            self._hold(x, None, self.seconds + self.tail + self.released)
-        self.inside = any(x in self.inner for x in self.held)
+            self._seconds += self._metres[x] / self._speed
+            self._hold(x, None, self._seconds + self._tail + self._released)
+        self._inside = any(x in self._inner for x in self._held)
 
     def _behind(self, path: Sequence[str], ms: int) -> None:
         """It holds the section in which its head is, and those behind it until its tail has left them."""
-        self._hold(path[-1], None, self.seconds + self.tail + self.released)
+        self._hold(path[-1], None, self._seconds + self._tail + self._released)
         metres = 0.0
         for x in path[-2::-1]:
-            if metres > self.build.length:
+            if metres > self._build.length:
                 break
-            self._hold(x, None, max(0.0, self.tail + metres / self.speed - ms / 1000) + self.released)
-            metres += self.metres[x]
+            self._hold(x, None, max(0.0, self._tail + metres / self._speed - ms / 1000) + self._released)
+            metres += self._metres[x]
 
     def _comes(self, metres: float, ms: int, goes_on: bool) -> None:
         """To the end of the section in which it was reported last."""
-        left = metres - ms / 1000 * self.speed
-        self.seconds = left / self.speed if left > 0 else 1.0 if goes_on else self.sets_off
+        left = metres - ms / 1000 * self._speed
+        self._seconds = left / self._speed if left > 0 else 1.0 if goes_on else self._sets_off
 
     def runs(self, sections: Sequence[tuple[str, float]]) -> None:
         """Over a route, which is asked for while its signal is just not in sight yet."""
-        sight = self.speed / (2 * self.build.braking) + SIGHT_M / self.speed + self.build.reaction
-        asked = max(0.0, self.seconds - (sight + self.sets if self.demands.setting else 0.0))
+        sight = self._speed / (2 * self._build.braking) + SIGHT_M / self._speed + self._build.reaction
+        asked = max(0.0, self._seconds - (sight + self._sets if self._demands.setting else 0.0))
         for section, metres in sections:
-            begin = asked if self.demands.routes else self.seconds
-            self.seconds += metres / self.speed
-            self._hold(section, begin, self.seconds + self.tail + self.released)
+            begin = asked if self._demands.routes else self._seconds
+            self._seconds += metres / self._speed
+            self._hold(section, begin, self._seconds + self._tail + self._released)
 
     def arrives(self, section: str) -> None:
         """It comes to a stand at the end of its loading place."""
-        self.seconds += self.brakes
-        begin, _ = self.held[section]
-        self.held[section] = begin, inf
+        self._seconds += self._brakes
+        begin, _ = self._held[section]
+        self._held[section] = begin, inf
 
     def piece(self, name: Callable[[str], int], onward: Piece | None, work: int) -> Piece:
         """The same for planning; `name`: the number of a resource."""
         if onward is None:
-            self.seconds += LEAVES_M / self.speed
-        inner = [self.held[x] for x in self.held if x in self.inner]
+            self._seconds += LEAVES_M / self._speed
+        inner = [self._held[x] for x in self._held if x in self._inner]
         begins = [b for b, _ in inner if b is not None]
         holds = [
             Hold(name(x), None if b is None else floor(b), None if e == inf else ceil(e))
-            for x, (b, e) in self.held.items()
+            for x, (b, e) in self._held.items()
         ]
         leaves = ceil(max(e for _, e in inner)) if inner and onward is None else None
-        enters = floor(min(begins)) if begins and not self.inside else None
-        return Piece(tuple(holds), ceil(self.seconds), work, enters, leaves, self.inside, onward)
+        enters = floor(min(begins)) if begins and not self._inside else None
+        return Piece(tuple(holds), ceil(self._seconds), work, enters, leaves, self._inside, onward)

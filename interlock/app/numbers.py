@@ -12,7 +12,7 @@ from interlock.dispatch import Dispatcher
 from interlock.dispatch.describer import DOUBT, Describer
 from interlock.dispatch.plan.railway import OUTSIDE
 from interlock.dispatch.run import Run
-from interlock.logic.controller import Symbols
+from interlock.logic.symbols import Symbols
 from interlock.model.elements import SectionId
 from interlock.model.layout import Layout
 

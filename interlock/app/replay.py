@@ -14,9 +14,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from interlock.logic.controller import Controller, RouteSymbols
+from interlock.logic.controller import Controller
 from interlock.logic.names import Name
 from interlock.logic.plant import Plant
+from interlock.logic.symbols import RouteSymbols
 from interlock.model.layout import Layout
 from interlock.sim.lanes import Driver, Lane, Lanes, Wish
 from interlock.sim.line import Lines
@@ -159,7 +160,7 @@ class Replay:
         self.layout, self.controller = layout, controller
         self.rails, self.lines = Rails(layout), Lines(layout, controller.symbols)
         self.lanes = Lanes(controller, plant, dt_ms)
-        restart = controller.symbols.restart_timer  # it is over when a replay begins
+        restart = controller.symbols.start.restart_timer  # it is over when a replay begins
         delays = (-(-t.preset_ms // dt_ms) for t in controller.timers if t.name != restart)
         self.grant = GRANT + max(delays, default=0)
         self.route: dict[str, RouteSymbols] = {r.id: r for r in controller.symbols.routes}
@@ -230,7 +231,7 @@ class Replay:
                 if lane.is_on(r.active):
                     found.grant = max(found.grant, scan)
                     break
-                ask: dict[str, int] = {self.controller.symbols.request: r.number} if scan % 2 else {}
+                ask: dict[str, int] = {self.controller.symbols.requests.request: r.number} if scan % 2 else {}
                 yield from self._scan(lane, rest, ask)
             else:
                 return f"move {k}: {route} is not granted to {name}: " + "; ".join(lane.missing(f"G_R{r.number}"))

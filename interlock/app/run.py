@@ -87,7 +87,7 @@ class Operator:
             self._train(rest)
             return
         found = operate(self._ready, line)
-        number = found.get(self._ready.controller.symbols.request)
+        number = found.get(self._ready.controller.symbols.requests.request)
         if "=" in line:
             self.held = {n: v for n, v in {**self.held, **found}.items() if v}
         elif number is not None:
@@ -148,7 +148,7 @@ class Operator:
 def refused(ready: Ready, before: Cycle | None, cycle: Cycle) -> dict[str, str]:
     """A route that was asked for in a cycle and refused: its name, why, and the rule; empty where none was."""
     assert ready.controller is not None
-    request, words = ready.controller.symbols.request, ready.controller.words
+    request, words = ready.controller.symbols.requests.request, ready.controller.words
     number = cycle.inputs.get(request, 0)
     if not number or (before is not None and before.inputs.get(request, 0)) or number not in words.routes:
         return {}
@@ -174,14 +174,14 @@ def operate(ready: Ready, line: str) -> dict[str, int]:
         row = next((r for r in ready.table.routes if name in (r.id, *r.names)), None)
         if row is None:
             raise BadCommand(f"there is no route {name}")
-        return {ready.controller.symbols.request: row.number}
+        return {ready.controller.symbols.requests.request: row.number}
     if name and verb == "swing":
-        number = next((k for g, k in ready.controller.symbols.swing_request.items() if g == name), None)
+        number = next((k for g, k in ready.controller.symbols.overlaps.swing_request.items() if g == name), None)
         if number is None:
             raise BadCommand(f"the overlap of {name} cannot swing")
-        return {ready.controller.symbols.request: number}
+        return {ready.controller.symbols.requests.request: number}
     if name and verb == "cancel":
-        cancel = next((n for g, n in ready.controller.symbols.cancel.items() if g == name), None)
+        cancel = next((n for g, n in ready.controller.symbols.cancellation.cancel.items() if g == name), None)
         if cancel is None:
             raise BadCommand(f"no route begins at {name}")
         return {cancel: 1}

@@ -13,8 +13,8 @@ from interlock.dispatch.language import Orders, beside, load
 from interlock.dispatch.orders import Derivation, Derived
 from interlock.dispatch.plan.railway import OUTSIDE, Railway
 from interlock.emit.python.runtime import runtime_py
-from interlock.logic.controller import Symbols
 from interlock.logic.lower import lower
+from interlock.logic.symbols import Symbols
 from interlock.model.elements import BlockKind, Boundary, BoundaryKind, SectionId
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
@@ -44,7 +44,7 @@ class Setting:
         """Sections closed to trains in this shift."""
         places = self.orders.file.places
         at = {places[b].at if b in places else b for b in self.orders.file.blocked}
-        return tuple(s.id for s in self.layout.sections if s.id in at and s.id in self.symbols.blocked)
+        return tuple(s.id for s in self.layout.sections if s.id in at and s.id in self.symbols.sections.blocked)
 
     def heading(self, seed: int, hours: float) -> dict[str, Any]:
         """The first event of a shift."""

@@ -45,55 +45,57 @@ class Shift:
     """A shift under way."""
 
     def __init__(self, setting: Setting, seed: int, options: Options) -> None:
-        self.setting, self.options = setting, options
-        self.file = setting.orders.file
+        self._setting, self._options = setting, options
+        self._file = setting.orders.file
         self.agenda = Agenda()
         self.scans = Scans(setting.names, CYCLE_MS)
         self.worked = Worked(seed)
         self._chain, self._lines = Chain(), list[bytes]()
         self._zero_ms = 0
         self._telling = False
-        self.work = Random(f"{seed} work")
+        self._work = Random(f"{seed} work")
         self.yard = Yard(
             setting.layout, setting.track, self.scans.inputs, self.agenda, Random(f"{seed} yard"), self._say
         )
         self.yard.stopped, self.yard.gone, self.yard.entered = self._stopped, self._gone, self._entered
-        self.dispatcher = Dispatcher(setting.railway, setting.symbols, rule=options.rule, look_ahead=options.look_ahead)
-        fleet = frozenset(self.file.fleet)
-        self.describer = Describer(setting.layout, setting.symbols, fleet)
-        self.assigner = Assigner(self.file, setting.derived, options.how)
-        self.idle = list(self.file.fleet)
-        self.trips: dict[str, Trip] = {}
-        self.tipping: dict[str, list[str]] = {}
-        self.lost = dict.fromkeys(self.file.fleet, 0)
+        self._dispatcher = Dispatcher(
+            setting.railway, setting.symbols, rule=options.rule, look_ahead=options.look_ahead
+        )
+        fleet = frozenset(self._file.fleet)
+        self._describer = Describer(setting.layout, setting.symbols, fleet)
+        self._assigner = Assigner(self._file, setting.derived, options.how)
+        self._idle = list(self._file.fleet)
+        self._trips: dict[str, Trip] = {}
+        self._tipping: dict[str, list[str]] = {}
+        self._lost = dict.fromkeys(self._file.fleet, 0)
         self._waits: dict[str, tuple[str, int]] = {}
         self._progress_ms = 0
         self._stepped_ms = 0
         self._fresh = True
-        self.attendant = Attendant(
+        self._attendant = Attendant(
             setting,
             self.yard,
-            self.dispatcher,
-            self.describer,
-            self.trips,
+            self._dispatcher,
+            self._describer,
+            self._trips,
             lambda: self.scans.seen,
             self._alarm,
             self._look,
         )
-        hours = options.hours or self.file.shift_h
-        self.guide = Guide(setting, self.trips, self.assigner, round(3_600_000 * hours)) if options.planned else None
-        if self.guide is not None:
-            self.dispatcher.guide = self.guide.waits
-        self.mishaps = Mishaps(self.yard, Random(f"{seed} faults"), options.faults, self._lost_wagon)
-        work = [p.minutes or 0.0 for p in self.file.places.values()]
-        self.quiet_ms = round(1000 * (QUIET_S + 120 * max([*work, *(p.back for p in self.file.places.values())])))
+        hours = options.hours or self._file.shift_h
+        self._guide = Guide(setting, self._trips, self._assigner, round(3_600_000 * hours)) if options.planned else None
+        if self._guide is not None:
+            self._dispatcher.guide = self._guide.waits
+        self._mishaps = Mishaps(self.yard, Random(f"{seed} faults"), options.faults, self._lost_wagon)
+        work = [p.minutes or 0.0 for p in self._file.places.values()]
+        self._quiet_ms = round(1000 * (QUIET_S + 120 * max([*work, *(p.back for p in self._file.places.values())])))
 
     # --- the record --------------------------------------------------------------------------------
 
     def _say(self, kind: str, **fields: Any) -> None:
         if self._telling:
             line = self._chain.line(self.agenda.now_ms - self._zero_ms, kind, fields)
-            if self.options.keep:
+            if self._options.keep:
                 self._lines.append(line)
         if kind in ("enters", "stands", "comes", "leaves", "loaded", "tipped", "mended"):
             self._progress_ms = self.agenda.now_ms
@@ -103,13 +105,13 @@ class Shift:
     def run(self) -> Worked:
         """From the restart to the end of the shift."""
         self._restart()
-        hours = self.options.hours or self.file.shift_h
-        self._say("begin", **self.setting.heading(self.worked.seed, hours))
+        hours = self._options.hours or self._file.shift_h
+        self._say("begin", **self._setting.heading(self.worked.seed, hours))
         end = self._zero_ms + round(3_600_000 * hours)
-        self.agenda.after(OPERATOR_S, self.attendant.operate)
-        self.mishaps.begin()
-        if self.guide is not None:
-            self.guide.look(0)
+        self.agenda.after(OPERATOR_S, self._attendant.operate)
+        self._mishaps.begin()
+        if self._guide is not None:
+            self._guide.look(0)
         self._give()
         self._advance(end)
         self._end()
@@ -121,8 +123,8 @@ class Shift:
         while any(v for n, v in self.scans.outputs.items() if n.startswith("YL_")) or not self.scans.runs:
             self._scan(1_200_000)
         self.yard.write("RELALL", 0)
-        for s in self.setting.blocked:
-            self.yard.write(self.setting.symbols.blocked[s], 1)
+        for s in self._setting.blocked:
+            self.yard.write(self._setting.symbols.sections.blocked[s], 1)
         self._zero_ms = self._progress_ms = self._stepped_ms = self.agenda.now_ms
         self._telling = True
 
@@ -130,9 +132,9 @@ class Shift:
         while self._scan(end):
             if self._fresh:
                 self._dispatch()
-            if self.agenda.now_ms - self._progress_ms > self.quiet_ms and self.trips:
+            if self.agenda.now_ms - self._progress_ms > self._quiet_ms and self._trips:
                 self.worked.standstill = True
-                self._say("standstill", waiting=dict(sorted(waiting(self.dispatcher).items())))
+                self._say("standstill", waiting=dict(sorted(waiting(self._dispatcher).items())))
                 return
 
     def _scan(self, end: int) -> bool:
@@ -150,30 +152,30 @@ class Shift:
         if self.scans.scan(self.agenda.now_ms):
             self._fresh = True
             self.yard.shown(self.scans.outputs)
-            self.describer.step(self.scans.seen, self.dispatcher.ways)
+            self._describer.step(self.scans.seen, self._dispatcher.ways)
         return True
 
     # --- the dispatcher ----------------------------------------------------------------------------
 
     def _dispatch(self) -> None:
         self._fresh = False
-        d = self.dispatcher
+        d = self._dispatcher
         dt = self.agenda.now_ms - self._stepped_ms
         self._stepped_ms = self.agenda.now_ms
         before, asked, said = d.refused, len(d.asked), len(d.said)
-        self.attendant.in_doubt()
-        if self.guide is not None:
-            self.guide.look(self._now)
+        self._attendant.in_doubt()
+        if self._guide is not None:
+            self._guide.look(self._now)
             self._give()
         for name, value in d.step(self.scans.seen, dt).items():
             self.yard.write(name, value)
-        for name, value in self.describer.writes().items():
+        for name, value in self._describer.writes().items():
             self.yard.write(name, value)  # taken back by whoever has looked
         if d.refused != before:
             self.worked.refused += d.refused - before
         for train, route in d.asked[asked:]:
-            if self.guide is not None:
-                self.guide.granted(train, [str(x) for x in self.dispatcher.stages[RouteId(route)].sections])
+            if self._guide is not None:
+                self._guide.granted(train, [str(x) for x in self._dispatcher.stages[RouteId(route)].sections])
             self._say("granted", train=train, route=route)
         for text in d.said[said:]:
             if text.startswith(("no plan", "UNKNOWN")) or "taken back" in text:
@@ -183,7 +185,7 @@ class Shift:
         self._come()
         self._wait()
         rests = [r.rest_ms / 1000 for r in d.runs if r.rest_ms]
-        if d.runs or d.pending or self.guide is not None:
+        if d.runs or d.pending or self._guide is not None:
             self.agenda.after(min([LOOKS_S, *rests]), self._look, "dispatch")
 
     def _look(self) -> None:
@@ -191,30 +193,30 @@ class Shift:
 
     def _holds(self) -> None:
         """Nothing is asked for a train that is to be loaded first; one that was given up is commanded again."""
-        for trip in self.trips.values():
+        for trip in self._trips.values():
             run = trip.run
             if trip.phase == "to load" and run.place.leg:
-                self.dispatcher.held.setdefault(run.name, TO_BE_LOADED)
-            elif self.dispatcher.held.get(run.name) == TO_BE_LOADED:
-                del self.dispatcher.held[run.name]
-            if trip.train not in self.describer.alarms and self.dispatcher.held.get(run.name, "").startswith(DOUBT):
-                del self.dispatcher.held[run.name]
+                self._dispatcher.held.setdefault(run.name, TO_BE_LOADED)
+            elif self._dispatcher.held.get(run.name) == TO_BE_LOADED:
+                del self._dispatcher.held[run.name]
+            if trip.train not in self._describer.alarms and self._dispatcher.held.get(run.name, "").startswith(DOUBT):
+                del self._dispatcher.held[run.name]
             r = self.yard.rolling.get(trip.train)
-            live = run in self.dispatcher.runs or run in self.dispatcher.pending
+            live = run in self._dispatcher.runs or run in self._dispatcher.pending
             if r is not None and not live and (run.ahead or not run.finished) and r.motion.stands <= self.yard.clock:
                 self._again(trip, r)
 
     def _again(self, trip: Trip, r: Rolling) -> None:
         """A command from where a train stands."""
         legs = trip.run.journey.errand.legs
-        start = ways_under(self.setting.railway, self.setting.track, r.train, self.yard.machines.lies)
+        start = ways_under(self._setting.railway, self._setting.track, r.train, self.yard.machines.lies)
         here = trip.order.order.from_
         left = legs[1:] if trip.phase == "away" else legs
-        if trip.phase == "to load" and self.file.places[here].at == start[-1][0]:
+        if trip.phase == "to load" and self._file.places[here].at == start[-1][0]:
             left, trip.phase = legs[1:], "at place"
         errand = replace(trip.run.journey.errand, start=start, legs=left)
         try:
-            trip.run = self.dispatcher.carry_out(errand)
+            trip.run = self._dispatcher.carry_out(errand)
         except (NoVoyage, TooManyPlaces) as error:
             self._alarm(f"{trip.train}: {error}")
             return
@@ -222,11 +224,11 @@ class Shift:
         self._fresh = True
 
     def _turn(self) -> None:
-        while self.dispatcher.turns:
-            name, section = self.dispatcher.turns.pop(0)
-            trip = next(t for t in self.trips.values() if t.run.name == name)
+        while self._dispatcher.turns:
+            name, section = self._dispatcher.turns.pop(0)
+            trip = next(t for t in self._trips.values() if t.run.name == name)
             r = self.yard.rolling[trip.train]
-            if r.train.target == self.setting.track.signals.index(trip.run.granted[-1].entry):
+            if r.train.target == self._setting.track.signals.index(trip.run.granted[-1].entry):
                 continue  # it has turned for a route that was taken back
             self._say("turns", train=trip.train, section=section)
             self.yard.turns(r)
@@ -234,25 +236,25 @@ class Shift:
     def _come(self) -> None:
         """The next of those that were commanded comes towards each boundary, once the dispatcher counts on it."""
         before: set[str] = set()
-        for trip in self.trips.values():
+        for trip in self._trips.values():
             if trip.came:
                 continue
-            at = self.file.places[self.file.fleet[trip.train].at].at
-            if at not in before and trip.run in self.dispatcher.runs and self.yard.room(at):
+            at = self._file.places[self._file.fleet[trip.train].at].at
+            if at not in before and trip.run in self._dispatcher.runs and self.yard.room(at):
                 trip.came = True
                 self._waits.pop(trip.train, None)
-                self.yard.comes(trip.train, self.build(trip.train), at)
+                self.yard.comes(trip.train, self._build(trip.train), at)
             before.add(at)
 
-    def build(self, train: str) -> Build:
+    def _build(self, train: str) -> Build:
         """A train of the fleet in m/s."""
-        t = self.file.fleet[train]
+        t = self._file.fleet[train]
         return Build(t.length, t.speed / 3.6, t.acceleration, t.braking, t.reaction)
 
     def _wait(self) -> None:
         """Why trains stand, wherever that has changed."""
-        why = waiting(self.dispatcher)
-        for trip in self.trips.values():
+        why = waiting(self._dispatcher)
+        for trip in self._trips.values():
             r = self.yard.rolling.get(trip.train)
             stands = not trip.came or (r is not None and r.motion.stands <= self.yard.clock)
             if not stands or trip.phase in ("loads", "tips"):
@@ -277,30 +279,30 @@ class Shift:
 
     def _give(self) -> None:
         """Orders for the trains that have none."""
-        for train in tuple(self.idle):
+        for train in tuple(self._idle):
             order = self._order(train)
             if order is None:
                 if train not in self._waits:
                     self._waits[train] = ("no order", self.agenda.now_ms)
-                    self._say("waits", train=train, cause="no order", text=self.assigner.why(train))
+                    self._say("waits", train=train, cause="no order", text=self._assigner.why(train))
                 continue
-            self.idle.remove(train)
+            self._idle.remove(train)
             self._ends_wait(train)
-            run = self.dispatcher.carry_out(order.journeys[train].errand)
-            self.trips[train] = Trip(train, order, run, self.agenda.now_ms)
+            run = self._dispatcher.carry_out(order.journeys[train].errand)
+            self._trips[train] = Trip(train, order, run, self.agenda.now_ms)
             self._say("ordered", train=train, order=order.name, load=order.order.from_, tip=order.order.to)
             at = order.journeys[train].errand.start[0][0]
-            approach = self.setting.railway.approach.get(str(at))
+            approach = self._setting.railway.approach.get(str(at))
             if approach is not None:
-                self.describer.expected.setdefault(approach, []).append(train)
+                self._describer.expected.setdefault(approach, []).append(train)
             self._fresh = True
 
     def _order(self, train: str) -> Derived | None:
         """The order for an idle train: that of the plan, if there is one."""
-        decides, order = self.guide.order(train) if self.guide is not None else (False, None)
+        decides, order = self._guide.order(train) if self._guide is not None else (False, None)
         if not decides:
-            return self.assigner.next(train)
-        return order if order is not None and self.assigner.takes(train, order) else None
+            return self._assigner.next(train)
+        return order if order is not None and self._assigner.takes(train, order) else None
 
     @property
     def _now(self) -> int:
@@ -308,24 +310,24 @@ class Shift:
         return self.agenda.now_ms - self._zero_ms
 
     def _entered(self, r: Rolling, section: str) -> None:
-        trip = self.trips[r.name]
-        if self.guide is not None:
-            self.guide.where[r.name] = Where(section, self._now)
-        place = self.file.places[trip.order.order.from_]
-        loading = {p.at for p in self.file.places.values() if p.kind == "loading"}
+        trip = self._trips[r.name]
+        if self._guide is not None:
+            self._guide.where[r.name] = Where(section, self._now)
+        place = self._file.places[trip.order.order.from_]
+        loading = {p.at for p in self._file.places.values() if p.kind == "loading"}
         if section in loading and section != place.at and section not in trip.run.journey.sections:
             self.worked.wrong_places += 1
             self._alarm(f"{r.name} comes into {section}, and is ordered to {place.at}")
 
     def _stopped(self, r: Rolling) -> None:
-        trip = self.trips[r.name]
+        trip = self._trips[r.name]
         place = trip.order.order.from_
-        at = self.file.places[place].at
-        under = {self.setting.track.sections[x] for x in r.sections}
+        at = self._file.places[place].at
+        under = {self._setting.track.sections[x] for x in r.sections}
         if trip.phase in ("to load", "at place") and under == {at}:
             trip.phase = "loads"
-            self.dispatcher.held[trip.run.name] = "it is being loaded"
-            self.describer.read(SectionId(at), r.name)
+            self._dispatcher.held[trip.run.name] = "it is being loaded"
+            self._describer.read(SectionId(at), r.name)
             self._say("loads", train=r.name, place=place, ore=trip.order.order.ore or "")
             self._works(trip, place, lambda: self._loaded(trip))
         self._fresh = True
@@ -333,44 +335,44 @@ class Shift:
     def _works(self, trip: Trip, place: str, what: Callable[[], None]) -> None:
         """Work begins; the dispatcher expects that it takes the minutes of the file."""
         self.agenda.after(self._time(place), what)
-        self._expects(trip.train, self.file.places[place].minutes or 0.0)
+        self._expects(trip.train, self._file.places[place].minutes or 0.0)
 
     def _expects(self, train: str, minutes: float) -> None:
-        if self.guide is not None:
-            self.guide.ready[train] = self._now + round(60_000 * minutes)
-            self.guide.happened()
+        if self._guide is not None:
+            self._guide.ready[train] = self._now + round(60_000 * minutes)
+            self._guide.happened()
 
     def _time(self, place: str) -> float:
         """Seconds of work at a place: between four fifths and seven fifths of what the file says, most often that."""
-        spread = 1.0 if self.options.steady else self.work.triangular(0.8, 1.4, 1.0)
-        return 60.0 * (self.file.places[place].minutes or 0.0) * spread
+        spread = 1.0 if self._options.steady else self._work.triangular(0.8, 1.4, 1.0)
+        return 60.0 * (self._file.places[place].minutes or 0.0) * spread
 
     def _loaded(self, trip: Trip) -> None:
         trip.phase = "away"
         trip.run.reason = ""
         self._expects(trip.train, 0)
-        self.dispatcher.held.pop(trip.run.name, None)
+        self._dispatcher.held.pop(trip.run.name, None)
         self._say("loaded", train=trip.train, place=trip.order.order.from_)
         self._fresh = True
 
     def _gone(self, r: Rolling, where: str) -> None:
-        trip = self.trips[r.name]
+        trip = self._trips[r.name]
         place = trip.order.order.to
-        self.assigner.leaves(r.name)
-        if trip.phase != "away" or self.file.places[place].at != where:
+        self._assigner.leaves(r.name)
+        if trip.phase != "away" or self._file.places[place].at != where:
             self.worked.wrong_places += 1
-            self._alarm(f"{r.name} leaves over {where}, and is ordered to {self.file.places[place].at}")
+            self._alarm(f"{r.name} leaves over {where}, and is ordered to {self._file.places[place].at}")
         trip.phase = "tips"
-        queue = self.tipping.setdefault(place, [])
+        queue = self._tipping.setdefault(place, [])
         queue.append(r.name)
         self._give()
         self._tips(place)
 
     def _tips(self, place: str) -> None:
         """The next train at a tippler that has room."""
-        queue = self.tipping[place]
-        for train in queue[: self.file.places[place].capacity]:
-            trip = self.trips[train]
+        queue = self._tipping[place]
+        for train in queue[: self._file.places[place].capacity]:
+            trip = self._trips[train]
             if trip.phase == "tips":
                 trip.phase = "tipping"
                 self._say("tips", train=train, place=place)
@@ -378,9 +380,11 @@ class Shift:
 
     def _tipped(self, trip: Trip) -> None:
         place, order = trip.order.order.to, trip.order
-        self.tipping[place].remove(trip.train)
-        tonnes = self.file.fleet[trip.train].tonnes * (1 - self.lost[trip.train] / self.file.fleet[trip.train].wagons)
-        self.lost[trip.train] = 0
+        self._tipping[place].remove(trip.train)
+        tonnes = self._file.fleet[trip.train].tonnes * (
+            1 - self._lost[trip.train] / self._file.fleet[trip.train].wagons
+        )
+        self._lost[trip.train] = 0
         self.worked.tipped[order.name] = self.worked.tipped.get(order.name, 0) + 1
         if order.order.by is not None:
             late = self.agenda.now_ms > order.order.by * 3_600_000
@@ -395,19 +399,19 @@ class Shift:
             ore=order.order.ore or "",
             tonnes=round(tonnes, 3),
         )
-        del self.trips[trip.train]
-        self.dispatcher.end(trip.run.name)
-        self.dispatcher.held.pop(trip.run.name, None)
-        self._expects(trip.train, self.file.places[place].back)
-        if self.guide is not None:
-            self.guide.where.pop(trip.train, None)
-        self.agenda.after(60.0 * self.file.places[place].back, lambda: self._back(trip.train))
+        del self._trips[trip.train]
+        self._dispatcher.end(trip.run.name)
+        self._dispatcher.held.pop(trip.run.name, None)
+        self._expects(trip.train, self._file.places[place].back)
+        if self._guide is not None:
+            self._guide.where.pop(trip.train, None)
+        self.agenda.after(60.0 * self._file.places[place].back, lambda: self._back(trip.train))
         self._tips(place)
 
     def _back(self, train: str) -> None:
         self._say("back", train=train)
         self._expects(train, 0)
-        self.idle.append(train)
+        self._idle.append(train)
         self._give()
 
     # --- what goes wrong ---------------------------------------------------------------------------
@@ -417,7 +421,7 @@ class Shift:
         self._say("alarm", text=text)
 
     def _lost_wagon(self, train: str, section: str) -> None:
-        self.lost[train] += 1
+        self._lost[train] += 1
 
     # --- the end -----------------------------------------------------------------------------------
 
@@ -426,8 +430,8 @@ class Shift:
         for train in tuple(self._waits):
             self._ends_wait(train)
         w.hazards, w.passed_at_stop = list(yard.watch.found), list(yard.passed_at_stop)
-        if self.guide is not None:
-            w.plans, w.by_rules = self.guide.plans, self.guide.by_rules
+        if self._guide is not None:
+            w.plans, w.by_rules = self._guide.plans, self._guide.by_rules
         w.scans, w.movements = self.scans.runs, yard.movements
         w.seconds = (self.agenda.now_ms - self._zero_ms) / 1000
         for text in (*w.hazards, *w.passed_at_stop):

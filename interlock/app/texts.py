@@ -54,7 +54,7 @@ def writers(
         else:
             out.append(partial(_delivery, layout, controller, d, header))
     out.append(partial(_mapping, layout, controller, header))
-    if layout.telegram is not TelegramForm.NONE and controller.symbols.trailed:
+    if layout.telegram is not TelegramForm.NONE and controller.symbols.machines.trailed:
         out.append(partial(_telegrams, layout, controller, header))
     out.append(partial(_runtime, controller, header))
     if C99 in dialects:
@@ -115,7 +115,7 @@ def _mapping(layout: Layout, controller: Controller, header: list[str]) -> Writt
 
 
 def _telegrams(layout: Layout, controller: Controller, header: list[str]) -> Written:
-    sent = tuple(controller.symbols.trailed)  # the machines that are driven
+    sent = tuple(controller.symbols.machines.trailed)  # the machines that are driven
     tagged = layout.telegram is TelegramForm.TAGGED
     text = print_unit(telegram_unit(layout.name, sent, tagged, header))
     place = f"st/iec/{portable(layout.name)}_telegram.st"

@@ -9,8 +9,9 @@ import queue
 import signal
 import sys
 import threading
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import closing
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -61,6 +62,112 @@ def _needs(module: str, what: str, extra: str) -> None:
 def _end(number: int, frame: object) -> None:
     """Asked to end: as by Ctrl-C, so that the outputs are written restrictive."""
     raise KeyboardInterrupt
+
+
+Say = Callable[[dict[str, Any]], None]
+"""How an event is told: on a line of JSON, or for people."""
+
+
+@dataclass(frozen=True)
+class Clock:
+    """The cycle time in milliseconds, and after how many cycles it is over."""
+
+    cycle_ms: int
+    cycles: int | None
+
+
+def _place(modbus: tuple[str, ...], panel: bool, operator_modbus: str | None, requests: bool) -> tuple[str, int] | None:
+    """The address of the operator's place on Modbus, if any; options that do not go together are an error."""
+    if not modbus and not panel:
+        raise click.UsageError("say --modbus SUBSTATION=HOST:PORT for each substation, or --panel")
+    if modbus:
+        _needs("pymodbus", "Modbus", "field")
+    if requests and operator_modbus is None:
+        raise click.UsageError("--operator-requests goes with --operator-modbus [HOST:]PORT")
+    place = None if operator_modbus is None else parsed(operator_modbus)
+    if place is not None:
+        _needs("pymodbus", "Modbus", "field")
+    return place
+
+
+class _Typed:
+    """Commands as they are typed or come over Modbus, one for a cycle."""
+
+    def __init__(self, ready: Ready, say: Say) -> None:
+        self._operator, self._say = Operator(ready), say
+        self._waiting: queue.SimpleQueue[tuple[str, str, Reply]] = queue.SimpleQueue()
+
+    def listen(self) -> None:
+        """Take what is typed, until there is no more."""
+        for line in sys.stdin:
+            self._waiting.put(("", line, lambda taken: None))
+
+    def asked(self, who: str, what: str, name: str, reply: Reply) -> None:
+        """Take a request that came over Modbus."""
+        self._waiting.put((who, f"{what} {name}", reply))
+
+    def ask(self, last: Cycle | None, dt_ms: int) -> Mapping[str, int]:
+        """The inputs of the next cycle."""
+        waiting, operator, say = self._waiting, self._operator, self._say
+        who, line, reply = ("", "", lambda taken: None) if waiting.empty() else waiting.get()
+        if line := line.strip():
+            if who:
+                say({"asked": line, "who": who})
+            taken = True
+            try:
+                operator.type(line)
+            except (BadCommand, Full) as error:
+                taken = False
+                say({"refused": str(error)})
+            reply(taken)
+            if "=" in line:
+                say({"held": dict(sorted(operator.held.items()))})
+        found = operator.inputs(last, dt_ms)
+        for news in operator.news():
+            say({"voyage": news})
+        return found
+
+
+def _run(
+    ready: Ready,
+    links: Mapping[str, Link],
+    clock: Clock,
+    place: tuple[str, int] | None,
+    requests: bool,
+    say: Say,
+) -> None:
+    """Run on real inputs and outputs until it is over or somebody ends it, and say what changes."""
+    typed = _Typed(ready, say)
+    gc.enable()  # off in the short-lived commands; this one runs on
+    threading.Thread(target=typed.listen, daemon=True).start()
+    for ending in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(ending, _end)
+    before: dict[str, bool] = {}
+    last: Cycle | None = None
+    said: tuple[object, ...] = ()
+    longest = 0.0
+    try:
+        with (
+            answering(ready, place, typed.asked if requests else None) as server,
+            closing(run(ready, links, clock.cycle_ms, clock.cycles, typed.ask, poll=Beside())) as cycles_run,
+        ):
+            for result, took in cycles_run:
+                if server is not None:
+                    server.publish(result)
+                longest = max(longest, took)
+                if (result.valid, result.lost) != said:
+                    said = (result.valid, result.lost)
+                    say({"inputs": "valid" if result.valid else "NOT VALID", "lost": list(result.lost)})
+                for name, value in result.outputs.items():
+                    if before.get(name) is not value and (before or value):
+                        say({"output": name, "value": int(value)})
+                if no := refused(ready, last, result):
+                    say(no)
+                before, last = dict(result.outputs), result
+    except KeyboardInterrupt:
+        pass
+    ended, ms = "every output that could be reached is restrictive", round(longest * 1000, 1)
+    say({"stopped": ended, "ms": ms, "of": clock.cycle_ms})
 
 
 @click.command("run")
@@ -131,15 +238,7 @@ def command(
     VARIABLE=VALUE (for instance BLK_q1=1) stays until it is set otherwise.  Every change of an output is printed.  A
     standard computer is no safety PLC: for trials, not for a railway.
     """
-    if not modbus and not panel:
-        raise click.UsageError("say --modbus SUBSTATION=HOST:PORT for each substation, or --panel")
-    if modbus:
-        _needs("pymodbus", "Modbus", "field")
-    if requests and operator_modbus is None:
-        raise click.UsageError("--operator-requests goes with --operator-modbus [HOST:]PORT")
-    place = None if operator_modbus is None else parsed(operator_modbus)
-    if place is not None:
-        _needs("pymodbus", "Modbus", "field")
+    place = _place(modbus, panel, operator_modbus, requests)
     sock = None
     if panel:
         for module in ("starlette", "uvicorn", "websockets"):
@@ -163,68 +262,7 @@ def command(
         run_panel(ready, links, cycle_ms, sock, tokens, record, form, place, requests)
         return
     assert links is not None
-    typed: queue.SimpleQueue[tuple[str, str, Reply]] = queue.SimpleQueue()
-
-    def listen() -> None:
-        for line in sys.stdin:
-            typed.put(("", line, lambda taken: None))
-
-    def asked(who: str, what: str, name: str, reply: Reply) -> None:
-        typed.put((who, f"{what} {name}", reply))
-
-    gc.enable()  # off in the short-lived commands; this one runs on
-    threading.Thread(target=listen, daemon=True).start()
-
-    operator = Operator(ready)
-
-    def ask(last: Cycle | None, dt_ms: int) -> Mapping[str, int]:
-        who, line, reply = ("", "", lambda taken: None) if typed.empty() else typed.get()
-        if line := line.strip():
-            if who:
-                say({"asked": line, "who": who})
-            taken = True
-            try:
-                operator.type(line)
-            except (BadCommand, Full) as error:
-                taken = False
-                say({"refused": str(error)})
-            reply(taken)
-            if "=" in line:
-                say({"held": dict(sorted(operator.held.items()))})
-        found = operator.inputs(last, dt_ms)
-        for news in operator.news():
-            say({"voyage": news})
-        return found
-
-    for ending in (signal.SIGTERM, signal.SIGHUP):
-        signal.signal(ending, _end)
-    before: dict[str, bool] = {}
-    last: Cycle | None = None
-    said: tuple[object, ...] = ()
-    longest = 0.0
-    try:
-        with (
-            answering(ready, place, asked if requests else None) as server,
-            closing(run(ready, links, cycle_ms, cycles, ask, poll=Beside())) as cycles_run,
-        ):
-            for result, took in cycles_run:
-                if server is not None:
-                    server.publish(result)
-                longest = max(longest, took)
-                if (result.valid, result.lost) != said:
-                    said = (result.valid, result.lost)
-                    say({"inputs": "valid" if result.valid else "NOT VALID", "lost": list(result.lost)})
-                for name, value in result.outputs.items():
-                    if before.get(name) is not value and (before or value):
-                        say({"output": name, "value": int(value)})
-                if no := refused(ready, last, result):
-                    say(no)
-                before, last = dict(result.outputs), result
-    except KeyboardInterrupt:
-        pass
-    say(
-        {"stopped": "every output that could be reached is restrictive", "ms": round(longest * 1000, 1), "of": cycle_ms}
-    )
+    _run(ready, links, Clock(cycle_ms, cycles), place, requests, say)
 
 
 def _json(event: dict[str, Any]) -> None:

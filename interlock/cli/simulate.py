@@ -88,21 +88,10 @@ def command(
     if setting is None:
         show(problems, dict(texts), form)
         sys.exit(FINDINGS)
-    options = Options(
-        hours,
-        Assigning(assign),
-        not without_rule,
-        look_ahead,
-        TRIAL if faults else Rates(),
-        output is not None,
-        steady,
-        planned,
-    )
+    rates, kept = TRIAL if faults else Rates(), output is not None
+    options = Options(hours, Assigning(assign), not without_rule, look_ahead, rates, kept, steady, planned)
     began = time.monotonic()
     seeds = range(seed, seed + shifts)
-
-    def note(done: int) -> None:
-        report(f"{10 * done // shifts * 10} % done", done, shifts)
 
     try:
         with progress("shifts") as report, executing(jobs, dask) as executor:

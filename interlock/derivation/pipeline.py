@@ -91,7 +91,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             variant=p.variant,
             traversals=tuple(t.key for t in p.ways),
             berth=p.berth,
-            length=p.length,
+            length=sum(t.length for t in p.run),
             points=demands[p.id],
             driven=beside.driven[p.id],
             sections=_clear(layout, p),

@@ -59,11 +59,6 @@ class Path:
     """Past the signal at its exit, which shows its identifier light, it leads on over this one."""
 
     @property
-    def length(self) -> float:
-        """Metres from the entry signal to where the route ends."""
-        return sum(t.length for t in self.run)
-
-    @property
     def run(self) -> Ways:
         """All ways over which its train runs, those past the signal at its exit among them."""
         return self.ways if self.onward is None else (*self.ways, *self.onward.ways)

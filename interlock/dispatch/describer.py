@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 
 from interlock.dispatch.panel import Indications
-from interlock.logic.controller import Symbols
+from interlock.logic.symbols import Symbols
 from interlock.model.elements import SectionId
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
@@ -42,21 +42,21 @@ class Describer:
     """Numbers of trains by section.  `fleet`: the numbers that exist (empty: any)."""
 
     def __init__(self, layout: Layout, symbols: Symbols, fleet: frozenset[str] = frozenset()) -> None:
-        self.symbols, self.fleet = symbols, fleet
+        self._symbols, self._fleet = symbols, fleet
         topo = topology(layout)
-        self.next_to: dict[SectionId, set[SectionId]] = {s: set() for s in symbols.clear}
+        self._next_to: dict[SectionId, set[SectionId]] = {s: set() for s in symbols.sections.clear}
         for _, a, b in topo.joints():
-            if a in self.next_to and b in self.next_to:
-                self.next_to[a].add(b)
-                self.next_to[b].add(a)
-        self.edge: set[SectionId] = set()
+            if a in self._next_to and b in self._next_to:
+                self._next_to[a].add(b)
+                self._next_to[b].add(a)
+        self._edge: set[SectionId] = set()
         """Sections in which trains first appear and from which they vanish: the approach section, if one reports."""
         for at in layout.boundaries:
             inside = layout.section_of(layout.edges_at[at.node][0].id)
-            self.edge.add(inside if at.approach is None or at.approach not in self.next_to else at.approach)
-            if at.approach is not None and inside in self.next_to and at.approach in self.next_to:
-                self.next_to[inside].add(at.approach)
-                self.next_to[at.approach].add(inside)
+            self._edge.add(inside if at.approach is None or at.approach not in self._next_to else at.approach)
+            if at.approach is not None and inside in self._next_to and at.approach in self._next_to:
+                self._next_to[inside].add(at.approach)
+                self._next_to[at.approach].add(inside)
         self.trains: list[Described] = []
         self.alarms: dict[str, str] = {}
         """By number: what is wrong with it."""
@@ -76,7 +76,7 @@ class Describer:
         trains are beside a section that became occupied, the one for which a route leads there has come into it.
         """
         self._leads = {(a, b) for way in ways for a, b in pairwise(way)}
-        now = {s for s, n in self.symbols.clear.items() if not seen.get(n, 0)}
+        now = {s for s, n in self._symbols.sections.clear.items() if not seen.get(n, 0)}
         entered, left = sorted(now - self._occupied), self._occupied - now
         self._occupied = now
         while entered:
@@ -91,20 +91,20 @@ class Describer:
 
     def _heads(self, s: SectionId) -> list[Described]:
         """The trains that may have come into a section: at the edge none that a route leads elsewhere."""
-        beside = [t for t in self.trains if t.under and t.under[-1] in self.next_to.get(s, ())]
+        beside = [t for t in self.trains if t.under and t.under[-1] in self._next_to.get(s, ())]
         led = [t for t in beside if (t.under[-1], s) in self._leads]
         if len(led) == 1:
             return led
         elsewhere = {a for a, b in self._leads if b != s}
-        return beside if s not in self.edge else [t for t in beside if t.under[-1] not in elsewhere]
+        return beside if s not in self._edge else [t for t in beside if t.under[-1] not in elsewhere]
 
     def _enter(self, s: SectionId) -> None:
         heads = self._heads(s)
-        row = self.expected.get(s, []) if s in self.edge else []
+        row = self.expected.get(s, []) if s in self._edge else []
         doubt = f"it may have come into {s}, or another train has"
         if len(heads) > 1 or (heads and row and (heads[0].under[-1], s) not in self._leads):
             for number in (*(t.number for t in heads), *row[:1]):
-                self.alarm(number, doubt)
+                self._alarm(number, doubt)
             heads = [] if row else heads
         if heads:
             heads[0].under.append(s)
@@ -114,15 +114,15 @@ class Describer:
 
     def _unknown(self, s: SectionId) -> str:
         number = f"{UNKNOWN}{s}"
-        self.alarm(
-            number, f"something stands in {s} that came from nowhere" if s not in self.edge else f"no number in {s}"
+        self._alarm(
+            number, f"something stands in {s} that came from nowhere" if s not in self._edge else f"no number in {s}"
         )
         return number
 
     def _vanished(self, t: Described, s: SectionId) -> None:
         self.trains.remove(t)
-        if s not in self.edge:
-            self.alarm(t.number, f"it is lost: {s} became clear, and nothing beside it is occupied")
+        if s not in self._edge:
+            self._alarm(t.number, f"it is lost: {s} became clear, and nothing beside it is occupied")
         elif t.number.startswith(UNKNOWN):
             self.alarms.pop(t.number, None)
 
@@ -132,24 +132,24 @@ class Describer:
         """A reader in a section has seen a number."""
         here = next((t for t in self.trains if section in t.under), None)
         there = next((t for t in self.trains if t.number == number and t is not here), None)
-        if self.fleet and number not in self.fleet:
-            self.alarm(number, f"read in {section}: no train has this number")
+        if self._fleet and number not in self._fleet:
+            self._alarm(number, f"read in {section}: no train has this number")
             if here is not None:
-                self.alarm(here.number, f"in {section} the unknown number {number} was read")
+                self._alarm(here.number, f"in {section} the unknown number {number} was read")
         elif there is not None:
-            self.alarm(number, f"read in {section}, and described in {there.under[-1]}")
+            self._alarm(number, f"read in {section}, and described in {there.under[-1]}")
             if here is not None:
-                self.alarm(here.number, f"in {section} the number {number} was read")
+                self._alarm(here.number, f"in {section} the number {number} was read")
         elif here is None:
-            self.alarm(number, f"read in {section}, which is clear")
+            self._alarm(number, f"read in {section}, which is clear")
         elif here.number.startswith(UNKNOWN):
             self.alarms.pop(here.number, None)
             self._is_here(here, number)
         elif here.number != number:
-            self.alarm(here.number, f"in {section} the number {number} was read")
-            self.alarm(number, f"read in {section}, where {here.number} is described")
+            self._alarm(here.number, f"in {section} the number {number} was read")
+            self._alarm(number, f"read in {section}, where {here.number} is described")
 
-    def alarm(self, number: str, text: str) -> None:
+    def _alarm(self, number: str, text: str) -> None:
         """Something is wrong with a number; the first thing that is, is told until an operator says what is there."""
         self.alarms.setdefault(number, text)
 
@@ -178,7 +178,7 @@ class Describer:
         if here is None:
             return
         if here.wagons is not None and wagons != here.wagons:
-            self.alarm(here.number, f"{here.wagons} wagons went in and {wagons} came out")
+            self._alarm(here.number, f"{here.wagons} wagons went in and {wagons} came out")
             for s in here.since:
                 if s not in here.under:
                     self.blocked[s] = here.number
@@ -192,7 +192,7 @@ class Describer:
 
     def writes(self) -> Mapping[str, int]:
         """The operator inputs that keep sections blocked."""
-        names = self.symbols.blocked
+        names = self._symbols.sections.blocked
         return {names[s]: 1 for s in self.blocked if s in names}
 
     def where(self, number: str) -> SectionId | None:

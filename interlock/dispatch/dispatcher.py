@@ -24,7 +24,7 @@ from interlock.dispatch.plan.railway import Errand, Railway, Step
 from interlock.dispatch.plan.search import BUDGET, Verdict
 from interlock.dispatch.policy import Policy, enters, yields
 from interlock.dispatch.run import Run
-from interlock.logic.controller import Symbols
+from interlock.logic.symbols import Symbols
 from interlock.model.elements import Lane, SectionId, SignalId
 
 REOPENS_MS = 15_000
@@ -56,10 +56,10 @@ class Dispatcher:
     ) -> None:
         if look_ahead < 1:
             raise ValueError("at least one route is set ahead of a train")
-        self.railway, self.symbols = railway, symbols
+        self.railway, self._symbols = railway, symbols
         self.stages = stages(railway.table, symbols)
-        self.look_ahead, self.priorities, self.wait_ms = look_ahead, priorities, wait_ms
-        self.rule, self.policy, self.budget = rule, policy, budget
+        self._look_ahead, self._priorities, self._wait_ms = look_ahead, priorities, wait_ms
+        self._rule, self._policy, self._budget = rule, policy, budget
         self._started = 0
         self.runs: list[Run] = []
         self.pending: list[Run] = []
@@ -128,12 +128,12 @@ class Dispatcher:
             self.other.append(number)
             return
         lanes = {s.id for s in self.railway.layout.sections if s.lane is Lane.INCLINED}
-        self.arbiter.add(self.stages[row.id], source, self.priorities and not lanes.isdisjoint(row.section_ids))
+        self.arbiter.add(self.stages[row.id], source, self._priorities and not lanes.isdisjoint(row.section_ids))
 
     @property
     def ways(self) -> list[tuple[SectionId, ...]]:
         """The sections of routes that are set and not yet run over, each from the one in rear of its signal on."""
-        rear = self.symbols.approach_of
+        rear = self._symbols.cancellation.approach_of
         found = []
         for run in self.runs:
             for k, stage in enumerate(run.granted[max(0, run.at - 1) :], max(0, run.at - 1)):
@@ -146,25 +146,25 @@ class Dispatcher:
     def step(self, seen: Indications, dt_ms: int) -> dict[str, int]:
         """What to write after a scan, from what was seen in it; `dt_ms` milliseconds after the step before."""
         for run in self.runs:
-            name = self.symbols.cancel[run.granted[run.at].entry] if run.ahead else ""
+            name = self._symbols.cancellation.cancel[run.granted[run.at].entry] if run.ahead else ""
             run.by_hand |= bool(name and seen.get(name, 0) and not self._cancels.get(name, 0))
         for name in self._cancels:
             self._cancels[name] = 0
         for run in tuple(self.runs):
             self._follow(run, seen, dt_ms)
             for stage in run.granted[run.at :] if run.cancelling else ():
-                self._cancels[self.symbols.cancel[stage.entry]] = 1
+                self._cancels[self._symbols.cancellation.cancel[stage.entry]] = 1
         self._passing = {g: s for g, s in self._passing.items() if s.stands(seen) and s.entered(seen)}
         if self._obstacles.look(seen, dt_ms, {s for run in self.runs for s in run.near}):
             self._holding.obstacles = self._obstacles.things
             self._holding.forget()
         self.arbiter.tick(seen, dt_ms)
-        acknowledged = seen.get(self.symbols.seen[self.symbols.request], 0)
+        acknowledged = seen.get(self._symbols.requests.seen[self._symbols.requests.request], 0)
         if self._writes and acknowledged:
             self._answered(seen)
-        elif not self._writes and not acknowledged and seen.get(self.symbols.valid, 0):
+        elif not self._writes and not acknowledged and seen.get(self._symbols.valid, 0):
             self._next(seen)
-        return {self.symbols.request: self._writes, **self._cancels}
+        return {self._symbols.requests.request: self._writes, **self._cancels}
 
     def _follow(self, run: Run, seen: Indications, dt_ms: int) -> None:
         """Where the train of a run has come to, and whether what was set for it is open."""
@@ -279,7 +279,7 @@ class Dispatcher:
             return
         self._admit(seen)
         self._holding.prepare()
-        found: list[tuple[Key, Request | Run]] = [(r.key(self.wait_ms), r) for r in self.arbiter.waiting]
+        found: list[tuple[Key, Request | Run]] = [(r.key(self._wait_ms), r) for r in self.arbiter.waiting]
         found += [(self._key(run, k), run) for k, run in enumerate(self.runs)]
         for _, one in sorted(found, key=lambda x: x[0]):
             if isinstance(one, Request):
@@ -291,9 +291,9 @@ class Dispatcher:
 
     def _key(self, run: Run, k: int) -> Key:
         """Where a run comes among the requests: its class of priority, then the order of the commands."""
-        rank = run.priority if self.priorities and run.priority else 4
-        waited = run.waited_ms if bool(self.wait_ms) and run.waited_ms >= self.wait_ms else 0
-        return key(Source.PLANNED, self.arbiter.numbers + k + 1, rank < 3, rank % 2 == 1, waited, self.wait_ms)
+        rank = run.priority if self._priorities and run.priority else 4
+        waited = run.waited_ms if bool(self._wait_ms) and run.waited_ms >= self._wait_ms else 0
+        return key(Source.PLANNED, self.arbiter.numbers + k + 1, rank < 3, rank % 2 == 1, waited, self._wait_ms)
 
     def _asks(self, run: Run, seen: Indications) -> bool:
         """Begin to ask for what a run wants, if it may."""
@@ -327,7 +327,7 @@ class Dispatcher:
 
     def _wanted(self, run: Run, seen: Indications) -> Stage | None:
         """The first route of the step that a train takes next, if it may; sets `run.asking`."""
-        if run.finished or run.ahead >= self.look_ahead or run.caught:
+        if run.finished or run.ahead >= self._look_ahead or run.caught:
             return None
         for step, move in self._holding.steps(run):
             order = [self.stages[r.id] for r in step.routes]
@@ -341,7 +341,7 @@ class Dispatcher:
                 run.reason = f"{first.route}: {why}"
                 continue
             if (why := self._waits(run, step, seen) or self.guide(run, step)) or (
-                self.rule and not self._holding.safe(run, move)
+                self._rule and not self._holding.safe(run, move)
             ):
                 run.reason = f"{first.route}: {why}" if why else run.reason
                 continue
@@ -352,7 +352,7 @@ class Dispatcher:
 
     def _waits(self, run: Run, step: Step, seen: Indications) -> str:
         """For whom a train waits before a single line, by the policy."""
-        if self.policy is None or self._holding.planner is None:
+        if self._policy is None or self._holding.planner is None:
             return ""
         order = {r.name: k for k, r in enumerate(self.runs)}
         for other in self.runs:
@@ -361,8 +361,8 @@ class Dispatcher:
                 continue
             first = self.stages[other.journey.steps[other.place][0].routes[0].id]
             there = other.set_out or first.stands(seen)
-            if there and yields(self.policy, run, other, order) and self._holding.passes(other, line):
-                return f"{other.name} goes first ({self.policy})"
+            if there and yields(self._policy, run, other, order) and self._holding.passes(other, line):
+                return f"{other.name} goes first ({self._policy})"
         return ""
 
     def _far_first(self, run: Run) -> bool:
@@ -382,7 +382,7 @@ class Dispatcher:
                 continue
             self.runs.append(run)
             self._holding.forget()
-            if self.rule and not there:
+            if self._rule and not there:
                 self._holding.make()
                 if self._holding.answer(self._holding.state()).verdict is not Verdict.PLAN:
                     self.runs.remove(run)

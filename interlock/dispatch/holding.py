@@ -16,7 +16,7 @@ class Holding:
     """Plans for runs.  `runs`: those of the dispatcher, who changes them and then says `forget`."""
 
     def __init__(self, railway: Railway, runs: list[Run], rule: bool, budget: int, said: list[str]) -> None:
-        self.railway, self.runs, self.rule, self.budget = railway, runs, rule, budget
+        self._railway, self.runs, self._rule, self.budget = railway, runs, rule, budget
         self._said = said
         self.refused = 0
         self.plan: tuple[tuple[str, str], ...] = ()
@@ -129,7 +129,7 @@ class Holding:
             return
         for run in self.runs:
             run.caught = False
-        if not self.rule:
+        if not self._rule:
             self.make()
             return
         while True:
@@ -161,12 +161,12 @@ class Holding:
         for k, run in enumerate(self.runs):
             if run.caught:
                 back = run.places[run.at].under if run.ahead and run.cancelling else ()
-                drafts.append(self.railway.still(run.name, run.place, run.coming, back))
+                drafts.append(self._railway.still(run.name, run.place, run.coming, back))
             else:
                 same = [r.name for r in self.runs[:k] if r.coming and r.journey.start.under == run.journey.start.under]
                 drafts.append(run.journey.nodes(same))
         if self.obstacles:
             drafts.append(in_the_way(self.obstacles))
-        self.built = build(drafts, self.railway.zones)
+        self.built = build(drafts, self._railway.zones)
         self.planner = Planner(self.built.problem, self.budget)
         self._answers = {}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from interlock.dispatch.panel import Indications
-from interlock.logic.controller import Symbols
+from interlock.logic.symbols import Symbols
 from interlock.model.elements import MachineId, Position, SectionId
 
 STRANGER_MS = 3_000
@@ -20,15 +20,15 @@ class Obstacles:
         self.things: frozenset[object] = frozenset()
         self._strange: dict[SectionId, int] = {}
         self._failed: set[MachineId] = set()
-        late = {m for m, _ in symbols.detected}
+        late = {m for m, _ in symbols.machines.detected}
         self._late = {m: n for m in sorted(late) if (n := symbols.indication.get(f"late {m}")) is not None}
 
     def look(self, seen: Indications, dt_ms: int, near: set[SectionId]) -> bool:
         """What is there now; whether that has changed.  `near`: sections in which trains with commands may be."""
-        clear = self.symbols.clear
+        clear = self.symbols.sections.clear
         self.leaving = {s for s in self.leaving if s in clear and not seen.get(clear[s], 1)}
         occupied = [s for s, name in clear.items() if not seen.get(name, 0)]
-        blocked = [s for s, name in self.symbols.blocked.items() if seen.get(name, 0)]
+        blocked = [s for s, name in self.symbols.sections.blocked.items() if seen.get(name, 0)]
         things: set[object] = set()
         if occupied or blocked:
             known = near | self.leaving
@@ -38,7 +38,7 @@ class Obstacles:
         for m, name in self._late.items():
             if not seen.get(name, 0) and m not in self._failed:
                 continue
-            lies = {x: seen.get(self.symbols.detected[m, x], 0) for x in Position}
+            lies = {x: seen.get(self.symbols.machines.detected[m, x], 0) for x in Position}
             if seen.get(name, 0) or not any(lies.values()):  # until it is detected again somewhere
                 self._failed.add(m)
                 things |= {("lies", m, x.other) for x, there in lies.items() if not there}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from interlock.logic.controller import Symbols
+from interlock.logic.symbols import Symbols
 from interlock.model.elements import MachineId, RouteId, SectionId, SignalId
 from interlock.table.rows import InterlockingTable, RouteKind, TraversalKey
 
@@ -95,22 +95,27 @@ class Stage:
 
 def stages(table: InterlockingTable, symbols: Symbols) -> dict[RouteId, Stage]:
     """Every route as a panel of this controller sees it."""
-    trains = (symbols.clear_aspect, symbols.caution_aspect, symbols.call_aspect, symbols.identifier_aspect)
-    lamps = (*trains, symbols.shunt_aspect)
+    trains = (
+        symbols.aspects.clear,
+        symbols.aspects.caution,
+        symbols.aspects.call_on,
+        symbols.aspects.identifier,
+    )
+    lamps = (*trains, symbols.aspects.shunt)
     found: dict[RouteId, Stage] = {}
     overlaps: dict[SignalId, set[TraversalKey]] = {}
     for r in table.routes:
         if r.overlap is not None:
             overlaps.setdefault(r.overlap.signal, set()).update(r.overlap.ways)
     for r in table.routes:
-        before = symbols.approach_of.get(r.entry)
+        before = symbols.cancellation.approach_of.get(r.entry)
         late = {d.machine: f"late {d.machine}" for d in r.points}
         found[r.id] = Stage(
             route=r.id,
             number=r.number,
             entry=r.entry,
-            rear=None if before is None else symbols.clear.get(before),
-            clear={s: symbols.clear[s] for s in r.section_ids if s in symbols.clear},
+            rear=None if before is None else symbols.sections.clear.get(before),
+            clear={s: symbols.sections.clear[s] for s in r.section_ids if s in symbols.sections.clear},
             locked={s: symbols.indication[f"locked {s}"] for s, _ in r.locked},
             lamps=tuple(x[r.entry] for x in lamps if r.entry in x),
             sections=r.section_ids,
@@ -120,6 +125,6 @@ def stages(table: InterlockingTable, symbols: Symbols) -> dict[RouteId, Stage]:
             direction="" if r.token is None else symbols.token[r.token.boundary].tells["has"],
             own=frozenset(s for s, k in r.traversals if (SectionId(s), k) in overlaps.get(r.entry, ())),
             out=tuple(c.section for c in r.block),
-            beyond=tuple(symbols.clear[c.section] for c in r.block if c.section in symbols.clear),
+            beyond=tuple(symbols.sections.clear[c.section] for c in r.block if c.section in symbols.sections.clear),
         )
     return found

@@ -102,8 +102,8 @@ def registers(controller: Controller) -> Registers:
     symbols, words = controller.symbols, controller.words
     routes = {r.number: str(r.id) for r in symbols.routes}
     requests = {(SET, n): name for n, name in sorted(routes.items())}
-    requests |= {(CANCEL, k): str(g) for k, g in enumerate(symbols.cancel, 1)}
-    requests |= {(SWING, k): str(g) for k, g in enumerate(symbols.swing_request, 1)}
+    requests |= {(CANCEL, k): str(g) for k, g in enumerate(symbols.cancellation.cancel, 1)}
+    requests |= {(SWING, k): str(g) for k, g in enumerate(symbols.overlaps.swing_request, 1)}
     return Registers(
         [(n, str(words.routes[n]), routes[n]) for n in sorted(words.routes)],
         [(str(o.name), o.note) for o in controller.outputs],

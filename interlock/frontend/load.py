@@ -24,7 +24,7 @@ from interlock.frontend.checks import CHECKS
 from interlock.frontend.context import Context
 from interlock.frontend.encoding import decode
 from interlock.frontend.names import check_names
-from interlock.frontend.overlaps import resolve_overlaps, with_releases
+from interlock.frontend.overlaps import Overlaps, resolve_overlaps, with_releases
 from interlock.frontend.pins import PinsRead, beside, read_pins
 from interlock.frontend.places import Places
 from interlock.frontend.ports import Wiring
@@ -48,12 +48,31 @@ from interlock.frontend.resolve import (
     stops,
     title_block,
 )
+from interlock.frontend.schema import LayoutFile
 from interlock.frontend.validate import validate
 from interlock.frontend.wiring import Wirer
 from interlock.frontend.yaml_tree import parse
-from interlock.model.elements import Lane, Section, SectionId
+from interlock.model.elements import (
+    Anchor,
+    Barred,
+    Condition,
+    Demanded,
+    Device,
+    Distant,
+    Exclude,
+    Health,
+    Lane,
+    NamedRoute,
+    Section,
+    SectionId,
+    Signal,
+    Substation,
+    Voyage,
+    Waiver,
+    Zone,
+)
 from interlock.model.layout import Layout
-from interlock.model.principles import PROFILES
+from interlock.model.principles import KNOBS, PROFILES, Principles
 
 MAX_BYTES = 4_000_000
 
@@ -125,6 +144,132 @@ def load(path: str, sink: Sink) -> tuple[Layout | None, Source]:
     return None if pins is None else replace(layout, pins=pins.pins), source
 
 
+@dataclass(frozen=True)
+class _Named:
+    """What names elements of the wiring, without its signals."""
+
+    conditions: tuple[Condition, ...]
+    zones: tuple[Zone, ...]
+    devices: tuple[Device, ...]
+    routes: tuple[NamedRoute, ...]
+    voyages: tuple[Voyage, ...]
+    automatic: tuple[NamedRoute, ...]
+    waivers: tuple[Waiver, ...]
+    excluded: tuple[Exclude, ...]
+    barred: tuple[Barred, ...]
+    demanded: tuple[Demanded, ...]
+
+    @classmethod
+    def of(cls, ctx: Context, wiring: Wiring) -> _Named:
+        """Resolved in the order in which problems are reported."""
+        return cls(
+            resolve_conditions(ctx, wiring),
+            resolve_zones(ctx, wiring),
+            resolve_devices(ctx, wiring),
+            resolve_routes(ctx, wiring),
+            resolve_voyages(ctx, wiring),
+            resolve_automatic(ctx, wiring),
+            resolve_waivers(ctx),
+            resolve_excludes(ctx, wiring),
+            resolve_barred(ctx, wiring),
+            resolve_demanded(ctx, wiring),
+        )
+
+
+@dataclass(frozen=True)
+class _Placed:
+    """Signals, and what is resolved when they are there."""
+
+    signals: tuple[Signal, ...]
+    overlaps: Overlaps
+    distants: tuple[Distant, ...]
+    substations: tuple[Substation, ...]
+    health: tuple[Health, ...]
+    drawing: tuple[tuple[SectionId, int], ...]
+    anchors: tuple[Anchor, ...]
+
+    @classmethod
+    def of(cls, ctx: Context, principles: Principles, wiring: Wiring, signals: tuple[Signal, ...]) -> _Placed:
+        """Resolved in the order in which problems are reported."""
+        return cls(
+            signals,
+            resolve_overlaps(ctx, principles, signals, wiring),
+            resolve_distants(ctx, signals),
+            resolve_substations(ctx, wiring),
+            resolve_health(ctx),
+            resolve_drawing(ctx, wiring),
+            resolve_anchors(ctx, wiring, signals),
+        )
+
+
+def _sections(ctx: Context, wiring: Wiring) -> list[Section]:
+    """The sections inside the layout, and the approach sections outside of it."""
+    stated = ctx.file.sections
+    inside = [
+        Section(SectionId(s), False, Lane(x.lane), x.detected, x.speed)
+        if (x := stated.get(s))
+        else Section(SectionId(s))
+        for s in wiring.sections
+    ]
+    return inside + [Section(SectionId(s), True) for s in wiring.approaches]
+
+
+def _layout(ctx: Context, principles: Principles, wiring: Wiring, named: _Named, placed: _Placed) -> Layout:
+    return Layout(
+        name=ctx.file.name,
+        title=ctx.file.title,
+        profile=ctx.file.profile,
+        principles=principles,
+        sections=tuple(sorted(_sections(ctx, wiring), key=lambda s: s.id)),
+        edges=tuple(sorted(wiring.edges, key=lambda e: e.id)),
+        points=tuple(sorted(wiring.points, key=lambda p: p.id)),
+        crossings=tuple(sorted(wiring.crossings, key=lambda c: c.id)),
+        boundaries=tuple(sorted(wiring.boundaries, key=lambda b: b.node)),
+        buffers=tuple(sorted(wiring.buffers, key=lambda b: b.node)),
+        signals=placed.signals,
+        conditions=named.conditions,
+        devices=named.devices,
+        waivers=named.waivers,
+        named_routes=named.routes,
+        excluded=named.excluded,
+        overlaps=placed.overlaps.all,
+        overlap_ways=placed.overlaps.ways,
+        overlap_bars=placed.overlaps.bars,
+        entry_speeds=placed.overlaps.entry,
+        distants=placed.distants,
+        voyages=named.voyages,
+        automatic=named.automatic,
+        zones=named.zones,
+        substations=placed.substations,
+        health=placed.health,
+        addresses=resolve_addresses(ctx),
+        telegram=ctx.file.telegram,
+        target=resolve_target(ctx.file.target),
+        drawing=placed.drawing,
+        anchors=placed.anchors,
+        barred=named.barred,
+        boards=boards(ctx),
+        supervision=resolve_supervision(ctx, wiring),
+        hands=hands(ctx),
+        title_block=title_block(ctx),
+        stops=stops(ctx),
+        identifiers=identifiers(ctx),
+        signal_releases=signal_releases(ctx),
+        demanded=named.demanded,
+        unlisted=unlisted(ctx),
+        named_kinds=named_kinds(ctx),
+        no_berths=tuple(sorted(SectionId(s) for s, x in ctx.file.sections.items() if not x.berth)),
+        blades=tuple(sorted(wiring.blades, key=lambda b: b.point)),
+        labels={n: b.label for n, b in ctx.file.boundaries.items() if b.label},
+    )
+
+
+def _principles(data: LayoutFile) -> Principles:
+    """Those of the profile, but for what the layout states itself."""
+    stated = {k: v for k in KNOBS if (v := getattr(data.principles, k)) is not None}
+    return replace(PROFILES[data.profile], **stated)
+
+
 def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
     """Resolve a layout from its text."""
     root = parse(file, text, sink)
@@ -136,88 +281,22 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
     ctx = Context(data, root, sink)
     source = Source(file, text, ctx)
     sink.allowed = frozenset((x.lint, name) for x in data.allow for name in x.at)
-    principles = data.principles.override(PROFILES[data.profile])
+    principles = _principles(data)
     wiring = Wirer(ctx, principles).run()
     sink.locate = Places(ctx, {**wiring.approaches, **wiring.sections})
     check_names(ctx, {**wiring.sections, **wiring.approaches})
     _check_sections(ctx, wiring)
     check_signal_names(ctx, wiring)
-    conditions = resolve_conditions(ctx, wiring)
-    zones = resolve_zones(ctx, wiring)
-    devices = resolve_devices(ctx, wiring)
-    routes = resolve_routes(ctx, wiring)
-    voyages = resolve_voyages(ctx, wiring)
-    automatic = resolve_automatic(ctx, wiring)
-    waivers = resolve_waivers(ctx)
-    excluded = resolve_excludes(ctx, wiring)
-    barred = resolve_barred(ctx, wiring)
-    demanded = resolve_demanded(ctx, wiring)
+    named = _Named.of(ctx, wiring)
     if sink.has_errors:
         return None, source
     signals = resolve_signals(ctx, wiring)
     if sink.has_errors:
         return None, source
-    sections = [
-        Section(SectionId(s), False, Lane(data.sections[s].lane), data.sections[s].detected, data.sections[s].speed)
-        if s in data.sections
-        else Section(SectionId(s))
-        for s in wiring.sections
-    ] + [Section(SectionId(s), True) for s in wiring.approaches]
-    over = resolve_overlaps(ctx, principles, signals, wiring)
-    distants = resolve_distants(ctx, signals)
-    substations = resolve_substations(ctx, wiring)
-    health = resolve_health(ctx)
-    drawing, anchors = resolve_drawing(ctx, wiring), resolve_anchors(ctx, wiring, signals)
+    placed = _Placed.of(ctx, principles, wiring, signals)
     if sink.has_errors:
         return None, source
-    layout = Layout(
-        name=data.name,
-        title=data.title,
-        profile=data.profile,
-        principles=principles,
-        sections=tuple(sorted(sections, key=lambda s: s.id)),
-        edges=tuple(sorted(wiring.edges, key=lambda e: e.id)),
-        points=tuple(sorted(wiring.points, key=lambda p: p.id)),
-        crossings=tuple(sorted(wiring.crossings, key=lambda c: c.id)),
-        boundaries=tuple(sorted(wiring.boundaries, key=lambda b: b.node)),
-        buffers=tuple(sorted(wiring.buffers, key=lambda b: b.node)),
-        signals=signals,
-        conditions=conditions,
-        devices=devices,
-        waivers=waivers,
-        named_routes=routes,
-        excluded=excluded,
-        overlaps=over.all,
-        overlap_ways=over.ways,
-        overlap_bars=over.bars,
-        entry_speeds=over.entry,
-        distants=distants,
-        voyages=voyages,
-        automatic=automatic,
-        zones=zones,
-        substations=substations,
-        health=health,
-        addresses=resolve_addresses(ctx),
-        telegram=data.telegram,
-        target=resolve_target(data.target),
-        drawing=drawing,
-        anchors=anchors,
-        barred=barred,
-        boards=boards(ctx),
-        supervision=resolve_supervision(ctx, wiring),
-        hands=hands(ctx),
-        title_block=title_block(ctx),
-        stops=stops(ctx),
-        identifiers=identifiers(ctx),
-        signal_releases=signal_releases(ctx),
-        demanded=demanded,
-        unlisted=unlisted(ctx),
-        named_kinds=named_kinds(ctx),
-        no_berths=tuple(sorted(SectionId(s) for s, x in data.sections.items() if not x.berth)),
-        blades=tuple(sorted(wiring.blades, key=lambda b: b.point)),
-        labels={n: b.label for n, b in data.boundaries.items() if b.label},
-    )
-    layout = with_releases(ctx, layout)
+    layout = with_releases(ctx, _layout(ctx, principles, wiring, named, placed))
     for check in CHECKS:
         check(ctx, layout)
     return (None if sink.has_errors else layout), source

@@ -111,27 +111,32 @@ def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
             _two_in_one(ctx, name, taken[node, into.section])
             continue
         taken[node, into.section] = name
-        if spec.call_on and spec.kind not in ("main", "combined"):
-            what = "shunt signal" if spec.kind == "shunt" else "board"
-            ctx.add(
-                "IL2016",
-                f"{name} is a {what}: it cannot call a train on",
-                ctx.at("signals", name, "call_on"),
-                "remove `call_on`, or make it a `main` or `combined` signal",
-            )
-        if spec.identifier and spec.kind not in ("main", "combined"):
-            what = "shunt signal" if spec.kind == "shunt" else "board"
-            text = f"{name} is a {what}: no train is to obey it, so that none is to be told to disregard it"
-            fix = "remove `identifier`, or make it a `main` or `combined` signal"
-            ctx.add("IL2025", text, ctx.at("signals", name, "identifier"), fix)
-        if spec.stops_trains and spec.kind != "shunt":
-            text = f"{name} is no shunt signal: `stops_trains` says nothing of it"
-            ctx.add("IL3027", text, ctx.at("signals", name, "stops_trains"), "remove `stops_trains`")
-        if spec.release is not None and spec.kind in ("board", "limit"):
-            text = f"no route begins at {name}: `release` says nothing of it"
-            ctx.add("IL3027", text, ctx.at("signals", name, "release"), "remove `release`")
+        _check_kind(ctx, name, spec)
         signals.append(Signal(SignalId(name), node, into.id, _kind(spec), spec.call_on))
     return tuple(sorted(signals, key=lambda g: g.id))
+
+
+def _check_kind(ctx: Context, name: str, spec: SignalSpec) -> None:
+    """What is stated of a signal fits its kind."""
+    if spec.call_on and spec.kind not in ("main", "combined"):
+        what = "shunt signal" if spec.kind == "shunt" else "board"
+        ctx.add(
+            "IL2016",
+            f"{name} is a {what}: it cannot call a train on",
+            ctx.at("signals", name, "call_on"),
+            "remove `call_on`, or make it a `main` or `combined` signal",
+        )
+    if spec.identifier and spec.kind not in ("main", "combined"):
+        what = "shunt signal" if spec.kind == "shunt" else "board"
+        text = f"{name} is a {what}: no train is to obey it, so that none is to be told to disregard it"
+        fix = "remove `identifier`, or make it a `main` or `combined` signal"
+        ctx.add("IL2025", text, ctx.at("signals", name, "identifier"), fix)
+    if spec.stops_trains and spec.kind != "shunt":
+        text = f"{name} is no shunt signal: `stops_trains` says nothing of it"
+        ctx.add("IL3027", text, ctx.at("signals", name, "stops_trains"), "remove `stops_trains`")
+    if spec.release is not None and spec.kind in ("board", "limit"):
+        text = f"no route begins at {name}: `release` says nothing of it"
+        ctx.add("IL3027", text, ctx.at("signals", name, "release"), "remove `release`")
 
 
 def _kind(spec: SignalSpec) -> SignalKind:

@@ -5,7 +5,6 @@ One definition for validation (`validate`), JSON Schema and language page (`publ
 
 from __future__ import annotations
 
-from dataclasses import replace
 from enum import StrEnum
 from typing import Annotated, Any, Literal
 
@@ -39,7 +38,7 @@ from interlock.frontend.scalars import (
 )
 from interlock.model.elements import BlockKind, Hand, HealthBy, SignalKind, TelegramForm, Work
 from interlock.model.overlap import overlap_length
-from interlock.model.principles import KNOBS, MEANING, PROFILES, Caution, Closes, FlankChoice, Local, Principles
+from interlock.model.principles import MEANING, PROFILES, Caution, Closes, FlankChoice, Local
 from interlock.model.target import CPUS
 
 
@@ -467,10 +466,6 @@ class PrinciplesSpec(_Part):
     slow_below_kmh: Amount | None = knob("slow_below_kmh")
     main_closes: Annotated[Closes | None, choice("closing of signals", tuple(Closes))] = knob("main_closes")
     shunt_closes: Annotated[Closes | None, choice("closing of signals", tuple(Closes))] = knob("shunt_closes")
-
-    def override(self, base: Principles) -> Principles:
-        """The profile's principles with these knobs."""
-        return replace(base, **{k: v for k in KNOBS if (v := getattr(self, k)) is not None})
 
 
 class TargetSpec(_Part):

@@ -447,6 +447,18 @@ class Wirer:
 
     def _build(self) -> None:
         f = self.ctx.file
+        self._build_tracks()
+        self._build_points()
+        self._build_crossings()
+        self._build_boundaries()
+        self.out.buffers.extend(Buffer(NodeId(name)) for name in f.buffers)
+        self.out.buffers.extend(Buffer(NodeId(name), BufferKind.TRAP) for name in f.traps)
+        for name, slip in f.slips.items():
+            build_slip(self, name, slip)
+        for name, d in f.derailers.items():
+            build_derailer(self, name, d)
+
+    def _build_tracks(self) -> None:
         for name, track in self.tracks.items():
             here, stretches = self.node(Port("track", name, "start")), track.stretches
             for i, s in enumerate(stretches):
@@ -460,7 +472,9 @@ class Wirer:
                 assert s.length is not None
                 self.edge(f"{name}.{i}", here, there, s.length, s.section)
                 here = there
-        for name, p in f.points.items():
+
+    def _build_points(self) -> None:
+        for name, p in self.ctx.file.points.items():
             length = p.legs if p.legs is not None else self.principles.leg_m
             legs = {
                 end: self.edge(f"{name}.{end}", NodeId(name), self.node(Port("point", name, end)), length, p.section)
@@ -480,7 +494,9 @@ class Wirer:
                     speed=p.speed,
                 )
             )
-        for name, c in f.crossings.items():
+
+    def _build_crossings(self) -> None:
+        for name, c in self.ctx.file.crossings.items():
             length = c.legs if c.legs is not None else self.principles.leg_m
             arms = []
             for i, arm in enumerate(c.arms):
@@ -496,7 +512,9 @@ class Wirer:
                 ]
                 arms.append((pair[0], pair[1]))
             self.out.crossings.append(Crossing(CrossingId(name), NodeId(name), (arms[0], arms[1])))
-        for name, spec in f.boundaries.items():
+
+    def _build_boundaries(self) -> None:
+        for name, spec in self.ctx.file.boundaries.items():
             approach, metres = self.lengths.get(name, (None, 0.0))
             self.out.boundaries.append(
                 Boundary(
@@ -509,9 +527,3 @@ class Wirer:
                     metres,
                 )
             )
-        self.out.buffers.extend(Buffer(NodeId(name)) for name in f.buffers)
-        self.out.buffers.extend(Buffer(NodeId(name), BufferKind.TRAP) for name in f.traps)
-        for name, slip in f.slips.items():
-            build_slip(self, name, slip)
-        for name, d in f.derailers.items():
-            build_derailer(self, name, d)

@@ -56,6 +56,30 @@ def _span(file: str, event: yaml.Event, text_lines: list[str]) -> Span:
     return Span(file, start.line + 1, start.column + 1, width)
 
 
+def _admitted(event: yaml.ScalarEvent | yaml.CollectionStartEvent, span: Span, depth: int, sink: Sink) -> bool:
+    """A layout has no anchors, no tags, and few levels of nesting; reports the first of these that there is."""
+    if event.anchor:
+        sink.add(
+            "IL1006",
+            f"the anchor &{event.anchor} is not allowed",
+            span,
+            "write the value out; a layout is read by people from top to bottom",
+        )
+    elif event.tag and event.tag != "!":
+        sink.add("IL1019", f"the tag {event.tag} is not allowed", span, "remove the tag")
+    elif depth >= MAX_DEPTH:
+        sink.add("IL1018", f"more than {MAX_DEPTH} levels of nesting", span, "a layout needs no more than five")
+    else:
+        return True
+    return False
+
+
+def _node(event: yaml.ScalarEvent | yaml.CollectionStartEvent, span: Span) -> Node:
+    if isinstance(event, yaml.ScalarEvent):
+        return Scalar(event.value, span, event.style is None)
+    return Sequence(span) if isinstance(event, yaml.SequenceStartEvent) else Mapping(span)
+
+
 def parse(file: str, text: str, sink: Sink) -> Node | None:
     """The tree of the only document in the text, or None when there is none to go on with."""
     lines = text.split("\n")
@@ -86,29 +110,9 @@ def parse(file: str, text: str, sink: Sink) -> Node | None:
                 return None
             if isinstance(event, (yaml.ScalarEvent, yaml.CollectionStartEvent)):
                 span = _span(file, event, lines)
-                if event.anchor:
-                    sink.add(
-                        "IL1006",
-                        f"the anchor &{event.anchor} is not allowed",
-                        span,
-                        "write the value out; a layout is read by people from top to bottom",
-                    )
+                if not _admitted(event, span, len(stack), sink):
                     return None
-                if event.tag and event.tag != "!":
-                    sink.add("IL1019", f"the tag {event.tag} is not allowed", span, "remove the tag")
-                    return None
-                if len(stack) >= MAX_DEPTH:
-                    sink.add(
-                        "IL1018", f"more than {MAX_DEPTH} levels of nesting", span, "a layout needs no more than five"
-                    )
-                    return None
-                node: Node
-                if isinstance(event, yaml.ScalarEvent):
-                    node = Scalar(event.value, span, event.style is None)
-                elif isinstance(event, yaml.SequenceStartEvent):
-                    node = Sequence(span)
-                else:
-                    node = Mapping(span)
+                node = _node(event, span)
                 if not _attach(stack, node, sink):
                     return None
                 if not stack and root is None:

@@ -134,13 +134,18 @@ def _wires(layout: Layout, controller: Controller) -> Iterator[tuple[str, str, s
     """Variable, direction and element of everything that has a wire."""
     sym = controller.symbols
     outputs = {o.name for o in controller.outputs}
-    for s, name in sym.clear.items():
+    for s, name in sym.sections.clear.items():
         yield name, "I", s
-    for s, name in sym.healthy.items():
+    for s, name in sym.sections.healthy.items():
         yield name, "I", s
-    for (m, _), name in sym.detected.items():
+    for (m, _), name in sym.machines.detected.items():
         yield name, "I", m
-    for lamps in (sym.stop_lamp, sym.clear_lamp, sym.caution_lamp, sym.identifier_lamp):
+    for lamps in (
+        sym.lamp_proof.stop,
+        sym.lamp_proof.clear,
+        sym.lamp_proof.caution,
+        sym.lamp_proof.identifier,
+    ):
         for g, name in lamps.items():
             yield name, "I", g
     for c, name in sym.condition.items():
@@ -157,7 +162,7 @@ def _wires(layout: Layout, controller: Controller) -> Iterator[tuple[str, str, s
         for lit in _LAMPS:
             if (lamp := lit(signal.id)) in outputs:
                 yield lamp, "Q", signal.id
-        for (g, _), name in sym.speed_shown.items():
+        for (g, _), name in sym.aspects.speed.items():
             if g == signal.id:
                 yield name, "Q", g
     for distant in layout.distants:

@@ -14,7 +14,7 @@ from heapq import heappop, heappush
 from interlock.logic.controller import Equation, Step, Timer
 from interlock.logic.names import Name
 
-HUB = 60  # a group that is read by more groups than this says nothing about what lies together
+MAX_DEGREE = 60  # the walk goes on from no group that reads, or is read by, more groups than this
 
 
 def by_place(steps: Sequence[Step], following: Mapping[Name, Equation]) -> list[Step]:
@@ -107,21 +107,21 @@ def _places(reads: dict[Name, tuple[Name, ...]], group: dict[Name, str]) -> dict
 
     `group`: of each equation, and of each state variable.
     """
-    near: dict[str, dict[str, None]] = {g: {} for g in group.values()}
+    adjacent: dict[str, dict[str, None]] = {g: {} for g in group.values()}
     for name, read in reads.items():
         here = group.get(name)
         for n in read:
             there = group.get(n, here)
             if here is not None and there is not None and here != there:
-                near[here].setdefault(there)
-                near[there].setdefault(here)
+                adjacent[here].setdefault(there)
+                adjacent[there].setdefault(here)
     place: dict[str, int] = {}
-    for start in near:
+    for start in adjacent:
         todo = deque([start])
         while todo:
             g = todo.popleft()
             if g not in place:
                 place[g] = len(place)
-                if len(near[g]) <= HUB:
-                    todo.extend(near[g])
+                if len(adjacent[g]) <= MAX_DEGREE:
+                    todo.extend(adjacent[g])
     return place

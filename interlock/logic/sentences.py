@@ -63,11 +63,6 @@ SENTENCES: dict[Family, Sentence] = {
 }
 
 RULES = {
-    "zone not full": "R17",
-    "declared hostile": "R6",
-    "foul section clear": "R7",
-    "flank space clear": "R5",
-    "flank lamp intact": "R5",
     "flank not held": "R5",
     "added point not held": "R5",
     "overlap free": "R4",
@@ -78,7 +73,7 @@ RULES = {
     "rear device closed": "R16",
     "stands alone": "R9",
 }
-"""The rule behind a condition of several variables, by the sort of its term."""
+"""The rule behind a condition of several variables that is from no cell of the table, by the sort of its term."""
 
 
 class _Element(str):

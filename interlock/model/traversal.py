@@ -53,14 +53,14 @@ class Topology:
     def __init__(self, layout: Layout) -> None:
         self.layout = layout
         self.ends: dict[SectionId, tuple[NodeId, ...]] = {}
-        self.edges_of: dict[SectionId, list[EdgeId]] = {}
+        self._edges_of: dict[SectionId, list[EdgeId]] = {}
         for e in layout.edges:
-            self.edges_of.setdefault(e.section, []).append(e.id)
-        self.sections: tuple[SectionId, ...] = tuple(s for s in sorted(self.edges_of))
+            self._edges_of.setdefault(e.section, []).append(e.id)
+        self.sections: tuple[SectionId, ...] = tuple(s for s in sorted(self._edges_of))
         self._touch: dict[NodeId, list[SectionId]] = {}
         for s in self.sections:
-            nodes = dict.fromkeys(n for eid in self.edges_of[s] for n in (layout.edge[eid].a, layout.edge[eid].b))
-            self.ends[s] = tuple(sorted(n for n in nodes if self.is_end(n)))
+            nodes = dict.fromkeys(n for eid in self._edges_of[s] for n in (layout.edge[eid].a, layout.edge[eid].b))
+            self.ends[s] = tuple(sorted(n for n in nodes if self._is_end(n)))
             for n in self.ends[s]:
                 self._touch.setdefault(n, []).append(s)
         self.traversals: dict[SectionId, tuple[Traversal, ...]] = {
@@ -80,7 +80,7 @@ class Topology:
         self.turning: frozenset[SectionId] = self.standing - under - self.berths
         """Roads that the layout denies to be berths: before a boundary shunting movements end in them, too."""
 
-    def is_end(self, node: NodeId) -> bool:
+    def _is_end(self, node: NodeId) -> bool:
         """Whether sections end at this node."""
         if node in self.layout.boundary_at or node in self.layout.buffer_at:
             return True
@@ -120,7 +120,7 @@ class Topology:
         """Paths by the keys of their traversals."""
         return tuple(tuple(self.traversals[s][n - 1] for s, n in ways) for ways in keys)
 
-    def reversed(self, t: Traversal) -> Traversal | None:
+    def _reversed(self, t: Traversal) -> Traversal | None:
         """The same way in the other direction, if trains may run it."""
         for other in self.traversals[t.section]:
             if other.entry == t.exit and other.exit == t.entry and other.points == tuple(reversed(t.points)):
@@ -129,7 +129,7 @@ class Topology:
 
     def _walk_section(self, section: SectionId) -> list[Traversal]:
         layout = self.layout
-        mine = set(self.edges_of[section])
+        mine = set(self._edges_of[section])
         found: list[tuple[NodeId, NodeId, tuple[EdgeId, ...]]] = []
 
         def go(node: NodeId, path: list[EdgeId], start: NodeId, seen: frozenset[NodeId]) -> None:
@@ -140,7 +140,7 @@ class Topology:
             nxt = layout.far(edge, node)
             if nxt in layout.buffer_at and layout.buffer_at[nxt].kind is BufferKind.DERAIL:
                 return  # off the rails: no way at all
-            if self.is_end(nxt):
+            if self._is_end(nxt):
                 found.append((start, nxt, tuple(path)))
                 return
             if nxt in seen:

@@ -27,10 +27,10 @@ class Asked:
     ) -> Iterator[Event]:
         """What the scan has answered: a route is set, or refused; a refused request of a person is not kept."""
         y = buttons.symbols
-        number = cycle.inputs.get(y.request, 0)
+        number = cycle.inputs.get(y.requests.request, 0)
         if not cycle.valid:
             yield from self._given_up(buttons)
-        if not number or before.inputs.get(y.request, 0) or not cycle.valid:
+        if not number or before.inputs.get(y.requests.request, 0) or not cycle.valid:
             return
         route = next((r for r in y.routes if r.number == number), None)
         who = self._waiting.pop(number, "")

@@ -20,19 +20,23 @@ def causes(ready: Ready, cycle: Cycle) -> Causes:
     for text in cycle.lost:
         station = text.partition(":")[0]
         out[f"lost {station}"] = (f"{'substation ' if station in ready.allocation.stations else ''}{text}", ())
-    for m in dict.fromkeys(str(m) for m, _ in y.detected):
+    for m in dict.fromkeys(str(m) for m, _ in y.machines.detected):
         late = y.indication.get(f"late {m}")
         if late is not None and cycle.outputs.get(late):
             out[f"late {m}"] = (f"{m} is not detected where it is commanded", (f"m:{m}",))
-        trailed = y.trailed.get(m)  # type: ignore[call-overload]
+        trailed = y.machines.trailed.get(m)  # type: ignore[call-overload]
         if trailed is not None and cycle.memory.state.get(trailed):
             out[f"trailed {m}"] = (f"{m} was trailed: look at it", (f"m:{m}",))
-    lamp_inputs = ((y.stop_lamp, "stop"), (y.clear_lamp, "clear"), (y.caution_lamp, "caution"))
-    for lamps, what in (*lamp_inputs, (y.identifier_lamp, "identifier")):
+    lamp_inputs = (
+        (y.lamp_proof.stop, "stop"),
+        (y.lamp_proof.clear, "clear"),
+        (y.lamp_proof.caution, "caution"),
+    )
+    for lamps, what in (*lamp_inputs, (y.lamp_proof.identifier, "identifier")):
         for g, name in lamps.items():
             if cycle.valid and not cycle.inputs.get(name, 0):
                 out[f"{what} lamp {g}"] = (f"the {what} lamp of {g} is out", (f"g:{g}",))
-    for s, name in y.healthy.items():
+    for s, name in y.sections.healthy.items():
         if cycle.valid and not cycle.inputs.get(name, 0):
             out[f"detector {s}"] = (f"the detector of {called('section', s)} is out of order", (f"s:{s}",))
     return out
@@ -46,7 +50,12 @@ def fallen_back(
     y = ready.controller.symbols
     was, now = before.memory.state, cycle.memory.state
     for r in y.routes:
-        if was.get(r.proceed) and not now.get(r.proceed) and now.get(r.active) and not now.get(y.cancelling[r.entry]):
+        if (
+            was.get(r.proceed)
+            and not now.get(r.proceed)
+            and now.get(r.active)
+            and not now.get(y.cancellation.cancelling[r.entry])
+        ):
             yield (
                 f"{called('signal', r.entry)} has returned to stop",
                 (f"g:{r.entry}",),

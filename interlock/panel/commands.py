@@ -93,24 +93,24 @@ class Buttons:
     def swing(self, signal: str) -> int:
         """Ask for another overlap; the number of the request."""
         self._typed(f"swing {signal}")
-        return self.symbols.swing_request[signal]  # type: ignore[index]
+        return self.symbols.overlaps.swing_request[signal]  # type: ignore[index]
 
     def cancel(self, signal: str, last: Cycle) -> None:
         """Take back the route from a signal."""
         state = last.memory.state
-        if not any(state.get(r.active) for r in self.symbols.routes_from.get(signal, [])):  # type: ignore[call-overload]
+        if not any(state.get(r.active) for r in self.symbols.routes.of_signal.get(signal, [])):  # type: ignore[call-overload]
             raise Refused(f"no route from {signal} is set that a train has not entered", f"g:{signal}")
         self._typed(f"cancel {signal}")
 
     def release(self, section: str, last: Cycle) -> None:
         """Release a section by hand: held until it is free."""
-        name = self.symbols.release.get(section)  # type: ignore[call-overload]
+        name = self.symbols.sections.release.get(section)  # type: ignore[call-overload]
         if name is None:
             raise Refused(f"{called('section', section)} is never locked")
-        locked = self.symbols.locked_by[section]  # type: ignore[index]
+        locked = self.symbols.sections.locked_by[section]  # type: ignore[index]
         if not any(last.memory.state.get(n) for n in locked):
             raise Refused(f"{called('section', section)} is not locked", f"s:{section}")
-        if not last.inputs.get(self.symbols.clear.get(section, ""), 0):  # type: ignore[call-overload]
+        if not last.inputs.get(self.symbols.sections.clear.get(section, ""), 0):  # type: ignore[call-overload]
             raise Refused(f"{called('section', section)} is occupied", f"s:{section}")
         self._hold(name, RELEASE_S, lambda c: not any(c.memory.state.get(n) for n in locked))
 
@@ -119,22 +119,22 @@ class Buttons:
         y = self.symbols
 
         def open_(c: Cycle) -> list[str]:
-            state, clear = c.memory.state, {s for s, n in y.clear.items() if c.inputs.get(n)}
-            found = [str(s) for s, n in y.restart.items() if state.get(n) and s in clear]
-            locked = {s for (s, _), n in y.lock.items() if state.get(n)}
-            return found + [str(s) for s, n in y.stale.items() if state.get(n) and s in clear & locked]
+            state, clear = c.memory.state, {s for s, n in y.sections.clear.items() if c.inputs.get(n)}
+            found = [str(s) for s, n in y.sections.restart.items() if state.get(n) and s in clear]
+            locked = {s for (s, _), n in y.sections.lock.items() if state.get(n)}
+            return found + [str(s) for s, n in y.sections.stale.items() if state.get(n) and s in clear & locked]
 
         if not open_(last):
             raise Refused("no section that is clear waits for its release")
-        ran = last.memory.elapsed.get(y.restart_timer)
-        preset = next(t.preset_ms for t in self.ready.controller.timers if t.name == y.restart_timer)  # type: ignore[union-attr]
-        if any(last.memory.state.get(n) for n in y.restart.values()) and (ran is None or ran < preset):
+        ran = last.memory.elapsed.get(y.start.restart_timer)
+        preset = next(t.preset_ms for t in self.ready.controller.timers if t.name == y.start.restart_timer)  # type: ignore[union-attr]
+        if any(last.memory.state.get(n) for n in y.sections.restart.values()) and (ran is None or ran < preset):
             raise Refused(f"the restart delay runs: {(preset - (ran or 0)) / 1000:.0f} s to go")
-        self._hold(y.release_all, 30.0, lambda c: not open_(c))
+        self._hold(y.sections.release_all, 30.0, lambda c: not open_(c))
 
     def block(self, section: str, on: bool) -> None:
         """Bar a section to routes, or free it."""
-        name = self.symbols.blocked.get(section)  # type: ignore[call-overload]
+        name = self.symbols.sections.blocked.get(section)  # type: ignore[call-overload]
         if name is None:
             raise Refused(f"{called('section', section)} cannot be blocked")
         self._typed(f"{name}={int(on)}")
@@ -143,27 +143,27 @@ class Buttons:
         """Move points or a device by hand: held until it is detected there."""
         x = Position.NORMAL if to == "N" else Position.REVERSE
         key = (MachineId(machine), x)
-        name = self.symbols.by_hand.get(key)
+        name = self.symbols.machines.by_hand.get(key)
         if name is None:
             raise Refused(f"{machine} is not moved by hand")
-        there = self.symbols.detected[key]
+        there = self.symbols.machines.detected[key]
         if last.inputs.get(there):
             raise Refused(f"{machine} lies there already", f"m:{machine}")
         for y in Position:
-            self.drop(self.symbols.by_hand[key[0], y])
+            self.drop(self.symbols.machines.by_hand[key[0], y])
         self._hold(name, TURN_S, lambda c: bool(c.inputs.get(there)))
 
     def looked(self, machine: str, last: Cycle) -> None:
         """Confirm that trailed points were looked at."""
-        name = self.symbols.looked_at.get(machine)  # type: ignore[call-overload]
-        if name is None or not last.memory.state.get(self.symbols.trailed[machine]):  # type: ignore[index]
+        name = self.symbols.machines.looked_at.get(machine)  # type: ignore[call-overload]
+        if name is None or not last.memory.state.get(self.symbols.machines.trailed[machine]):  # type: ignore[index]
             raise Refused(f"{machine} was not trailed")
-        self._hold(name, 1.0, lambda c: not c.memory.state.get(self.symbols.trailed[machine]))  # type: ignore[index]
+        self._hold(name, 1.0, lambda c: not c.memory.state.get(self.symbols.machines.trailed[machine]))  # type: ignore[index]
 
     def automatic(self, route: str, on: bool) -> None:
         """Let a route be set again after every train, or not."""
         number = self.routes[route].number if route in self.routes else 0
-        name = self.symbols.automatic.get(number)
+        name = self.symbols.requests.automatic.get(number)
         if name is None:
             raise Refused(f"route {route} does not work automatically")
         self._typed(f"{name}={int(on)}")

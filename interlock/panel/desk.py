@@ -268,8 +268,8 @@ class Desk:
         """What belongs to no element."""
         y, dispatcher = self.picture.symbols, self.operator.dispatcher
         state: Mapping[str, bool] = {} if cycle is None else cycle.memory.state
-        locked = [str(s) for s, n in y.restart.items() if state.get(n)]
-        timer = None if cycle is None else self.picture.left(cycle, y.restart_timer)
+        locked = [str(s) for s, n in y.sections.restart.items() if state.get(n)]
+        timer = None if cycle is None else self.picture.left(cycle, y.start.restart_timer)
         return {
             "sys": {
                 "power": self.power,
@@ -277,7 +277,7 @@ class Desk:
                 "lost": [] if cycle is None else list(cycle.lost),
                 "restart": locked,
                 "delay": timer if locked else None,
-                "releasing": cycle is not None and bool(cycle.inputs.get(y.release_all)),
+                "releasing": cycle is not None and bool(cycle.inputs.get(y.sections.release_all)),
                 "releases": self.releases,
                 "speed": self.clock.speed if self.field is not None else 0,
                 "minutes": int(self.clock.now() // 60) if self.field is not None else 0,

@@ -15,8 +15,10 @@ from interlock.app.run import Ready
 from interlock.emit.drawing import plan_svg
 from interlock.emit.drawing.place import place
 from interlock.field.plc import Cycle
-from interlock.logic.controller import Controller, Symbols
-from interlock.model.elements import Position
+from interlock.logic.controller import Controller
+from interlock.logic.names import Name
+from interlock.logic.symbols import Symbols
+from interlock.model.elements import Position, SignalId
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
 from interlock.panel.simulated import SimulatedField
@@ -33,8 +35,8 @@ def still(ready: Ready, field: SimulatedField | None) -> dict[str, Any]:
     topo, y = topology(layout), controller.symbols
     edges = {str(e.id): [e.length, int(drawing.edges[e.id][0] == drawing.at[e.a])] for e in layout.edges}
     ways = {
-        str(s): {k: [str(e) for e in topo.traversals[s][k - 1].edges] for k, _ in y.locks_of.get(s, [])}
-        for s in y.restart
+        str(s): {k: [str(e) for e in topo.traversals[s][k - 1].edges] for k, _ in y.sections.locks_of.get(s, [])}
+        for s in y.sections.restart
     }
     return {
         "name": layout.name,
@@ -47,14 +49,14 @@ def still(ready: Ready, field: SimulatedField | None) -> dict[str, Any]:
         "routes": [_route(r, table) for r in table.routes],
         "overlaps": {
             f"{g}.{k}": [str(e) for s, n in over for e in topo.traversals[s][n - 1].edges]
-            for (g, k), over in y.overlap_ways.items()
+            for (g, k), over in y.overlaps.ways.items()
         },
         "conditions": {str(c.id): [c.text, y.condition[c.id]] for c in layout.conditions},
         "zones": [z.id for z in layout.zones],
         "boundaries": {str(b.node): _boundary(layout, str(b.node)) for b in layout.boundaries},
         "stations": list(ready.allocation.stations),
         "voyages": [v.name for v in table.voyages],
-        "swings": [str(g) for g in y.swing_request],
+        "swings": [str(g) for g in y.overlaps.swing_request],
         "simulated": field is not None,
         "stands": {} if field is None else {s: [x for _, x in p] for s, p in field.places().items()},
         "lamps": {} if field is None else field.lamp_inputs(),
@@ -78,7 +80,7 @@ def _machines(layout: Layout, controller: Controller) -> dict[str, dict[str, Any
         ends = layout.ends_of_machine.get(m, ())
         found[str(m)] = {
             "points": [{"id": str(p.id), "toe": str(p.toe), "N": str(p.normal), "R": str(p.reverse)} for p in ends],
-            "hand": (m, Position.NORMAL) in controller.symbols.by_hand,
+            "hand": (m, Position.NORMAL) in controller.symbols.machines.by_hand,
             "device": not ends,
             "kind": str(layout.device[m].kind) if m in layout.device else "points",
         }
@@ -88,7 +90,11 @@ def _machines(layout: Layout, controller: Controller) -> dict[str, dict[str, Any
 def _signals(layout: Layout, controller: Controller, table: InterlockingTable) -> dict[str, dict[str, Any]]:
     entries = {r.entry for r in table.routes}
     found: dict[str, dict[str, Any]] = {
-        str(g.id): {"kind": str(g.kind), "entry": g.id in entries, "cancel": g.id in controller.symbols.cancel}
+        str(g.id): {
+            "kind": str(g.kind),
+            "entry": g.id in entries,
+            "cancel": g.id in controller.symbols.cancellation.cancel,
+        }
         for g in layout.signals
     }
     found |= {str(d.id): {"kind": "distant", "entry": False, "cancel": False} for d in layout.distants}
@@ -117,19 +123,55 @@ def _route(r: RouteRow, table: InterlockingTable) -> dict[str, Any]:
 def _held(y: Symbols) -> dict[str, list[str]]:
     """By machine the locks that need it."""
     held: dict[str, list[str]] = {}
-    for way, needs in y.demands.items():
+    for way, needs in y.ways.demands.items():
         for m, _ in needs:
-            held.setdefault(str(m), []).append(y.lock[way])
+            held.setdefault(str(m), []).append(y.sections.lock[way])
     return held
 
 
 def _awaited(y: Symbols) -> dict[str, list[str]]:
     """By section the approach timers of the signals into it."""
     before: dict[str, list[str]] = {}
-    for g, routes in y.routes_from.items():
-        if g in y.approach_timer:
-            before.setdefault(routes[0].ways[0][0] if routes[0].ways else "", []).append(y.approach_timer[g])
+    for g, routes in y.routes.of_signal.items():
+        if g in y.cancellation.approach_timer:
+            before.setdefault(routes[0].path.ways[0][0] if routes[0].path.ways else "", []).append(
+                y.cancellation.approach_timer[g]
+            )
     return before
+
+
+_Signal = tuple[
+    str,
+    tuple[tuple[str, Name], ...],
+    Name | None,
+    Name | None,
+    tuple[tuple[str, Name, Name], ...],
+    Name | None,
+]
+"""A signal, lamps by word, cancellation, approach locking, its routes (name, set, locked), proof of its stop lamp."""
+
+
+def _of_signal(y: Symbols, g: SignalId) -> _Signal:
+    """What is read of a signal: its lamps, cancellation and approach locking, its routes, its stop lamp."""
+    return (
+        f"g:{g}",
+        tuple(
+            (word, aspect[g])
+            for word, aspect in (
+                ("call", y.aspects.call_on),
+                ("identifier", y.aspects.identifier),
+                ("clear", y.aspects.clear),
+                ("caution", y.aspects.caution),
+                ("shunt", y.aspects.shunt),
+                ("stop", y.aspects.stop),
+            )
+            if g in aspect
+        ),
+        y.cancellation.cancelling.get(g),
+        y.cancellation.approach_timer.get(g),
+        tuple((str(r.id), r.active, r.locked) for r in y.routes.of_signal.get(g, [])),
+        y.lamp_proof.stop.get(g),
+    )
 
 
 class Picture:
@@ -144,57 +186,37 @@ class Picture:
         self._sections = [
             (
                 f"s:{s}",
-                y.clear.get(s),
-                y.restart.get(s),
-                y.blocked.get(s),
-                y.stale.get(s),
-                tuple(t for t in (y.release_timer.get(s), *before.get(s, [])) if t is not None),
-                y.release.get(s),
-                tuple(y.locks_of.get(s, [])),
-                y.healthy.get(s),
+                y.sections.clear.get(s),
+                y.sections.restart.get(s),
+                y.sections.blocked.get(s),
+                y.sections.stale.get(s),
+                tuple(t for t in (y.sections.release_timer.get(s), *before.get(s, [])) if t is not None),
+                y.sections.release.get(s),
+                tuple(y.sections.locks_of.get(s, [])),
+                y.sections.healthy.get(s),
             )
-            for s in dict.fromkeys((*y.clear, *y.restart))
+            for s in dict.fromkeys((*y.sections.clear, *y.sections.restart))
         ]
         held = _held(y)
         self._machines = [
             (
                 f"m:{m}",
-                tuple(y.detected.get((m, x)) for x in Position),
-                tuple(y.command.get((m, x)) for x in Position),
+                tuple(y.machines.detected.get((m, x)) for x in Position),
+                tuple(y.machines.command.get((m, x)) for x in Position),
                 y.indication.get(f"late {m}"),
-                y.trailed.get(m),
+                y.machines.trailed.get(m),
                 tuple(held.get(str(m), ())),
             )
             for m in self.layout.machines
         ]
-        self._signals = [
-            (
-                f"g:{g.id}",
-                tuple(
-                    (word, aspect[g.id])
-                    for word, aspect in (
-                        ("call", y.call_aspect),
-                        ("identifier", y.identifier_aspect),
-                        ("clear", y.clear_aspect),
-                        ("caution", y.caution_aspect),
-                        ("shunt", y.shunt_aspect),
-                        ("stop", y.stop_aspect),
-                    )
-                    if g.id in aspect
-                ),
-                y.cancelling.get(g.id),
-                y.approach_timer.get(g.id),
-                tuple((str(r.id), r.active, r.locked) for r in y.routes_from.get(g.id, [])),
-                y.stop_lamp.get(g.id),
-            )
-            for g in self.layout.signals
-        ]
+        self._signals = [_of_signal(y, g.id) for g in self.layout.signals]
         self._distants = [
-            (f"g:{d.id}", y.distant_clear.get(d.id), y.distant_caution.get(d.id)) for d in self.layout.distants
+            (f"g:{d.id}", y.aspects.distant_clear.get(d.id), y.aspects.distant_caution.get(d.id))
+            for d in self.layout.distants
         ]
         self._lamps = [f"g:{g}" for g in (*(x.id for x in self.layout.signals), *(x.id for x in self.layout.distants))]
         self._routes = {r.number: str(r.id) for r in ready.table.routes}
-        self._overlaps = [(f"o:{g}.{k}", n) for (g, k), n in y.overlap.items()]
+        self._overlaps = [(f"o:{g}.{k}", n) for (g, k), n in y.overlaps.held.items()]
 
     def left(self, cycle: Cycle, timer: str | None) -> int | None:
         """Seconds until a timer is over; None while it does not run."""
@@ -222,7 +244,7 @@ class Picture:
             shown[f"z:{z}"] = [int(state.get(name, True))]
         for b, x in y.token.items():
             shown[f"b:{b}"] = [int(state.get(x.have, False)), int(state.get(x.give, False)), inputs.get(x.clear, 0)]
-        for k, name in y.automatic.items():
+        for k, name in y.requests.automatic.items():
             shown[f"a:{self._routes[k]}"] = [inputs.get(name, 0)]
         return shown
 

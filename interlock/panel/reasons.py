@@ -14,10 +14,11 @@ from functools import cached_property
 
 from interlock.diag.called import called
 from interlock.field.plc import Memory
-from interlock.logic.controller import Controller, Equation, Input, Step, Symbols, Timer
+from interlock.logic.controller import Controller, Equation, Input, Step, Timer
 from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr, evaluate
 from interlock.logic.names import Name, computed
 from interlock.logic.sentences import about, sentence
+from interlock.logic.symbols import Symbols
 from interlock.logic.words import REFUSED
 from interlock.model.elements import SectionId
 from interlock.model.layout import Layout
@@ -130,13 +131,13 @@ class Reasons:
 
     def holders(self, section: str, way: int, state: Mapping[str, bool]) -> tuple[str, ...]:
         """The routes that are set over a way."""
-        over = self.symbols.routes_over.get((SectionId(section), way), ())
+        over = self.symbols.routes.over.get((SectionId(section), way), ())
         return tuple(str(r.id) for r in over if state.get(r.active))
 
     @cached_property
     def locks(self) -> dict[str, tuple[str, int]]:
         """By variable of a lock: section and way."""
-        return {n: (str(s), k) for (s, k), n in self.symbols.lock.items()}
+        return {n: (str(s), k) for (s, k), n in self.symbols.sections.lock.items()}
 
 
 class _Look:

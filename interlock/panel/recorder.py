@@ -33,16 +33,16 @@ def views(ready: Ready) -> Views:
     """What each recorded variable shows on the plan: kind of element, its id, and what is shown."""
     assert ready.controller is not None and ready.layout is not None
     y, layout, topo = ready.controller.symbols, ready.layout, topology(ready.layout)
-    out: Views = {name: [["section", str(s), "occupied"]] for s, name in y.clear.items()}
-    for (s, n), name in y.lock.items():
+    out: Views = {name: [["section", str(s), "occupied"]] for s, name in y.sections.clear.items()}
+    for (s, n), name in y.sections.lock.items():
         out[name] = [["edge", str(e), "locked"] for e in topo.traversals[s][n - 1].edges]
-    for option, name in y.overlap.items():
-        ways = y.overlap_ways[option]
+    for option, name in y.overlaps.held.items():
+        ways = y.overlaps.ways[option]
         out[name] = [["edge", str(e), "overlap"] for s, n in ways for e in topo.traversals[s][n - 1].edges]
-    out |= {name: [["section", str(s), "restart"]] for s, name in y.restart.items()}
+    out |= {name: [["section", str(s), "restart"]] for s, name in y.sections.restart.items()}
     for r in y.routes:
         out |= {name: [["signal", str(r.entry), "proceed"]] for name in r.open_while}
-    for (m, x), name in y.detected.items():
+    for (m, x), name in y.machines.detected.items():
         ends = [["point", str(p.id), str(x)] for p in layout.ends_of_machine.get(m, ())]
         out[name] = ends or [["device", str(m), str(x)]]
     return out
@@ -57,8 +57,8 @@ class Recorder:
         assert ready.controller is not None and ready.layout is not None and ready.table is not None
         y = ready.controller.symbols
         self.path, self.lost = path, ""
-        self._clear: tuple[str, ...] = tuple(y.clear.values())
-        self._contacts: tuple[str, ...] = tuple(y.detected.values())
+        self._clear: tuple[str, ...] = tuple(y.sections.clear.values())
+        self._contacts: tuple[str, ...] = tuple(y.machines.detected.values())
         self._state: tuple[str, ...] = tuple(n for n in views(ready) if n not in {*self._clear, *self._contacts})
         self._on: frozenset[str] | None = None
         self._waiting: deque[tuple[int, str, dict[str, Any]]] = deque(maxlen=KEPT)

@@ -120,11 +120,11 @@ def start_claim(system: System) -> Expr:
     """P-START: at the restart nothing is commanded, all signals show stop, every section is locked."""
     sym = system.symbols
     devices = system.layout.device
-    commands = [*sym.command.items(), *sym.drive.items()]
+    commands = [*sym.machines.command.items(), *sym.machines.drive.items()]
     out: list[Expr] = [neg(var(n)) for (m, x), n in commands if m not in devices or x is Position.NORMAL]
-    out += [var(n) for n in sym.stop_aspect.values()]
-    out += [neg(sym.shows(g.id)) for g in system.layout.signals]
-    out += [var(n) for n in sym.restart.values()]
+    out += [var(n) for n in sym.aspects.stop.values()]
+    out += [neg(sym.aspects.shows(g.id)) for g in system.layout.signals]
+    out += [var(n) for n in sym.sections.restart.values()]
     return conj(out)
 
 

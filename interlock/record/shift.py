@@ -32,6 +32,15 @@ class NoShift(Exception):
 
 
 @dataclass
+class Requests:
+    """What became of requests; `held_back`: no plan would have existed after them."""
+
+    granted: int = 0
+    held_back: int = 0
+    refused: int = 0
+
+
+@dataclass
 class Figures:
     """A shift in figures; times in seconds.  `states`: by train, how long it was in each state."""
 
@@ -48,9 +57,7 @@ class Figures:
     """Seconds for which each place worked."""
     alarms: list[tuple[float, str]] = field(default_factory=list)
     faults: list[tuple[float, str]] = field(default_factory=list)
-    granted: int = 0
-    held_back: int = 0
-    refused: int = 0
+    requests: Requests = field(default_factory=Requests)
     hazards: list[str] = field(default_factory=list)
     standstill: bool = False
 
@@ -125,13 +132,13 @@ def _count(f: Figures, e: Event, works: dict[str, int]) -> None:
     elif kind == "hazard":
         f.hazards.append(e["text"])
     elif kind == "granted":
-        f.granted += 1
+        f.requests.granted += 1
     elif kind == "waits" and e["cause"] == "refused":
-        f.refused += 1
+        f.requests.refused += 1
     elif kind == "standstill":
         f.standstill = True
     elif kind == "end":
-        f.held_back = e["held_back"]
+        f.requests.held_back = e["held_back"]
 
 
 def clock(seconds: float) -> str:
@@ -161,8 +168,8 @@ def to_csv(f: Figures) -> str:
     for place in f.heading["places"]:
         if f.heading["places"][place]["kind"] in ("loading", "tipping"):
             w.writerow(("utilisation", place, round(f.utilisation(place), 4), "part of the shift"))
-    for name, value in (("requests granted", f.granted), ("requests held back", f.held_back),
-                        ("requests refused", f.refused), ("alarms", len(f.alarms)), ("faults", len(f.faults)),
+    for name, value in (("requests granted", f.requests.granted), ("requests held back", f.requests.held_back),
+                        ("requests refused", f.requests.refused), ("alarms", len(f.alarms)), ("faults", len(f.faults)),
                         ("hazards", len(f.hazards)), ("standstills", int(f.standstill))):  # fmt: skip
         w.writerow((name, "", value, ""))
     return out.getvalue()

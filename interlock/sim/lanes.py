@@ -82,7 +82,9 @@ class Lanes:
         sym = controller.symbols
         self.sizes: dict[str, int] = {i.name: i.size for i in controller.inputs if i.size}
         self._rest: dict[str, int] = {i.name: i.restrictive for i in controller.inputs}
-        self._moves = {names.choice(names.MACHINE_STARTS(m, x)): sym.drive[m, x.other] for m, x in sym.drive}
+        self._moves = {
+            names.choice(names.MACHINE_STARTS(m, x)): sym.machines.drive[m, x.other] for m, x in sym.machines.drive
+        }
         self._arrivals = [c for c in plant.choices if c.family is names.MACHINE_ARRIVES]
         moves = {n: e for n, e in plant.next.items() if n.family in _MOVES}
         self._timers = [*independent(controller)]
@@ -129,7 +131,7 @@ class Lanes:
         symbols = (
             self.controller.symbols
         )  # runs begin when the restart delay is over; what is clear then, long has been
-        for name in (symbols.restart_timer, *symbols.release_timer.values()):
+        for name in (symbols.start.restart_timer, *symbols.sections.release_timer.values()):
             self._running[name] = [(-max(t.preset_ms for t in self.controller.timers), self.mask)]
         lanes = [Lane(self, n) for n in range(len(starts))]
         runs: list[Driver] = [d(lane) for d, lane in zip(drivers, lanes, strict=True)]
@@ -155,7 +157,7 @@ class Lanes:
         """The locked sections of each run that has any; looked for once in a step, for all runs."""
         if self._held is None:
             self._held = {}
-            for section, locks in self.controller.symbols.locked_by.items():
+            for section, locks in self.controller.symbols.sections.locked_by.items():
                 runs = reduce(or_, (self.state[n] for n in locks))
                 while runs:
                     lowest = runs & -runs
@@ -184,16 +186,20 @@ class Lanes:
                 if names.choice(e) in values:
                     values[names.choice(e)] |= lane.bit
         moved = self._computed(values, m)
-        for s, name in sym.clear.items():
+        for s, name in sym.sections.clear.items():
             there = moved.get(names.STANDS(s), 0)
             values[name] = m ^ there if there else m
-        for (machine, x), name in sym.detected.items():
+        for (machine, x), name in sym.machines.detected.items():
             values[name] = moved[names.LIES(machine, x)]
         values[sym.valid] = m
-        values |= dict.fromkeys(sym.blocked.values(), 0)
-        lamps = (*sym.stop_lamp.values(), *sym.clear_lamp.values(), *sym.caution_lamp.values())
-        lamps = (*lamps, *sym.identifier_lamp.values())
-        values |= dict.fromkeys((*sym.condition.values(), *sym.healthy.values(), *lamps), m)
+        values |= dict.fromkeys(sym.sections.blocked.values(), 0)
+        lamps = (
+            *sym.lamp_proof.stop.values(),
+            *sym.lamp_proof.clear.values(),
+            *sym.lamp_proof.caution.values(),
+        )
+        lamps = (*lamps, *sym.lamp_proof.identifier.values())
+        values |= dict.fromkeys((*sym.condition.values(), *sym.sections.healthy.values(), *lamps), m)
         for b, wire in sym.token.items():
             values |= {wire.gives: moved[names.TELEGRAM(b, "gives")], wire.has: moved[names.TELEGRAM(b, "has")]}
             values[wire.keeps] = m ^ moved[names.TELEGRAM(b, "gives")]

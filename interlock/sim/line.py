@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from interlock.logic import names
-from interlock.logic.controller import BlockSymbols, Symbols
 from interlock.logic.names import Name
+from interlock.logic.symbols import BlockSymbols, Symbols
 from interlock.model.elements import BlockKind, NodeId
 from interlock.model.layout import Layout
 from interlock.sim.lanes import Lane

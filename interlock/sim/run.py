@@ -59,7 +59,7 @@ class Simulator:
         self.elapsed: dict[str, int | None] = {t.name: None for t in self.controller.timers}
         self.state[names.POWERED] = 1  # runs begin when the restart delay is over
         symbols = self.controller.symbols  # all that is clear then has been clear all the while
-        for name in (symbols.restart_timer, *symbols.release_timer.values()):
+        for name in (symbols.start.restart_timer, *symbols.sections.release_timer.values()):
             self.elapsed[name] = max(t.preset_ms for t in self.controller.timers)
         self.count = 0
         self.last: dict[str, int] = {}
@@ -81,17 +81,21 @@ class Simulator:
         for t in self.controller.timers:
             values[t.name] = 0
         moved = self._move(values)
-        for s in self.controller.symbols.clear:
-            values[self.controller.symbols.clear[s]] = int(not moved.get(names.STANDS(s), False))
-        for (m, x), name in self.controller.symbols.detected.items():
+        for s in self.controller.symbols.sections.clear:
+            values[self.controller.symbols.sections.clear[s]] = int(not moved.get(names.STANDS(s), False))
+        for (m, x), name in self.controller.symbols.machines.detected.items():
             values[name] = int(moved[names.LIES(m, x)])
         values[self.controller.symbols.valid] = 1
-        for name in self.controller.symbols.blocked.values():
+        for name in self.controller.symbols.sections.blocked.values():
             values[name] = 0
         sym = self.controller.symbols
-        lamps = (*sym.stop_lamp.values(), *sym.clear_lamp.values(), *sym.caution_lamp.values())
-        lamps = (*lamps, *sym.identifier_lamp.values())
-        for name in (*sym.condition.values(), *sym.healthy.values(), *lamps):
+        lamps = (
+            *sym.lamp_proof.stop.values(),
+            *sym.lamp_proof.clear.values(),
+            *sym.lamp_proof.caution.values(),
+        )
+        lamps = (*lamps, *sym.lamp_proof.identifier.values())
+        for name in (*sym.condition.values(), *sym.sections.healthy.values(), *lamps):
             values[name] = 1
         for b, wire in sym.token.items():
             values |= {
@@ -110,8 +114,8 @@ class Simulator:
         self.last = values
         valid = bool(values[self.controller.symbols.valid])
         self.state = {**self.state, **{k: int(v) for k, v in moved.items()}, **{k: int(v) for k, v in new.items()}}
-        for s, name in self.controller.symbols.clear.items():
-            healthy = s not in sym.healthy or values[sym.healthy[s]]
+        for s, name in self.controller.symbols.sections.clear.items():
+            healthy = s not in sym.sections.healthy or values[sym.sections.healthy[s]]
             self.state[names.IMAGE(s)] = int(not (valid and values[name] and healthy))
 
     def missing(self, equation: str) -> list[str]:

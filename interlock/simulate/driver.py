@@ -41,24 +41,24 @@ class Drivers:
     """All drivers of a world."""
 
     def __init__(self, world: World) -> None:
-        self.world, self.track, self.rng = world, world.track, world.rng
+        self._world, self.track, self._rng = world, world.track, world.rng
         self.sight: Sight = world.sight
         layout, rules = world.layout, world.rules
-        self.reaction = rules.reaction_s
+        self._reaction = rules.reaction_s
         self.three = rules.caution is not Caution.NEVER
         names = [portable(str(g.id)) for g in layout.signals]
         self.lit = [(f"YP_{n}", f"YY_{n}", f"YO_{n}", f"YW_{n}", f"YS_{n}", f"YI_{n}") for n in names]
-        self.clear_out = [f"GL_{n}" for n in names]
-        self.identifier_out = [f"NL_{n}" for n in names]
-        self.caution_out = [f"CL_{n}" for n in names]
+        self._clear_out = [f"GL_{n}" for n in names]
+        self._identifier_out = [f"NL_{n}" for n in names]
+        self._caution_out = [f"CL_{n}" for n in names]
         line_speed = rules.line_speed_kmh / 3.6
-        self.shunt_speed = min(rules.shunt_speed_kmh / 3.6, line_speed)
-        self.line_speed = line_speed
+        self._shunt_speed = min(rules.shunt_speed_kmh / 3.6, line_speed)
+        self._line_speed = line_speed
         self.limit = [line_speed if s.speed is None else s.speed / 3.6 for s in layout.sections]
         self.fastest = max([line_speed, *self.limit])
         entry = dict(layout.entry_speeds)
         section = {s: i for i, s in enumerate(self.track.sections)}
-        self.overlaps = [
+        self._overlaps = [
             [
                 *(
                     Ground(frozenset(section[str(s)] for s in w.over), w.length, w.entry)
@@ -69,11 +69,11 @@ class Drivers:
             ]
             for g in layout.signals
         ]
-        self.view = (self.fastest * self.reaction + self.fastest**2 / (2 * rules.braking_ms2)) * 1.1 + 30.0
+        self._view = (self.fastest * self._reaction + self.fastest**2 / (2 * rules.braking_ms2)) * 1.1 + 30.0
 
     def overlap(self, signal: int) -> Ground:
         """The overlap of a signal, as its points lie: what counts of those that may be stated."""
-        stated = self.overlaps[signal]
+        stated = self._overlaps[signal]
         if len(stated) == 1:
             return stated[0]
         s, d, gone, over = self.track.stretches, self.track.begins[signal], 0.0, set[int]()
@@ -87,14 +87,14 @@ class Drivers:
         """What a driver reads: None stop, False to trains (an identifier light: nothing is meant for them here), True
         to shunting movements."""
         clear, caution, call, white, stop, identifier = self.lit[signal]
-        out = self.world.out
-        green = shown.get(clear) and self.clear_out[signal] not in out
-        yellow = shown.get(caution) and self.caution_out[signal] not in out
+        out = self._world.out
+        green = shown.get(clear) and self._clear_out[signal] not in out
+        yellow = shown.get(caution) and self._caution_out[signal] not in out
         if ((green or yellow or shown.get(white)) and shown.get(stop)) or (shown.get(clear) and shown.get(caution)):
-            self.world.watch.contradicts(self.world, signal)
-        passes = shown.get(identifier) and self.identifier_out[signal] not in out
+            self._world.watch.contradicts(self._world, signal)
+        passes = shown.get(identifier) and self._identifier_out[signal] not in out
         if passes and any(map(shown.get, (clear, caution, call, white, stop))):
-            self.world.watch.contradicts(self.world, signal)
+            self._world.watch.contradicts(self._world, signal)
         if green or yellow or shown.get(call) or passes:
             return False
         if shown.get(white) and (t.shunting or t.speed == 0.0):
@@ -103,14 +103,14 @@ class Drivers:
 
     def step(self, dt: float, shown: Mapping[str, int]) -> None:
         """All trains run for a while."""
-        for t in tuple(self.world.trains):
+        for t in tuple(self._world.trains):
             self._drive(t, dt, shown)
 
     # --- running ---------------------------------------------------------------------------------
 
     def _drive(self, t: Train, dt: float, shown: Mapping[str, int]) -> None:
         t.moved = False
-        if t.seen_at != self.world.machines.version:
+        if t.seen_at != self._world.machines.version:
             self.sight.look(t)
         if t.speed == 0.0:
             t.rests += dt
@@ -130,20 +130,20 @@ class Drivers:
             return
         if before == 0.0 and t.rests > 0.0:
             t.rests = 0.0
-            self.world.watch.starts(self.world, t)
+            self._world.watch.starts(self._world, t)
         self._advance(t, ds)
-        if self.rng.random() < self.world.faults.divide * dt:
-            self.world.traffic.divide(t)
+        if self._rng.random() < self._world.faults.divide * dt:
+            self._world.traffic.divide(t)
 
     def _runs(self, t: Train, dt: float) -> tuple[float, float]:
         """Changes its speed; the metres that it runs, and those in which its driver means to stand."""
         free = self._free(t)
         if t.shunting or self.track.stretches[t.body[-1]].outside:
             free = min(free, self.sight.vehicle(t, 200.0, False) - 3.0)
-        seen = t.length(self.track) / self.world.scan_s  # no faster than a scan can see it (A-SCAN)
+        seen = t.length(self.track) / self._world.scan_s  # no faster than a scan can see it (A-SCAN)
         top = min(t.fastest, self._limit(t), seen)
         if t.shunting:
-            top = min(top, self.shunt_speed)
+            top = min(top, self._shunt_speed)
         before = t.speed
         wanted = min(top, sqrt(2 * t.brakes * max(0.0, free - before * dt))) if free < inf else top
         if wanted >= before:
@@ -166,7 +166,7 @@ class Drivers:
 
     def _limit(self, t: Train) -> float:
         section = self.track.stretches[t.body[-1]].section
-        return self.limit[section] if section != NONE else self.line_speed
+        return self.limit[section] if section != NONE else self._line_speed
 
     # --- reading signals -------------------------------------------------------------------------
 
@@ -175,7 +175,7 @@ class Drivers:
         if t.target == NONE:
             t.accepted = False
             return
-        if t.gap > self.view * (t.clear_view if t.expects else 1.0):
+        if t.gap > self._view * (t.clear_view if t.expects else 1.0):
             t.accepted = t.expects
             return
         t.accepted = t.accepted or t.expects
@@ -206,12 +206,12 @@ class Drivers:
             t.shunting = shunting
         if t.read != t.target:
             t.read = t.target
-            self.world.called.over(t, t.target, shown)
+            self._world.called.over(t, t.target, shown)
 
     def _reacted(self, t: Train, dt: float) -> bool:
         """Whether the time is over that a driver needs to act on what has changed before him."""
         if t.reacts < 0.0:
-            t.reacts = self.rng.uniform(0.0, self.reaction)
+            t.reacts = self._rng.uniform(0.0, self._reaction)
         t.reacts -= dt
         if t.reacts <= 0.0:
             t.reacts = -1.0
@@ -237,15 +237,15 @@ class Drivers:
     def _fails(self, t: Train) -> None:
         """A driver fails to stop, within the overlap; not while points of it turn (A-OVERRUN, A-SWING)."""
         metres = min(self.overlap(t.target).metres, 400.0)
-        near = metres and t.gap < 60.0 and self.rng.random() < self.world.faults.overrun * 0.1
+        near = metres and t.gap < 60.0 and self._rng.random() < self._world.faults.overrun * 0.1
         if near and self.sight.rails_lie(t, t.gap + metres):
-            t.overruns = t.margin + metres * self.rng.uniform(0.05, 0.95)
+            t.overruns = t.margin + metres * self._rng.uniform(0.05, 0.95)
 
     # --- standing --------------------------------------------------------------------------------
 
     def _stands(self, t: Train, dt: float, shown: Mapping[str, int]) -> None:
         """A train that may not go: it waits for a signal, turns round, divides, or is taken away in the end."""
-        rng, w = self.rng, self.world
+        rng, w = self._rng, self._world
         if t.stuck or t.rests > t.patience:
             if t.rests > t.patience:
                 w.traffic.taken_away(t)
@@ -266,7 +266,7 @@ class Drivers:
 
     def _advance(self, t: Train, ds: float) -> None:
         """The head goes on over points as they lie, the tail follows."""
-        s, w = self.track.stretches, self.world
+        s, w = self.track.stretches, self._world
         changed = False
         t.moved = True
         t.head += ds
@@ -307,7 +307,7 @@ class Drivers:
 
     def _onto(self, t: Train, d: int) -> int:
         """The stretch that follows for a train at the end of one, over points as they lie."""
-        here, w = self.track.stretches[d], self.world
+        here, w = self.track.stretches[d], self._world
         if here.machine == NONE:
             return here.on
         lies = w.machines.lies[here.machine]
@@ -322,11 +322,11 @@ class Drivers:
     def _passes(self, t: Train, signal: int) -> None:
         """The head passes a signal that counts: accepted, or closed when it was too late to stop, or overrun."""
         if t.accepted or t.committed:
-            self.world.movements += t.accepted
+            self._world.movements += t.accepted
             t.expects, t.called, t.overruns = t.accepted and t.announced, True, 0.0
         else:
             if not t.overruns:
-                self.world.passed_at_stop.append(f"train {t.number} at {self.track.signals[signal]}")
+                self._world.passed_at_stop.append(f"train {t.number} at {self.track.signals[signal]}")
             t.overruns, t.stuck = max(1.0, t.overruns - t.margin - t.head), True
         t.accepted, t.announced, t.reacts, t.reads, t.read = False, False, -1.0, 0.0, NONE
         t.committed, t.late = t.late, False

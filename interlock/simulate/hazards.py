@@ -33,12 +33,12 @@ class Watch:
     def __post_init__(self) -> None:
         t, layout = self.track, self.layout
         number = {str(e.id): i for i, e in enumerate(layout.edges)}
-        self.machine_nodes: list[list[frozenset[int]]] = [[] for _ in t.machines]
+        self._machine_nodes: list[list[frozenset[int]]] = [[] for _ in t.machines]
         for p in layout.points:
             legs = frozenset(number[str(x)] for x in (p.toe, p.normal, p.reverse))
-            self.machine_nodes[t.machines.index(str(p.machine))].append(legs)
+            self._machine_nodes[t.machines.index(str(p.machine))].append(legs)
         section = {s: i for i, s in enumerate(t.sections)}
-        self.devices = [
+        self._devices = [
             (t.machines.index(str(d.id)), frozenset(section[str(s)] for s in d.over)) for d in layout.devices
         ]
         self.limits = [(z.id, z.trains, frozenset(section[str(s)] for s in z.sections)) for z in layout.zones]
@@ -65,7 +65,7 @@ class Watch:
                     name = self.track.names_of_zones[fouled.bit_length() - 1]
                     text = f"trains {a.number} and {b.number} are foul of each other at {name}"
                     self.tell(world.clock, f"foul {a.number} {b.number} {name}", text)
-            for m, over in self.devices:
+            for m, over in self._devices:
                 if world.machines.position[m] != 1 and not over.isdisjoint(a.sections):
                     name = self.track.machines[m]
                     self.tell(world.clock, f"open {a.number} {name}", f"train {a.number} runs over {name}, not closed")
@@ -112,7 +112,7 @@ class Watch:
 
     def under_train(self, world: Scene, machine: int) -> Train | None:
         """A train that lies over one of a machine's points."""
-        for legs in self.machine_nodes[machine]:
+        for legs in self._machine_nodes[machine]:
             for t in world.trains:
                 if len(t.edges & legs) > 1 and self._over(t, legs):
                     return t

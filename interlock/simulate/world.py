@@ -30,18 +30,18 @@ class Machines:
 
     def __init__(self, layout: Layout, track: Track, rng: Random) -> None:
         n = len(track.machines)
-        self.track, self.rng = track, rng
-        self.run_s = layout.principles.point_run_s
+        self._track, self._rng = track, rng
+        self._run_s = layout.principles.point_run_s
         self.position = [rng.randrange(2) for _ in range(n)]
         self.target = list(self.position)
         self.left = [0.0] * n
         self.names = [portable(m) for m in track.machines]
         self.hand = [m in {str(p.machine) for p in layout.points if p.work is Work.HAND} for m in track.machines]
-        self.device = [m in {str(d.id) for d in layout.devices} for m in track.machines]
-        self.drives = [(f"YN_{n}", f"YR_{n}") for n in self.names]
+        self._device = [m in {str(d.id) for d in layout.devices} for m in track.machines]
+        self._drives = [(f"YN_{n}", f"YR_{n}") for n in self.names]
         self.contacts = [(f"DN_{n}", f"DR_{n}") for n in self.names]
-        self.confirms = [f"TC_{n}" for n in self.names]
-        self.alarms = [f"YT_{n}" for n in self.names]
+        self._confirms = [f"TC_{n}" for n in self.names]
+        self._alarms = [f"YT_{n}" for n in self.names]
         self.lost: dict[int, tuple[float, int]] = {}
         self.driven: set[int] = set()
         """Machines that the controller has driven since its last restart: it knows where they belong."""
@@ -62,7 +62,7 @@ class Machines:
     def run(self, dt: float, shown: Mapping[str, int], both: list[int]) -> list[int]:
         """Move for a while; the machines whose rails began to move, and in `both` those that are driven both ways."""
         started = []
-        for m, (normal, reverse) in enumerate(self.drives):
+        for m, (normal, reverse) in enumerate(self._drives):
             if shown[normal] and shown[reverse]:
                 both.append(m)
             to = 0 if shown[normal] else 1 if shown[reverse] else NONE
@@ -72,7 +72,7 @@ class Machines:
                 self.driven.add(m)
             if to not in (NONE, self.target[m]):
                 self.target[m] = to
-                self.left[m] = self.run_s * self.rng.uniform(0.3, 1.0)
+                self.left[m] = self._run_s * self._rng.uniform(0.3, 1.0)
                 self.position[m] = NONE
                 if not self.hand[m]:
                     started.append(m)
@@ -83,9 +83,9 @@ class Machines:
                     self.damaged.pop(m, None)  # a full throw puts them right, too
                     self.position[m] = self.target[m]
                     self.lay(m, 0 if self.hand[m] and not self.position[m] else self._final(m))
-            if self.hand[m] and self.position[m] == 1 and self.rng.random() < 0.02:
+            if self.hand[m] and self.position[m] == 1 and self._rng.random() < 0.02:
                 started.append(m)
-                self.lay(m, self.rng.choice((0, 1, NONE)))
+                self.lay(m, self._rng.choice((0, 1, NONE)))
             elif self.hand[m] and self.position[m] == NONE and self.target[m] == 0 and self.lies[m] != 0:
                 started.append(m)
                 self.lay(m, 0)  # turned back by hand before the key is locked
@@ -102,7 +102,7 @@ class Machines:
     def mend(self, inputs: Mapping[str, int], shown: Mapping[str, int]) -> None:
         """Whoever is told of trailed points, and confirms that they were looked at, has put them right."""
         for m in tuple(self.damaged):
-            if inputs.get(self.confirms[m]) and shown.get(self.alarms[m]):
+            if inputs.get(self._confirms[m]) and shown.get(self._alarms[m]):
                 del self.damaged[m]
                 self.lay(m, self.position[m])
 
@@ -139,21 +139,21 @@ class World:
         self.conditions = [n for n in self.inputs if n.startswith("E_")]
         self.lamps = [n for n in self.inputs if n.startswith(("RL_", "GL_", "CL_", "NL_"))]
         self.clear = [f"CLR_{portable(s)}" for s in track.sections]
-        self.healthy = [f"SH_{portable(s)}" for s in track.sections]
-        self.sensors = [i for i, n in enumerate(self.healthy) if n in self.inputs]
-        self.sick: dict[int, tuple[float, int | None]] = {}
+        self._healthy = [f"SH_{portable(s)}" for s in track.sections]
+        self._sensors = [i for i, n in enumerate(self._healthy) if n in self.inputs]
+        self._sick: dict[int, tuple[float, int | None]] = {}
         """Detectors that are not healthy: for how long, and what they report, or None for anything."""
-        self.wired = [n for n in self.clear if n in self.inputs]
+        self._wired = [n for n in self.clear if n in self.inputs]
         self.clear_wired = [n in self.inputs for n in self.clear]
         self.machines = Machines(layout, track, rng)
         self.trains: list[Train] = []
         self.count = [0] * len(track.sections)
-        self.was = [0] * len(track.sections)
+        self._was = [0] * len(track.sections)
         self.false: dict[int, float] = {}
-        self.shunt_lost: dict[int, float] = {}
+        self._shunt_lost: dict[int, float] = {}
         self.out: dict[str, float] = {}
-        self.invalid = 0.0
-        self.garbled: int | None = None
+        self._invalid = 0.0
+        self._garbled: int | None = None
         """What is read of sections while inputs are lost, or None for anything."""
         self.clock = 0.0
         self.scan_s = 0.1
@@ -260,17 +260,17 @@ class World:
                 del self.out[name]
                 self.inputs[name] = 1
         if rng.random() < f.inputs * dt:
-            self.invalid, self.garbled = rng.choice((0.0, 1.0, 5.0, 20.0)), rng.choice((1, 1, 0, None))
-        if self.sensors and rng.random() < f.sensor * dt * len(self.sensors):
-            held = [s for s in self.sensors if self.count[s]]
-            s = rng.choice(held if held and rng.random() < 0.5 else self.sensors)
-            self.sick[s] = rng.choice((0.0, 2.0, 20.0, 60.0)), rng.choice((1, 1, 0, None))
-        self.inputs["VALID"] = int(self.invalid < 0)
-        self.invalid -= dt if self.invalid >= 0 else 0.0
+            self._invalid, self._garbled = rng.choice((0.0, 1.0, 5.0, 20.0)), rng.choice((1, 1, 0, None))
+        if self._sensors and rng.random() < f.sensor * dt * len(self._sensors):
+            held = [s for s in self._sensors if self.count[s]]
+            s = rng.choice(held if held and rng.random() < 0.5 else self._sensors)
+            self._sick[s] = rng.choice((0.0, 2.0, 20.0, 60.0)), rng.choice((1, 1, 0, None))
+        self.inputs["VALID"] = int(self._invalid < 0)
+        self._invalid -= dt if self._invalid >= 0 else 0.0
         if f.shunt and rng.random() < f.shunt * dt * len(self.clear):
             s = rng.randrange(len(self.clear))
-            if self.count[s] and s not in self.shunt_lost:
-                self.shunt_lost[s] = rng.uniform(0.0, f.shunt_s)
+            if self.count[s] and s not in self._shunt_lost:
+                self._shunt_lost[s] = rng.uniform(0.0, f.shunt_s)
 
     def _beside_false(self, s: int) -> bool:
         return any(n in self.false for n in self.track.neighbours[s])
@@ -285,13 +285,13 @@ class World:
         held: list[int] = []
         for s, n in enumerate(count):
             clear = not n
-            if clear != (not self.was[s]) and rng.random() < late:
+            if clear != (not self._was[s]) and rng.random() < late:
                 if not clear:
                     clear = True  # just entered
                 elif not self._beside_false(s) and not any(x in held for x in self.track.neighbours[s]):
                     clear = False  # just left
                     held.append(s)
-            elif n and s in self.shunt_lost:
+            elif n and s in self._shunt_lost:
                 clear = True
             if self.clear_wired[s]:
                 self.inputs[self.clear[s]] = int(clear)
@@ -301,19 +301,19 @@ class World:
             self.false[s] = left - dt
             if left < 0:
                 del self.false[s]
-        for s, left in tuple(self.shunt_lost.items()):
-            self.shunt_lost[s] = left - dt
+        for s, left in tuple(self._shunt_lost.items()):
+            self._shunt_lost[s] = left - dt
             if left < 0:
-                del self.shunt_lost[s]
-        for s, (left, read) in tuple(self.sick.items()):
-            self.inputs[self.healthy[s]] = int(left < 0)
+                del self._shunt_lost[s]
+        for s, (left, read) in tuple(self._sick.items()):
+            self.inputs[self._healthy[s]] = int(left < 0)
             if left < 0:
-                del self.sick[s]
+                del self._sick[s]
             else:
                 self.inputs[self.clear[s]] = rng.randrange(2) if read is None else read
-                self.sick[s] = left - dt, read
-        self.was, self.count = count, count
+                self._sick[s] = left - dt, read
+        self._was, self.count = count, count
         self.machines.report(self.inputs)
-        if self.invalid >= 0:
-            for name in self.wired:
-                self.inputs[name] = rng.randrange(2) if self.garbled is None else self.garbled
+        if self._invalid >= 0:
+            for name in self._wired:
+                self.inputs[name] = rng.randrange(2) if self._garbled is None else self._garbled

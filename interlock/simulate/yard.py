@@ -74,7 +74,7 @@ class Yard:
         say: Callable[..., None],
     ) -> None:
         self.layout, self.track, self.agenda, self.rng, self.say = layout, track, agenda, rng, say
-        self.inputs = inputs
+        self._inputs = inputs
         self.changed_ms: int | None = None
         """Since when an input is other than the controller has read it."""
         for name in inputs:  # nothing is pressed, blocked or out of order
@@ -84,14 +84,14 @@ class Yard:
         self.machines = Points(self)
         self.sight = Sight(self)
         self.watch = Watch(layout, track)
-        self.count = [0] * len(track.sections)
-        self.held: dict[int, int] = {}
+        self._count = [0] * len(track.sections)
+        self._held: dict[int, int] = {}
         """Sections that report occupied whatever stands there, and how many things make them."""
         self.stopped: Callable[[Rolling], None] = lambda r: None
         self.gone: Callable[[Rolling, str], None] = lambda r, where: None
         self.entered: Callable[[Rolling, str], None] = lambda r, section: None
         self.movements = 0
-        self.closed_before = 0
+        self._closed_before = 0
         self.passed_at_stop: list[str] = []
         self._lit = [tuple(f"{x}_{portable(g)}" for x in ("YP", "YY", "YO")) for g in track.signals]
         self._open = [False] * len(track.signals)
@@ -110,18 +110,18 @@ class Yard:
 
     def write(self, name: str, value: int) -> None:
         """An input of the controller."""
-        if self.inputs.get(name, value) != value:
-            self.inputs[name] = value
+        if self._inputs.get(name, value) != value:
+            self._inputs[name] = value
             if self.changed_ms is None:
                 self.changed_ms = self.agenda.now_ms
 
     def hold(self, section: int, more: int) -> None:
         """One thing more (or less) makes a section report occupied."""
-        self.held[section] = self.held.get(section, 0) + more
+        self._held[section] = self._held.get(section, 0) + more
         self._report(section)
 
     def _report(self, section: int) -> None:
-        occupied = bool(self.count[section] or self.held.get(section))
+        occupied = bool(self._count[section] or self._held.get(section))
         self.write(self._clear[section], int(not occupied))
 
     def shown(self, outputs: Mapping[str, int]) -> None:
@@ -213,7 +213,7 @@ class Yard:
         if not told:
             if t.speed**2 / (2 * t.brakes) >= t.gap - 0.2:
                 return  # too late: he passes it, and the route behind it must hold
-            self.closed_before += 1
+            self._closed_before += 1
         if told and t.speed == 0.0:
             r.accepted = True
             self.agenda.after(SETS_OFF_S, lambda: self._drives(r), f"train {r.name}")
@@ -371,11 +371,11 @@ class Yard:
         now = tuple(dict.fromkeys(s[d].section for d in r.train.body if s[d].section != NONE))
         for x in r.sections:
             if x not in now:
-                self.count[x] -= 1
+                self._count[x] -= 1
                 self.say("clears", train=r.name, section=self.track.sections[x])
                 self._report(x)
         for x in now:
             if x not in r.sections:
-                self.count[x] += 1
+                self._count[x] += 1
                 self._report(x)
         r.sections = now

@@ -89,9 +89,9 @@ def one_exclusion_too_many(layout: Layout, table: InterlockingTable) -> Interloc
     trial = Trial(system)
     for a, b in compatible(system, table):
         if trial.plan(a, b)[0] is Manner.BESIDE:
-            extra = Exclusion(b.ways[0][0], True, (), Because("R6", "too much"))
+            extra = Exclusion(b.path.ways[0][0], True, (), Because("R6", "too much"))
 
-            def more(row: TraversalRow, key: object = a.ways[0], extra: Exclusion = extra) -> TraversalRow:
+            def more(row: TraversalRow, key: object = a.path.ways[0], extra: Exclusion = extra) -> TraversalRow:
                 return replace(row, exclusions=(*row.exclusions, extra)) if row.key == key else row
 
             return _with(table, more)

@@ -25,11 +25,11 @@ def started() -> tuple[Machine, list[str]]:
     machine = Machine(controller)
     drive(machine, 700)  # the restart delay is 600 s
     drive(machine, 1, RELALL=1)
-    assert not any(machine.state[k] for k in controller.symbols.restart.values())
+    assert not any(machine.state[k] for k in controller.symbols.sections.restart.values())
     route = next(r for r in controller.symbols.routes if r.number == ROUTE)
     drive(machine, 0.5, REQ=ROUTE)
     drive(machine, 20)
-    locked = [controller.symbols.lock[w] for w in route.ways]
+    locked = [controller.symbols.sections.lock[w] for w in route.path.ways]
     assert all(machine.state[name] for name in locked)
     return machine, locked
 

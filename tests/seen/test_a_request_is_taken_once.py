@@ -32,7 +32,7 @@ def test_a_number_that_is_held_asks_once() -> None:
     drive(machine, 2, REQ=1, CLR_SC=0, CLR_DP=0)
     drive(machine, 2, REQ=1, CLR_DP=0, CLR_SA=0)
     out = drive(machine, 20, REQ=1, CLR_SA=0)
-    assert not any(machine.state[n] for (_, _), n in machine.controller.symbols.lock.items())
+    assert not any(machine.state[n] for (_, _), n in machine.controller.symbols.sections.lock.items())
     assert not out["YP_X1"]
     out = drive(machine, 20, REQ=1)
     assert not out["YP_X1"] and not machine.state["A_R1"]

@@ -57,6 +57,6 @@ def test_nothing_is_released_while_trains_that_ran_may_still_run() -> None:
             out = run(machine, 0.5, REQ=r.number)
             assert not any(v for n, v in out.items() if n.startswith(("YP_", "YY_", "YO_", "YW_")))
     out = run(machine, delay)
-    assert all(machine.state[k] for k in controller.symbols.restart.values())
+    assert all(machine.state[k] for k in controller.symbols.sections.restart.values())
     run(machine, 1, RELALL=1)
-    assert not any(machine.state[k] for k in controller.symbols.restart.values())
+    assert not any(machine.state[k] for k in controller.symbols.sections.restart.values())

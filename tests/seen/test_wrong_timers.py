@@ -46,7 +46,7 @@ def test_an_approach_delay_that_counts_from_the_setting_of_the_route_is_not_prov
 @pytest.mark.parametrize("name", SHIPPED)
 def test_an_approach_delay_whose_input_is_constant_is_not_proved(name: str) -> None:
     _, _, controller = built(name)
-    timer = next(iter(controller.symbols.approach_timer.values()))
+    timer = next(iter(controller.symbols.cancellation.approach_timer.values()))
     assert tells(name, with_input(controller, timer, TRUE))
 
 

@@ -124,23 +124,23 @@ class Railway:
     def __init__(self, table: InterlockingTable, layout: Layout) -> None:
         self.table, self.layout, self.topo = table, layout, topology(layout)
         self.metres = {t.key: t.length for s in self.topo.sections for t in self.topo.traversals[s]}
-        self.ends = {t.key: (t.entry, t.exit) for s in self.topo.sections for t in self.topo.traversals[s]}
+        self._ends = {t.key: (t.entry, t.exit) for s in self.topo.sections for t in self.topo.traversals[s]}
         self.approach = {str(b.node): b.approach for b in layout.boundaries}
         self.zones = [(z.id, z.trains) for z in layout.zones]
         self._zone_of = {s: z.id for z in layout.zones for s in z.sections}
         self._from: dict[tuple[NodeId, SectionId], list[RouteRow]] = {}
-        for r in sorted(table.routes, key=lambda r: (self.rank[r.id], r.number)):
+        for r in sorted(table.routes, key=lambda r: (self._rank[r.id], r.number)):
             if r.kind not in (RouteKind.CALL_ON, RouteKind.IDENTIFIER) and r.onward is None:  # one signal after another
                 self._from.setdefault((r.entry_node, r.section_ids[0]), []).append(r)
 
-    def seconds(self, r: RouteRow) -> float:
+    def _seconds(self, r: RouteRow) -> float:
         """What a route costs a train: the time at its speed, and something for each of its points that lies reverse."""
         kmh = r.speed.kmh or self.layout.principles.line_speed_kmh
         curved = sum(d.role is Role.PATH and d.position is Position.REVERSE for d in r.points)
         return round(r.length / (kmh / 3.6), 1) + DIVERGES_S * curved
 
     @cached_property
-    def rank(self) -> dict[RouteId, int]:
+    def _rank(self) -> dict[RouteId, int]:
         """Routes by shape: what they look like, then what follows, precedes and excludes them, round after round."""
         rows = self.table.routes
         ends: dict[str, list[RouteRow]] = {}
@@ -240,7 +240,7 @@ class Railway:
             things |= whole if e.whole else {("way", e.section, k) for k in e.numbers}
         things |= {("lies", d.machine, d.position.other) for d in (lock.points if lock else ())}
 
-    def goes_with(self, before: RouteRow, r: RouteRow) -> bool:
+    def _goes_with(self, before: RouteRow, r: RouteRow) -> bool:
         """Whether a route can be set from the signal where another ends while the overlap of that is held."""
         if before.overlap is None:
             return True
@@ -256,16 +256,16 @@ class Railway:
         needed |= {("lies", d.machine, d.position.other) for d in r.added}
         return not held & needed
 
-    def released(self, place: Place, r: RouteRow) -> frozenset[object] | None:
+    def _released(self, place: Place, r: RouteRow) -> frozenset[object] | None:
         """What must be free of others so that a train has given up its overlap before a route that does not go with it;
         None where it never does."""
         assert place.route is not None
-        if self.goes_with(self.table.route[place.route], r):
+        if self._goes_with(self.table.route[place.route], r):
             return frozenset()
         if len(place.under) > 1:
             return None
         section, number = place.under[0]
-        entry = self.ends[section, number][0]
+        entry = self._ends[section, number][0]
         if entry in self.layout.boundary_at:
             approach = self.approach.get(str(entry))
             return frozenset({("outside", str(entry))} | ({("section", approach)} if approach else set()))
@@ -284,7 +284,7 @@ class Railway:
 
     # --- errands -------------------------------------------------------------------------------
 
-    def lies(self, ways: Sequence[TraversalKey], length: float) -> tuple[TraversalKey, ...]:
+    def _lies(self, ways: Sequence[TraversalKey], length: float) -> tuple[TraversalKey, ...]:
         """The last of some ways that a train of a length covers with its head short of the end."""
         covered = -MARGIN_M
         for k in range(len(ways) - 1, -1, -1):
@@ -302,7 +302,7 @@ class Railway:
             node = NodeId(section)
             first = self.layout.section_of(self.layout.edges_at[node][0].id)
             return [(r, False) for r in self._from.get((node, first), ())]
-        entry, exit_ = self.ends[section, number]
+        entry, exit_ = self._ends[section, number]
         found = [(r, False) for r in self._ahead(section, exit_)]
         if turns and len(place.under) == 1:
             found += [(r, True) for r in self._ahead(section, entry)]
@@ -392,7 +392,7 @@ class Railway:
     def cost(self, step: Step, length_m: float) -> float:
         """Seconds that a step costs a train of a length."""
         keeps = sum(self._keeps(r, length_m) for r in step.routes)
-        return sum(map(self.seconds, step.routes)) + TURNS_S * step.turned + KEEPS_S * keeps
+        return sum(map(self._seconds, step.routes)) + TURNS_S * step.turned + KEEPS_S * keeps
 
     def _keeps(self, r: RouteRow, length_m: float) -> bool:
         """A route runs over a track on which such a train could stand, and does not end there, while elsewhere tracks
@@ -426,7 +426,7 @@ class Railway:
 
     def _besides(self, place: Place, r: RouteRow, turned: bool) -> frozenset[object] | None:
         """What else must be free for a route from where a train stands; None where it cannot be set."""
-        return frozenset() if place.route is None or turned else self.released(place, r)
+        return frozenset() if place.route is None or turned else self._released(place, r)
 
     def _turns(self, errand: Errand, place: Place) -> bool:
         """The train begins, or has just ended a leg: it may change direction."""
@@ -455,7 +455,7 @@ class Railway:
                 been = {s for r in chain for s in r.section_ids}
                 end = Place(0, frozenset(), chain[-1].id, chain[-1].traversals)
                 onward = [r for r, _ in self.routes_on(end, False) if been.isdisjoint(r.section_ids)]
-                todo += [((*chain, r), turned) for r in onward if self.goes_with(chain[-1], r)]
+                todo += [((*chain, r), turned) for r in onward if self._goes_with(chain[-1], r)]
         return found
 
     def _own(self, place: Place, chain: Sequence[RouteRow]) -> bool:
@@ -471,7 +471,7 @@ class Railway:
         if last.exit_kind is ExitKind.BOUNDARY:
             return Place(at, frozenset(), last.id, ()) if at == len(errand.legs) else None
         rear = () if turned else place.under
-        under = self.lies((*rear, *(k for r in chain for k in r.traversals)), errand.length_m)
+        under = self._lies((*rear, *(k for r in chain for k in r.traversals)), errand.length_m)
         firm = last.id if last.overlap is not None and len(under) > 1 else None
         added = place.under_way | {r.id for r in chain if r.barred or r.added}
         under_way = frozenset(x for x in added if x == firm or self.table.route[x].last_left in under)

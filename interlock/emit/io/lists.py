@@ -99,7 +99,7 @@ def _blades(layout: Layout, controller: Controller) -> dict[str, str]:
         for x in Position:
             lie = [(named[p.id], x) for p in ends if p.id in named]
             told = "; ".join(f"blades at {' and '.join(b.at)} to {b.to(x)}" for b, x in lie)
-            for wire in (controller.symbols.detected[m, x], f"Y{x}_{portable(m)}"):
+            for wire in (controller.symbols.machines.detected[m, x], f"Y{x}_{portable(m)}"):
                 found[wire] = f"; {told}" if told else ""
     return found
 

@@ -83,7 +83,7 @@ def route_numbers(c: Controller) -> dict[str, int]:
 
 def cancelled_after(c: Controller) -> dict[int, str]:
     """The timer of approach locking by the number of each route."""
-    return {r.number: str(c.symbols.approach_timer[r.entry]) for r in c.symbols.routes}
+    return {r.number: str(c.symbols.cancellation.approach_timer[r.entry]) for r in c.symbols.routes}
 
 
 def said(c: Controller) -> dict[int, tuple[str, str]]:

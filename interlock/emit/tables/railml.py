@@ -60,7 +60,7 @@ def _conflicts(table: InterlockingTable, r: RouteRow, groups: _Groups) -> Iterat
 
 
 def _route(x: Reading, r: RouteRow) -> dict[str, object]:
-    facing = {m for m, _ in x.facing(r)}
+    facing = {m for m, _ in x.machines.facing(r)}
     path = [p for p in r.points if p.role is Role.PATH]
     exit_: dict[str, object] = {"refersTo": r.exit}
     if r.overlap is not None:
@@ -98,12 +98,12 @@ def _relation(x: Reading, r: RouteRow, groups: _Groups) -> dict[str, object]:
     return {
         "refersToRoute": r.id,
         "requiredSwitchPosition": [
-            {"refersTo": p.machine, "inPosition": IN[p.position]} for p in flank if x.is_machine(p)
+            {"refersTo": p.machine, "inPosition": IN[p.position]} for p in flank if x.machines.is_machine(p)
         ],
         "requiredDerailerPosition": [
             {"refersTo": p.machine, "inPosition": x.layout.word(p.machine, p.position)}
             for p in r.points
-            if x.is_derailer(p.machine)
+            if x.machines.is_derailer(p.machine)
         ],
         "requiredSectionState": [
             {

@@ -26,7 +26,12 @@ def holds(r: RouteRow) -> Name | None:
 def free(d: Draft, r: RouteRow) -> list[Term]:
     """Nothing that was added keeps the route from being granted."""
     out = [
-        Term(neg(var(names.HOLDS_ADDED(d.table.route[c.route].number))), "declared hostile", c.because.text)
+        Term(
+            neg(var(names.HOLDS_ADDED(d.table.route[c.route].number))),
+            "declared hostile",
+            c.because.text,
+            c.because.rule,
+        )
         for c in r.barred
     ]
     for p in r.added:
@@ -37,7 +42,7 @@ def free(d: Draft, r: RouteRow) -> list[Term]:
 
 
 def _not_trailed(d: Draft, m: MachineId) -> list[Term]:
-    return [Term(neg(var(names.TRAILED(m))), "not trailed", f"{m} was not trailed")] if m in d.powered else []
+    return [Term(neg(var(names.TRAILED(m))), "not trailed", f"{m} was not trailed")] if m in d.machines.powered else []
 
 
 def detected(d: Draft, r: RouteRow) -> list[Term]:
@@ -45,7 +50,7 @@ def detected(d: Draft, r: RouteRow) -> list[Term]:
     out = []
     for p in r.added:
         note = f"{p.machine} {p.position}: {p.because.text}"
-        out.append(Term(d.detected(p.machine, p.position), "added point detected", note))
+        out.append(Term(d.machines.detected(p.machine, p.position), "added point detected", note))
         out += _not_trailed(d, p.machine)
     return out
 
@@ -76,8 +81,10 @@ def keep(d: Draft) -> None:
         overlaps = []
         if r.overlap is not None:
             options = {r.overlap.option, *r.overlap.swings}
-            overlaps = [d.overlap(o) for o in d.overlaps_of[r.overlap.signal] if o[1] in options]
-        under_way = disj((var(names.GRANTED(r.number)), var(names.ACTIVE(r.number)), d.lock(*r.last_left), *overlaps))
+            overlaps = [d.overlaps.held(o) for o in d.overlaps.of_signal[r.overlap.signal] if o[1] in options]
+        under_way = disj(
+            (var(names.GRANTED(r.number)), var(names.ACTIVE(r.number)), d.sections.lock(*r.last_left), *overlaps)
+        )
         d.kept(
             name,
             False,

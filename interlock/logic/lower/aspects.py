@@ -7,13 +7,13 @@ opens: clear only while the next main signal shows proceed, where the principle 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from interlock.diag.called import called
 from interlock.logic import names
 from interlock.logic.controller import Join, Output, Term
 from interlock.logic.expr import Expr, conj, disj, neg, var
 from interlock.logic.lower.draft import Draft
+from interlock.logic.symbols import AspectSymbols
 from interlock.model.elements import Signal, SignalId
 from interlock.model.principles import Caution
 from interlock.table.rows import RouteKind, RouteRow, Shows
@@ -36,14 +36,14 @@ def lamp_terms(d: Draft, r: RouteRow) -> list[Term]:
 
 
 def _opens(d: Draft, g: SignalId, family: names.Family) -> Expr:
-    return disj(var(family(r.number)) for r in d.routes_from[g] if r.kind is RouteKind.MAIN)
+    return disj(var(family(r.number)) for r in d.routes.of_signal[g] if r.kind is RouteKind.MAIN)
 
 
 def keep(d: Draft) -> None:
     """Next values of the clear aspects."""
-    for g in d.open_for_trains if cautions(d) else ():
+    for g in d.routes.open_for_trains if cautions(d) else ():
         ways = []
-        for r in d.routes_from[g]:
+        for r in d.routes.of_signal[g]:
             if r.kind is RouteKind.MAIN and r.aspect.shows in (Shows.CLEAR, Shows.NEXT):
                 onward = [_opens(d, r.aspect.next, names.OPENS)] if r.aspect.next is not None else []
                 ways.append(conj((var(names.OPENS(r.number)), *onward)))
@@ -56,35 +56,38 @@ def keep(d: Draft) -> None:
         d.kept(names.SHOWS_CLEAR(g), False, f"{g} shows clear", Join.ALL, terms, f"signal {g}")
 
 
-def lamps(d: Draft) -> dict[str, Any]:
-    """The outputs of each signal's lamps, as `Symbols` names them."""
-    signals = [g for g in d.layout.signals if d.routes_from[g.id]]
-    calls = [g for g in signals if any(r.kind is RouteKind.CALL_ON for r in d.routes_from[g.id])]
+def symbols(d: Draft) -> AspectSymbols:
+    """The outputs of each signal's lamps."""
+    signals = [g for g in d.layout.signals if d.routes.of_signal[g.id]]
+    calls = [g for g in signals if any(r.kind is RouteKind.CALL_ON for r in d.routes.of_signal[g.id])]
 
     def each(family: names.Family, shown_by: Sequence[Signal]) -> dict[SignalId, names.Name]:
         return {g.id: family(g.id) for g in shown_by}
 
     mains = [g for g in signals if g.main and d.layout.opens(g.id, False)]
-    return {
-        "clear_aspect": each(names.CLEAR_ASPECT, mains),
-        "caution_aspect": each(names.CAUTION_ASPECT, mains if cautions(d) else []),
-        "call_aspect": each(names.CALL_ASPECT, calls),
-        "identifier_aspect": each(names.IDENTIFIER_ASPECT, [g for g in signals if d.identifies(g.id)]),
-        "shunt_aspect": each(names.SHUNT_ASPECT, [g for g in signals if g.shunt]),
-        "stop_aspect": each(names.STOP_ASPECT, signals),
-    }
+    return AspectSymbols(
+        clear=each(names.CLEAR_ASPECT, mains),
+        caution=each(names.CAUTION_ASPECT, mains if cautions(d) else []),
+        call_on=each(names.CALL_ASPECT, calls),
+        identifier=each(names.IDENTIFIER_ASPECT, [g for g in signals if d.routes.identifies(g.id)]),
+        shunt=each(names.SHUNT_ASPECT, [g for g in signals if g.shunt]),
+        stop=each(names.STOP_ASPECT, signals),
+        speed={(g, kmh): name for g in d.routes.open_for_trains for kmh, name in speeds(d, g).items()},
+        distant_clear={x.id: names.DISTANT_CLEAR(x.id) for x in d.layout.distants},
+        distant_caution={x.id: names.DISTANT_CAUTION(x.id) for x in d.layout.distants},
+    )
 
 
 def speeds(d: Draft, g: SignalId) -> dict[int, names.Name]:
     """The speeds that a signal can show, each with the name of its output."""
-    found = {r.speed.kmh for r in d.routes_from[g] if r.kind is RouteKind.MAIN and r.speed.kmh is not None}
+    found = {r.speed.kmh for r in d.routes.of_signal[g] if r.kind is RouteKind.MAIN and r.speed.kmh is not None}
     return {kmh: names.SPEED_ASPECT(g, kmh) for kmh in sorted(found)}
 
 
 def outputs(d: Draft) -> None:
     """The lamps of every signal: stop, caution, clear, shunt, call-on; what a distant signal shows."""
     for signal in d.layout.signals:
-        routes = d.routes_from[signal.id]
+        routes = d.routes.of_signal[signal.id]
         if not routes:
             continue
         said = called("signal", signal.id)
@@ -121,7 +124,7 @@ def outputs(d: Draft) -> None:
                 )
             )
         identified = disj(var(names.SHOWING(r.number)) for r in routes if r.kind is RouteKind.IDENTIFIER)
-        if d.identifies(signal.id):
+        if d.routes.identifies(signal.id):
             note = f"{said}: identifier light, neither stop nor proceed"
             d.outputs.append(Output(names.IDENTIFIER_ASPECT(signal.id), identified, False, note))
         stop = neg(disj((mains, shunts, identified)))
@@ -135,11 +138,11 @@ def outputs(d: Draft) -> None:
 
 
 def _clear(d: Draft, g: SignalId) -> Expr:
-    if g not in d.open_for_trains:
+    if g not in d.routes.open_for_trains:
         return disj(())
     if cautions(d):
         return var(names.SHOWS_CLEAR(g))
-    return disj((_opens(d, g, names.SHOWING), *_passing(d.routes_from[g], RouteKind.MAIN)))
+    return disj((_opens(d, g, names.SHOWING), *_passing(d.routes.of_signal[g], RouteKind.MAIN)))
 
 
 def _passing(routes: Sequence[RouteRow], kind: RouteKind) -> list[Expr]:

@@ -9,9 +9,10 @@ of the telegram has a wire or bit of its own that may always read 0: that it is 
 from __future__ import annotations
 
 from interlock.logic import names
-from interlock.logic.controller import BlockSymbols, Input, Join, Output, Term
+from interlock.logic.controller import Input, Join, Output, Term
 from interlock.logic.expr import Expr, conj, disj, neg, var
 from interlock.logic.lower.draft import Draft
+from interlock.logic.symbols import BlockSymbols
 from interlock.model.elements import BlockKind, NodeId
 from interlock.table.rows import RouteRow
 
@@ -59,7 +60,7 @@ def inputs(d: Draft) -> None:
 
 def _locked_out(d: Draft, b: NodeId) -> Expr:
     """Something is locked towards the boundary."""
-    return disj(d.lock(*t.key) for t in d.table.locks if t.exit == b)
+    return disj(d.sections.lock(*t.key) for t in d.table.locks if t.exit == b)
 
 
 def change(d: Draft) -> None:

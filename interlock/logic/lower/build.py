@@ -2,15 +2,29 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Sequence
 
 from interlock.logic import names
-from interlock.logic.controller import Controller, RouteSymbols, Symbols, Timer
+from interlock.logic.controller import Controller, Timer
 from interlock.logic.expr import TRUE
 from interlock.logic.lower import added, aspects, block, overlaps, points, requests, routes, sections, ways, zones
 from interlock.logic.lower.draft import Draft
 from interlock.logic.lower.words import words
-from interlock.model.elements import Position
+from interlock.logic.symbols import (
+    CancelSymbols,
+    LampProofSymbols,
+    MachineSymbols,
+    OverlapSymbols,
+    RequestSymbols,
+    RoutePath,
+    Routes,
+    RouteSymbols,
+    SectionSymbols,
+    StartSymbols,
+    Symbols,
+    WaySymbols,
+)
+from interlock.model.elements import MachineId, Position, SignalId
 from interlock.model.layout import Layout
 from interlock.model.principles import Local
 from interlock.table.rows import InterlockingTable, RouteKind, RouteRow
@@ -67,9 +81,9 @@ def lower(layout: Layout, table: InterlockingTable) -> Controller:
     return Controller(
         layout.name,
         tuple(d.inputs),
-        tuple(d.state),
+        tuple(variable for variable, _ in d.memory),
         tuple(d.steps),
-        tuple(d.next),
+        tuple(equation for _, equation in d.memory),
         tuple(d.outputs),
         _symbols(d),
         words(d),
@@ -78,10 +92,10 @@ def lower(layout: Layout, table: InterlockingTable) -> Controller:
 
 def _indications(d: Draft) -> dict[str, names.Name]:
     """What tells an operator something: the output by what it is about (`locked S`, `late M`, ...)."""
-    found = {f"locked {s}": names.LOCKED_SHOWN(s) for s in d.sections}
-    found |= {f"faulty {s}": names.FAULT_SHOWN(s) for s in d.healthy}
-    found |= {f"late {m}": names.LATE_SHOWN(m) for m in d.machines}
-    found |= {f"trailed {m}": names.TRAILED_SHOWN(m) for m in d.powered}
+    found = {f"locked {s}": names.LOCKED_SHOWN(s) for s in d.sections.all}
+    found |= {f"faulty {s}": names.FAULT_SHOWN(s) for s in d.sections.healthy}
+    found |= {f"late {m}": names.LATE_SHOWN(m) for m in d.machines.all}
+    found |= {f"trailed {m}": names.TRAILED_SHOWN(m) for m in d.machines.powered}
     return found | {f"full {z.id}": names.ZONE_FULL_SHOWN(z.id) for z in d.layout.zones}
 
 
@@ -89,99 +103,140 @@ def _route(d: Draft, r: RouteRow) -> RouteSymbols:
     return RouteSymbols(
         r.id,
         r.number,
+        r.names,
         r.entry,
         r.kind is RouteKind.SHUNT,
         r.kind is RouteKind.CALL_ON,
-        r.locked,
-        r.traversals[-1] if r.berth is not None else None,
-        (r.overlap.signal, r.overlap.option) if r.overlap is not None else None,
+        _path(d, r),
         names.ACTIVE(r.number),
         names.LOCKED(r.number),
         names.WANTED(r.number),
         names.SHOWING(r.number),
         names.SHOWN(r.number),
         names.PASSING(r.number) if r.closing.whole is not None else None,
-        r.names,
+        added.holds(r),
+    )
+
+
+def _path(d: Draft, r: RouteRow) -> RoutePath:
+    return RoutePath(
+        r.locked,
+        r.traversals[-1] if r.berth is not None else None,
+        (r.overlap.signal, r.overlap.option) if r.overlap is not None else None,
         r.kind is RouteKind.IDENTIFIER,
         None if r.onward is None else d.table.route[r.onward].number,
-        tuple(x.number for x in d.leading_past(r)),
-        added.holds(r),
+        tuple(x.number for x in d.routes.leading_past(r)),
         tuple(d.table.route[c.route].number for c in r.barred),
         tuple((p.machine, p.position) for p in r.added),
     )
 
 
-def _of_machines(d: Draft) -> dict[str, Any]:
-    """What there is of each machine, as `Symbols` names it; of one that is not powered no more than its time-out."""
-    by_position = {
-        "detected": names.CONTACT,
-        "command": names.COMMAND,
-        "by_hand": names.MOVE_BY_HAND,
-        "drive": names.DRIVE,
-    }
-    powered = {"trailed": names.TRAILED, "seen_right": names.WAS_RIGHT, "looked_at": names.LOOKED_AT}
-    found: dict[str, Any] = {
-        k: {(m, x): of(m, x) for m in d.machines for x in Position} for k, of in by_position.items()
-    }
-    found |= {k: {m: of(m) for m in d.powered} for k, of in powered.items()}
-    return found | {"late_timer": {m: names.LATE(m) for m in d.machines}}
+def _requests(d: Draft) -> RequestSymbols:
+    return RequestSymbols(
+        requests.REQUEST,
+        requests.LOCAL if d.layout.principles.local_requests is not Local.NONE else None,
+        d.layout.principles.local_requests is Local.FIRST,
+        {x: requests.FRESH[x] for x in requests.inputs_of(d)},
+        {x: requests.SEEN[x] for x in requests.inputs_of(d)},
+        {r.number: requests.switch(r) for r in d.routes.automatic},
+    )
+
+
+def _sections(d: Draft) -> SectionSymbols:
+    return SectionSymbols(
+        clear={s.id: names.CLEAR(s.id) for s in d.layout.sections if s.detected},
+        healthy=d.sections.healthy,
+        blocked={s: names.BLOCKED(s) for s in d.sections.lockable},
+        release={s: names.RELEASE_BY_HAND(s) for s in d.sections.all},
+        release_all=names.RELEASE_ALL,
+        release_timer={s: names.LONG_CLEAR(s) for s in (*d.sections.all, *sections.detected(d))},
+        restart={s: names.RESTART_LOCK(s) for s in d.sections.all},
+        lock={t.key: names.LOCK(t.section, t.number) for t in d.table.locks},
+        train={s: names.TRAIN_LOCK(s) for s in d.sections.all} if d.signals.shunting else {},
+        firm={s: names.FIRM(s) for s in d.sections.all},
+        used={s: names.USED(s) for s in d.sections.all},
+        passed={s: names.PASSED(s) for s in d.sections.all},
+        stale={s: names.STALE(s) for s in d.sections.all},
+    )
+
+
+def _ways(d: Draft) -> WaySymbols:
+    return WaySymbols(
+        {t.key: tuple((p.machine, p.position) for p in t.points) for t in d.table.locks},
+        {t.key: tuple((e.section, e.whole, e.numbers) for e in t.exclusions) for t in d.table.locks},
+        dict(d.topo.ends),
+    )
+
+
+def _machines(d: Draft) -> MachineSymbols:
+    """What there is of each machine; of one that is not powered no more than its time-out."""
+
+    def by_position(of: names.Family) -> dict[tuple[MachineId, Position], names.Name]:
+        return {(m, x): of(m, x) for m in d.machines.all for x in Position}
+
+    def powered(of: names.Family) -> dict[MachineId, names.Name]:
+        return {m: of(m) for m in d.machines.powered}
+
+    sequence = any(isinstance(s, Timer) and s.name == names.GAP_OVER for s in d.steps)
+    return MachineSymbols(
+        detected=by_position(names.CONTACT),
+        command=by_position(names.COMMAND),
+        by_hand=by_position(names.MOVE_BY_HAND),
+        drive=by_position(names.DRIVE),
+        trailed=powered(names.TRAILED),
+        seen_right=powered(names.WAS_RIGHT),
+        looked_at=powered(names.LOOKED_AT),
+        late_timer={m: names.LATE(m) for m in d.machines.all},
+        turn={m: names.MAY_RUN(m) for m in d.machines.all if d.machines.started(m) is not TRUE},
+        started=names.STARTED if sequence else None,
+        start_timer=names.GAP_OVER if sequence else None,
+    )
+
+
+def _lamp_proof(d: Draft, signals: Sequence[SignalId]) -> LampProofSymbols:
+    proved = d.layout.principles.lamp_proof
+    lit = d.routes.open_for_trains if proved else {}
+    return LampProofSymbols(
+        stop={g.id: names.STOP_LAMP(g.id) for g in d.layout.signals} if proved else {},
+        clear={g: names.CLEAR_LAMP(g) for g in lit},
+        caution={g: names.CAUTION_LAMP(g) for g in lit if aspects.cautions(d)},
+        identifier={g: names.IDENTIFIER_LAMP(g) for g in signals if lit and d.routes.identifies(g)},
+    )
+
+
+def _overlaps(d: Draft) -> OverlapSymbols:
+    owners = sorted({g for g, _ in d.overlaps.ways})
+    return OverlapSymbols(
+        held={o: names.OVERLAP(o[0], o[1]) for o in d.overlaps.ways},
+        ways=dict(d.overlaps.ways),
+        firm={g: names.OVERLAP_FIRM(g) for g in owners},
+        timer={g: names.STANDING(g) for g in owners},
+        swings={g: names.OVERLAP_SWINGS(g) for g in d.overlaps.swinging},
+        swing_request={g: d.overlaps.swing_number(g) for g in d.overlaps.swinging},
+    )
 
 
 def _symbols(d: Draft) -> Symbols:
-    signals = [g.id for g in d.layout.signals if d.routes_from[g.id]]
-    lit = d.open_for_trains if d.layout.principles.lamp_proof else []
-
+    signals = [g.id for g in d.layout.signals if d.routes.of_signal[g.id]]
     return Symbols(
         valid=names.VALID,
-        request=requests.REQUEST,
-        local_request=requests.LOCAL if d.layout.principles.local_requests is not Local.NONE else None,
-        local_first=d.layout.principles.local_requests is Local.FIRST,
-        fresh={x: requests.FRESH[x] for x in requests.inputs_of(d)},
-        seen={x: requests.SEEN[x] for x in requests.inputs_of(d)},
-        automatic={r.number: requests.switch(r) for r in d.automatic},
-        clear={s.id: names.CLEAR(s.id) for s in d.layout.sections if s.detected},
-        healthy=d.healthy,
-        blocked={s: names.BLOCKED(s) for s in d.lockable},
-        **_of_machines(d),
-        condition={c.id: names.CONDITION(c.id) for c in d.layout.conditions},
-        stop_lamp={g.id: names.STOP_LAMP(g.id) for g in d.layout.signals} if d.layout.principles.lamp_proof else {},
-        clear_lamp={g: names.CLEAR_LAMP(g) for g in lit},
-        identifier_lamp={g: names.IDENTIFIER_LAMP(g) for g in signals if lit and d.identifies(g)},
-        caution_lamp={g: names.CAUTION_LAMP(g) for g in lit if aspects.cautions(d)},
-        turn={m: names.MAY_RUN(m) for m in d.machines if d.started(m) is not TRUE},
-        started=names.STARTED if any(isinstance(s, Timer) and s.name == names.GAP_OVER for s in d.steps) else None,
-        release_timer={s: names.LONG_CLEAR(s) for s in (*d.sections, *sections.detected(d))},
-        running=names.POWERED,
-        restart_timer=sections.RESTART_DELAY,
-        start_timer=names.GAP_OVER if any(isinstance(s, Timer) and s.name == names.GAP_OVER for s in d.steps) else None,
-        **aspects.lamps(d),
-        speed_shown={(g, kmh): name for g in d.open_for_trains for kmh, name in aspects.speeds(d, g).items()},
-        distant_clear={x.id: names.DISTANT_CLEAR(x.id) for x in d.layout.distants},
-        distant_caution={x.id: names.DISTANT_CAUTION(x.id) for x in d.layout.distants},
-        indication=_indications(d),
-        zone_full={z.id: names.ZONE_FULL(z.id) for z in d.layout.zones},
-        restart={s: names.RESTART_LOCK(s) for s in d.sections},
-        train={s: names.TRAIN_LOCK(s) for s in d.sections} if d.shunting else {},
-        lock={t.key: names.LOCK(t.section, t.number) for t in d.table.locks},
-        firm={s: names.FIRM(s) for s in d.sections},
-        used={s: names.USED(s) for s in d.sections},
-        passed={s: names.PASSED(s) for s in d.sections},
-        release={s: names.RELEASE_BY_HAND(s) for s in d.sections},
-        release_all=names.RELEASE_ALL,
-        stale={s: names.STALE(s) for s in d.sections},
-        cancel={g: names.CANCEL(g) for g in signals},
-        cancelling={g: names.CANCELLING(g) for g in signals},
-        approach_timer={g: names.APPROACH_OVER(g) for g in signals},
-        approach_of={g: d.rear(d.first_section(g), d.layout.signal[g].node) for g in signals},
-        overlap={o: names.OVERLAP(o[0], o[1]) for o in d.overlaps},
-        overlap_ways=dict(d.overlaps),
-        overlap_firm={g: names.OVERLAP_FIRM(g) for g in sorted({g for g, _ in d.overlaps})},
+        start=StartSymbols(names.POWERED, sections.RESTART_DELAY),
+        requests=_requests(d),
+        routes=Routes(_route(d, r) for r in d.table.routes),
+        sections=_sections(d),
+        ways=_ways(d),
+        machines=_machines(d),
+        aspects=aspects.symbols(d),
+        lamp_proof=_lamp_proof(d, signals),
+        cancellation=CancelSymbols(
+            {g: names.CANCEL(g) for g in signals},
+            {g: names.CANCELLING(g) for g in signals},
+            {g: names.APPROACH_OVER(g) for g in signals},
+            {g: d.sections.rear(d.signals.first_section(g), d.layout.signal[g].node) for g in signals},
+        ),
+        overlaps=_overlaps(d),
         token=block.tokens(d),
-        swings={g: names.OVERLAP_SWINGS(g) for g in d.swinging},
-        swing_request={g: d.swing_number(g) for g in d.swinging},
-        overlap_timer={g: names.STANDING(g) for g in sorted({g for g, _ in d.overlaps})},
-        routes=tuple(_route(d, r) for r in d.table.routes),
-        demands={t.key: tuple((p.machine, p.position) for p in t.points) for t in d.table.locks},
-        excluded={t.key: tuple((e.section, e.whole, e.numbers) for e in t.exclusions) for t in d.table.locks},
-        ends=dict(d.topo.ends),
+        condition={c.id: names.CONDITION(c.id) for c in d.layout.conditions},
+        zone_full={z.id: names.ZONE_FULL(z.id) for z in d.layout.zones},
+        indication=_indications(d),
     )

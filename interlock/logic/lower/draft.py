@@ -2,256 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from functools import cached_property
-from itertools import pairwise
+from collections.abc import Iterable
 
-from interlock.logic import names
 from interlock.logic.controller import Equation, Input, Join, Output, StateVar, Step, Term, Timer
-from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
+from interlock.logic.expr import Expr, var
+from interlock.logic.lower.index import MachineIndex, OverlapIndex, RouteIndex, SectionIndex, SignalIndex
 from interlock.logic.names import Name
-from interlock.model.elements import MachineId, NodeId, Position, RouteId, SectionId, SignalId
 from interlock.model.layout import Layout
-from interlock.model.places import Approach
 from interlock.model.traversal import Topology, topology
-from interlock.table.rows import InterlockingTable, RouteKind, RouteRow, TraversalKey, TraversalRow
+from interlock.table.rows import InterlockingTable
 
 
 class Draft:
-    """A controller in the making."""
+    """A controller in the making, with what it is made from."""
 
     def __init__(self, layout: Layout, table: InterlockingTable) -> None:
         self.layout = layout
         self.table = table
         self.topo: Topology = topology(layout)
+        self.routes = RouteIndex(layout, table)
+        self.overlaps = OverlapIndex(table)
+        self.sections = SectionIndex(layout, table, self.topo, self.routes)
+        self.machines = MachineIndex(layout)
+        self.signals = SignalIndex(layout, table, self.topo, self.routes, self.sections)
         self.inputs: list[Input] = []
-        self.state: list[StateVar] = []
+        self.memory: list[tuple[StateVar, Equation]] = []
+        """State variables, each with the equation of its next value."""
         self.steps: list[Step] = []
-        self.next: list[Equation] = []
         self.outputs: list[Output] = []
-
-    # --- what is there -------------------------------------------------------------------------
-
-    @cached_property
-    def sections(self) -> tuple[SectionId, ...]:
-        """Sections inside the layout."""
-        return self.topo.sections
-
-    @cached_property
-    def machines(self) -> tuple[MachineId, ...]:
-        """Machines in order."""
-        return self.layout.machines
-
-    @cached_property
-    def locks_of(self) -> Mapping[SectionId, tuple[TraversalRow, ...]]:
-        """The locks of each section."""
-        out: dict[SectionId, list[TraversalRow]] = {s: [] for s in self.sections}
-        for t in self.table.locks:
-            out[t.section].append(t)
-        return {s: tuple(ts) for s, ts in out.items()}
-
-    @cached_property
-    def healthy(self) -> Mapping[SectionId, Name]:
-        """The inputs that tell that a section's detector is healthy, where the principle asks for them."""
-        asked = self.layout.principles.sensor_faults
-        return {s.id: names.HEALTHY(s.id) for s in self.layout.sections if asked and s.detected}
-
-    @cached_property
-    def lockable(self) -> tuple[SectionId, ...]:
-        """Sections that some route or overlap locks."""
-        return tuple(s for s in self.sections if self.locks_of[s])
-
-    @cached_property
-    def routes_over(self) -> Mapping[tuple[SectionId, int], tuple[RouteRow, ...]]:
-        """The routes that use each lock."""
-        out: dict[tuple[SectionId, int], list[RouteRow]] = {}
-        for r in self.table.routes:
-            for key in r.traversals:
-                out.setdefault(key, []).append(r)
-        return {k: tuple(v) for k, v in out.items()}
-
-    @cached_property
-    def routes_into(self) -> Mapping[SectionId, tuple[RouteRow, ...]]:
-        """The shunt routes that end in each berth."""
-        out: dict[SectionId, list[RouteRow]] = {}
-        for r in self.table.routes:
-            if r.berth is not None:
-                out.setdefault(r.berth, []).append(r)
-        return {k: tuple(v) for k, v in out.items()}
-
-    @cached_property
-    def routes_to(self) -> Mapping[tuple[SignalId, int], tuple[RouteRow, ...]]:
-        """The routes that hold each overlap."""
-        out: dict[tuple[SignalId, int], list[RouteRow]] = {}
-        for r in self.table.routes:
-            if r.overlap is not None:
-                out.setdefault((r.overlap.signal, r.overlap.option), []).append(r)
-        return {k: tuple(v) for k, v in out.items()}
-
-    @cached_property
-    def routes_from(self) -> Mapping[SignalId, tuple[RouteRow, ...]]:
-        """The routes of each signal."""
-        out: dict[SignalId, list[RouteRow]] = {g.id: [] for g in self.layout.signals}
-        for r in self.table.routes:
-            out[r.entry].append(r)
-        return {g: tuple(v) for g, v in out.items()}
-
-    def leading_past(self, r: RouteRow) -> tuple[RouteRow, ...]:
-        """The routes that lead past the signal of a route of kind identifier, and on over it."""
-        return self._leading_past.get(r.id, ())
-
-    @cached_property
-    def _leading_past(self) -> Mapping[RouteId, tuple[RouteRow, ...]]:
-        out: dict[RouteId, list[RouteRow]] = {}
-        for r in self.table.routes:
-            if r.onward is not None:
-                out.setdefault(r.onward, []).append(r)
-        return {k: tuple(v) for k, v in out.items()}
-
-    def onward(self, r: RouteRow) -> RouteRow | None:
-        """What a route that leads past a signal locks beyond it."""
-        return None if r.onward is None else self.table.route[r.onward]
-
-    def identifies(self, g: SignalId) -> bool:
-        """Whether a signal shows an identifier light."""
-        return any(r.kind is RouteKind.IDENTIFIER for r in self.routes_from[g])
-
-    @cached_property
-    def parts_first(self) -> tuple[RouteRow, ...]:
-        """The routes, those of kind identifier before the ones that lead on over them."""
-        return tuple(sorted(self.table.routes, key=lambda r: r.kind is not RouteKind.IDENTIFIER))
-
-    @cached_property
-    def automatic(self) -> tuple[RouteRow, ...]:
-        """The routes with a switch for automatic working, in the order in which they are offered (R14)."""
-        return tuple(self.table.route[r] for r in self.table.automatic)
-
-    @cached_property
-    def open_for_trains(self) -> dict[SignalId, None]:
-        """The signals that open for trains, in order."""
-        trains = {r.entry for r in self.table.routes if r.kind is RouteKind.MAIN}
-        return {g.id: None for g in self.layout.signals if g.id in trains}
-
-    @cached_property
-    def shunting(self) -> bool:
-        """Whether there are shunt signals at all."""
-        return any(g.shunt for g in self.layout.signals)
-
-    @cached_property
-    def berths(self) -> frozenset[SectionId]:
-        """Sections in which shunt routes end and vehicles may stand."""
-        return frozenset(r.berth for r in self.table.routes if r.berth is not None)
-
-    def train(self, section: SectionId) -> Expr:
-        """The lock of a section is for a train movement that has not come to its end."""
-        return var(names.TRAIN_LOCK(section)) if self.shunting else TRUE
-
-    @cached_property
-    def overlaps(self) -> Mapping[tuple[SignalId, int], tuple[TraversalKey, ...]]:
-        """The overlap alternatives that some route uses: signal and number, ways."""
-        cells = {(r.overlap.signal, r.overlap.option): r.overlap.ways for r in self.table.routes if r.overlap}
-        return dict(sorted(cells.items()))
-
-    @cached_property
-    def overlaps_of(self) -> Mapping[SignalId, list[tuple[SignalId, int]]]:
-        """The overlap alternatives of each signal that has any."""
-        found: dict[SignalId, list[tuple[SignalId, int]]] = {}
-        for o in self.overlaps:
-            found.setdefault(o[0], []).append(o)
-        return found
-
-    @cached_property
-    def users_of(self) -> Mapping[SignalId, list[RouteRow]]:
-        """The routes with an overlap, by the signal of which it is."""
-        found: dict[SignalId, list[RouteRow]] = {}
-        for r in self.table.routes:
-            if r.overlap is not None:
-                found.setdefault(r.overlap.signal, []).append(r)
-        return found
-
-    @cached_property
-    def swinging(self) -> Mapping[SignalId, tuple[int, ...]]:
-        """The signals with overlaps that may swing, and the alternatives that may be taken."""
-        cells = [r.overlap for r in self.table.routes if r.overlap is not None and r.overlap.swings]
-        return {c.signal: tuple(sorted({c.option, *c.swings})) for c in sorted(cells, key=lambda c: c.signal)}
-
-    def swing_number(self, g: SignalId) -> int:
-        """The number by which an operator asks that the overlap of a signal swings: after those of the routes."""
-        return len(self.table.routes) + 1 + list(self.swinging).index(g)
-
-    @cached_property
-    def requests(self) -> int:
-        """How many values a request has: none, a route, an overlap that shall swing, any number else."""
-        return len(self.table.routes) + len(self.swinging) + 2
-
-    @cached_property
-    def _over_section(self) -> Mapping[SectionId, list[tuple[SignalId, int]]]:
-        found: dict[SectionId, list[tuple[SignalId, int]]] = {}
-        for o, ways in self.overlaps.items():
-            for s in dict.fromkeys(s for s, _ in ways):
-                found.setdefault(s, []).append(o)
-        return found
-
-    def overlap(self, option: tuple[SignalId, int]) -> Expr:
-        """An overlap alternative is held."""
-        return var(names.OVERLAP(option[0], option[1]))
-
-    def overlaps_over(self, section: SectionId) -> list[tuple[SignalId, int]]:
-        """The overlap alternatives that lie over a section."""
-        return self._over_section.get(section, [])
-
-    def overlaps_along(self, rear: SectionId, node: NodeId, section: SectionId) -> list[tuple[SignalId, int]]:
-        """The overlap alternatives that lie over a joint, from one section on into the next."""
-        return [option for option, a in self._over_joints.get((rear, section), ()) if self.table.lock[a].exit == node]
-
-    @cached_property
-    def _over_joints(self) -> Mapping[tuple[SectionId, SectionId], list[tuple[tuple[SignalId, int], TraversalKey]]]:
-        """The overlap alternatives that lie over two sections, and over which way of the first."""
-        found: dict[tuple[SectionId, SectionId], list[tuple[tuple[SignalId, int], TraversalKey]]] = {}
-        for option, ways in self.overlaps.items():
-            for a, b in pairwise(ways):
-                found.setdefault((a[0], b[0]), []).append((option, a))
-        return found
-
-    def holding(self, way: TraversalKey, but: SignalId | None = None) -> Expr:
-        """A way is held, by a route or as overlap (of another signal than one)."""
-        over = [o for o in self._over_section.get(way[0], ()) if way in self.overlaps[o] and o[0] != but]
-        return disj([self.lock(*way), *map(self.overlap, over)])
-
-    def before(self, g: SignalId) -> SectionId:
-        """The section before a signal inside the layout."""
-        rear = self.topo.beyond(self.first_section(g), self.layout.signal[g].node)
-        assert rear is not None
-        return rear
-
-    def first_section(self, g: SignalId) -> SectionId:
-        """The section just beyond a signal."""
-        return self.layout.section_of(self.layout.signal[g].into)
-
-    def signal_at(self, section: SectionId, node: NodeId) -> SignalId | None:
-        """The signal that governs entry into a section at an end."""
-        return self.topo.signal_into.get((node, section))
-
-    def main_at(self, section: SectionId, node: NodeId) -> SignalId | None:
-        """The signal that trains obey on entry into a section at an end."""
-        return self.topo.main_into.get((node, section))
-
-    def passing(self, section: SectionId, node: NodeId, rear: SectionId) -> tuple[Expr, ...]:
-        """What tells that a lock goes on over a joint: nothing without signal; past a shunt signal, trains do."""
-        if self.signal_at(section, node) is None:
-            return ()
-        return (self.train(section), self.train(rear))
-
-    def rear(self, section: SectionId, node: NodeId) -> SectionId | None:
-        """The section that a train comes from: the neighbour, or the approach section of a boundary."""
-        boundary = self.layout.boundary_at.get(node)
-        return boundary.approach if boundary is not None else self.topo.beyond(section, node)
-
-    def sections_of(self, machine: MachineId) -> tuple[SectionId, ...]:
-        """The sections in which a machine's ends lie."""
-        return self.layout.sections_of_machine[machine]
-
-    # --- adding --------------------------------------------------------------------------------
 
     def wire(self, name: Name, join: Join, terms: Iterable[Term], group: str, note: str = "") -> Expr:
         """Add a wire; returns its variable."""
@@ -265,86 +43,4 @@ class Draft:
 
     def kept(self, name: Name, initial: bool, note: str, join: Join, terms: Iterable[Term], group: str) -> None:
         """Add a state variable with its next-state equation."""
-        self.state.append(StateVar(name, initial, note))
-        self.next.append(Equation(name, join, tuple(terms), group, note))
-
-    # --- names ---------------------------------------------------------------------------------
-
-    def lock(self, section: SectionId, number: int) -> Expr:
-        """Section locked for one way through it."""
-        return var(names.LOCK(section, number))
-
-    def locked_in(self, section: SectionId, node: NodeId) -> Expr:
-        """Locked for a way that comes in at an end."""
-        return disj(self.lock(*t.key) for t in self.locks_of[section] if t.entry == node)
-
-    def locked_out(self, section: SectionId, node: NodeId) -> Expr:
-        """Locked for a way that goes out at an end."""
-        return disj(self.lock(*t.key) for t in self.locks_of[section] if t.exit == node)
-
-    def occupied(self, section: SectionId | None) -> Expr:
-        """Reported occupied (or not reported at all); what has no detection counts as occupied."""
-        if section is None or section in self.layout.undetected:
-            return TRUE
-        return var(names.OCCUPIED(section))
-
-    def clear(self, section: SectionId | None) -> Expr:
-        """Reported clear without a break for the release delay: no moment's reading of clear is relied on (R15)."""
-        if section is None or section in self.layout.undetected:
-            return FALSE
-        return var(names.LONG_CLEAR(section))
-
-    @cached_property
-    def powered(self) -> tuple[MachineId, ...]:
-        """Point machines that the controller drives: no devices, no points worked by hand."""
-        by_hand = self.layout.by_hand
-        return tuple(m for m in self.machines if m not in self.layout.device and m not in by_hand)
-
-    def started(self, machine: MachineId) -> Expr:
-        """The machine may run: its turn has come, where machines start one after the other."""
-        sequence = self.layout.principles.point_start_gap_s and machine in self.powered
-        return var(names.MAY_RUN(machine)) if sequence else TRUE
-
-    @staticmethod
-    def detected(machine: MachineId, position: Position) -> Expr:
-        """Detected in a position, by valid and unambiguous contacts."""
-        return var(names.DETECTED(machine, position))
-
-    @staticmethod
-    def command(machine: MachineId, position: Position) -> Expr:
-        """Commanded to a position."""
-        return var(names.COMMAND(machine, position))
-
-    def into_berth(self, t: TraversalRow) -> Expr:
-        """A way is locked for a shunting movement that ends in the berth ahead."""
-        ahead = self.topo.beyond(t.section, t.exit)
-        if ahead is None or ahead not in self.berths or self.signal_at(ahead, t.exit) is not None:
-            return FALSE
-        return conj((self.lock(*t.key), neg(self.train(t.section))))
-
-    def any_active(self, g: SignalId) -> Expr:
-        """A route from the signal is set and not yet used."""
-        return disj(var(names.ACTIVE(r.number)) for r in self.routes_from[g])
-
-    def passing_signal(self, g: SignalId) -> Expr:
-        """The signal is still open for a movement that has begun to pass it."""
-        return disj(var(names.PASSING(r.number)) for r in self.routes_from[g] if r.closing.whole is not None)
-
-    def coming(self, x: Approach) -> Expr:
-        """A train may be on its way from there: where it may stand or run, or over a way that is locked for it."""
-        if x.section is None or x.unseen:
-            return TRUE
-        known = self.table.lock
-        further = (conj((self.lock(x.section, n), self.coming(y))) for n, y in x.further if (x.section, n) in known)
-        return disj((neg(self.clear(x.section)), *further))
-
-    def approach_clear(self, g: SignalId) -> Expr:
-        """No train can be on its way to the signal."""
-        found = self.routes_from[g][0].approach.coming
-        return var(names.APPROACH_CLEAR(g)) if found.further else neg(self.coming(found))
-
-    def approach_safe(self, g: SignalId) -> Expr:
-        """No train can be about to pass the signal: approach clear, the delay has run out, or no route begins there."""
-        if not self.routes_from[g]:
-            return TRUE
-        return disj((self.approach_clear(g), var(names.APPROACH_OVER(g))))
+        self.memory.append((StateVar(name, initial, note), Equation(name, join, tuple(terms), group, note)))

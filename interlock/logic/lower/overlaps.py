@@ -16,23 +16,23 @@ from interlock.model.elements import SignalId
 
 def standing(d: Draft) -> None:
     """Overlaps are held until no route leads to their signal, or the train before it stands (R4)."""
-    signals = sorted({g for g, _ in d.overlaps})
+    signals = sorted({g for g, _ in d.overlaps.ways})
     for g in signals:
-        b = d.before(g)
+        b = d.signals.before(g)
         node = d.layout.signal[g].node
-        to = d.locked_out(b, node)
+        to = d.sections.locked_out(b, node)
         terms = [
             *sections.arrived(d, b),
             Term(to, "locked towards it", f"{b} is locked towards {g}"),
-            Term(d.occupied(b), "occupied", f"{b} occupied"),
+            Term(d.sections.occupied(b), "occupied", f"{b} occupied"),
         ]
         d.wire(names.STANDING_RUNS(g), Join.ALL, terms, f"overlap {g}", f"the train before {g} is wholly in {b} (R4)")
     for g in signals:
         seconds = d.layout.overlap_release_s(g)
         d.timer(names.STANDING(g), names.STANDING_RUNS(g), seconds, f"{g}: the train before it stands (R4)")
     for g in signals:
-        b = d.before(g)
-        to = d.locked_out(b, d.layout.signal[g].node)
+        b = d.signals.before(g)
+        to = d.sections.locked_out(b, d.layout.signal[g].node)
         terms = [
             Term(neg(to), "no route to it", f"{b} not locked towards {g}"),
             Term(var(names.STANDING(g)), "train stands"),
@@ -44,43 +44,47 @@ def standing(d: Draft) -> None:
 
 def swing(d: Draft) -> None:
     """An overlap swings to another alternative when that is fully available and no train is close (R4)."""
-    for g, options in d.swinging.items():
-        b = d.before(g)
-        every = dict.fromkeys(s for o in d.overlaps_of[g] for s, _ in d.overlaps[o])
+    for g, options in d.overlaps.swinging.items():
+        b = d.signals.before(g)
+        every = dict.fromkeys(s for o in d.overlaps.of_signal[g] for s, _ in d.overlaps.ways[o])
         before: list[Expr] = []
         for k in options:
-            others = disj(d.overlap(o) for o in d.overlaps_of[g] if o[1] != k)
+            others = disj(d.overlaps.held(o) for o in d.overlaps.of_signal[g] if o[1] != k)
             terms = [
                 Term(var(names.VALID), "inputs valid"),
-                Term(requests.asked(d, d.swing_number(g)), "requested"),
+                Term(requests.asked(d, d.overlaps.swing_number(g)), "requested"),
                 Term(others, "another held"),
                 Term(var(names.OVERLAP_FIRM(g)), "firmly held"),
                 Term(neg(var(names.OVERLAP_OVER(g))), "still needed"),
-                Term(d.clear(b), "no train close", f"{b} clear: no train is close"),
+                Term(d.sections.clear(b), "no train close", f"{b} clear: no train is close"),
                 *(Term(neg(x), "first alternative") for x in before),
-                *(Term(d.clear(s), "overlap clear", f"{s} long clear: overlap") for s in every),
+                *(Term(d.sections.clear(s), "overlap clear", f"{s} long clear: overlap") for s in every),
                 *(
-                    Term(neg(disj(d.lock(*t.key) for t in d.locks_of[s])), "not run over", f"no route over {s}")
+                    Term(
+                        neg(disj(d.sections.lock(*t.key) for t in d.sections.locks_of[s])),
+                        "not run over",
+                        f"no route over {s}",
+                    )
                     for s in every
                 ),
-                *(x for key in d.overlaps[g, k] for x in ways.swing_terms(d, g, key)),
+                *(x for key in d.overlaps.ways[g, k] for x in ways.swing_terms(d, g, key)),
             ]
             name = ways.swing_wire(d, g, k)
             before.append(d.wire(name, Join.ALL, terms, f"overlap {g}", f"the overlap of {g} swings to {k} (R4)"))
 
 
 def _swings(d: Draft, g: SignalId, but: int | None = None) -> list[Expr]:
-    return [var(ways.swing_wire(d, g, k)) for k in d.swinging.get(g, ()) if k != but]
+    return [var(ways.swing_wire(d, g, k)) for k in d.overlaps.swinging.get(g, ()) if k != but]
 
 
 def keep(d: Draft) -> None:
     """Next values of the overlaps."""
-    for o, over in d.overlaps.items():
+    for o, over in d.overlaps.ways.items():
         g, k = o
-        clear = conj(d.clear(s) for s, _ in over)
+        clear = conj(d.sections.clear(s) for s, _ in over)
         away = _swings(d, g, but=k)
         stays = conj((neg(conj((var(names.OVERLAP_OVER(g)), clear))), *map(neg, away)))
-        to = [var(ways.swing_wire(d, g, k))] if k in d.swinging.get(g, ()) else []
+        to = [var(ways.swing_wire(d, g, k))] if k in d.overlaps.swinging.get(g, ()) else []
         d.kept(
             names.OVERLAP(g, k),
             False,
@@ -88,13 +92,13 @@ def keep(d: Draft) -> None:
             Join.ANY,
             (
                 Term(disj((var(names.OVERLAP_GRANTED(g, k)), *to)), "granted"),
-                Term(conj((d.overlap(o), stays)), "held", "until it is not needed and clear without a break"),
+                Term(conj((d.overlaps.held(o), stays)), "held", "until it is not needed and clear without a break"),
             ),
             f"overlap {g}",
         )
-    for g in sorted({g for g, _ in d.overlaps}):
-        users = d.users_of[g]
-        any_ = disj(map(d.overlap, d.overlaps_of[g]))
+    for g in sorted({g for g, _ in d.overlaps.ways}):
+        users = d.routes.with_overlap[g]
+        any_ = disj(map(d.overlaps.held, d.overlaps.of_signal[g]))
         swings = _swings(d, g)
         turned = [conj((var(names.OVERLAP_SWINGS(g)), var(names.OVERLAP_LIES(g))))] if swings else []
         firm = disj((var(names.OVERLAP_FIRM(g)), *turned, *(var(names.LOCKS(r.number)) for r in users)))

@@ -17,18 +17,18 @@ from interlock.table.rows import Role
 
 def inputs(d: Draft) -> None:
     """Detection contacts and manual commands."""
-    for m in d.machines:
+    for m in d.machines.all:
         for x in Position:
             d.inputs.append(Input(names.CONTACT(m, x), f"machine {m} detected {d.layout.word(m, x)}"))
         for x in Position:
             d.inputs.append(Input(names.MOVE_BY_HAND(m, x), f"operator: move machine {m} {d.layout.word(m, x)}"))
-        if m in d.powered:
+        if m in d.machines.powered:
             d.inputs.append(Input(names.LOOKED_AT(m), f"operator: machine {m} has been looked at after it was trailed"))
 
 
 def detection(d: Draft) -> None:
     """Contacts 10 and 01 are positions; 00 and 11 are none (R10)."""
-    for m in d.machines:
+    for m in d.machines.all:
         for x in Position:
             d.wire(
                 names.DETECTED(m, x),
@@ -49,18 +49,18 @@ def flank_demands(d: Draft) -> dict[tuple[MachineId, Position], Expr]:
     for t in d.table.locks:
         for p in t.points:
             if p.role is Role.FLANK:
-                found.setdefault((p.machine, p.position), []).append(d.holding(t.key))
+                found.setdefault((p.machine, p.position), []).append(d.overlaps.holding(t.key))
     return {k: disj(xs) for k, xs in found.items()}
 
 
 def movable(d: Draft) -> None:
     """Free to move: nothing locked, nothing occupied, no flank held (R10; never a shared flag)."""
     flank = flank_demands(d)
-    for m in d.machines:
+    for m in d.machines.all:
         terms: list[Term] = [Term(var(names.VALID), "inputs valid")]
-        for s in d.sections_of(m):
+        for s in d.machines.sections_of(m):
             terms.append(Term(var(names.FREE(s)), "point section free", f"{s} not locked"))
-            terms.append(Term(d.clear(s), "point section clear", f"{s} clear"))
+            terms.append(Term(d.sections.clear(s), "point section clear", f"{s} clear"))
         by_routes = added.held(d, m)
         if by_routes:
             terms.append(Term(neg(disj(by_routes)), "added point not held", f"no route holds {m} that was added to it"))
@@ -75,10 +75,10 @@ def movable(d: Draft) -> None:
                 Join.ANY,
                 (
                     *closes,
-                    Term(d.command(m, x), "commanded"),
+                    Term(d.machines.command(m, x), "commanded"),
                     Term(var(names.MOVABLE(m)), "free to move"),
                     Term(
-                        conj((d.detected(m, x), *(neg(d.command(m, y)) for y in Position))),
+                        conj((d.machines.detected(m, x), *(neg(d.machines.command(m, y)) for y in Position))),
                         "lies there since the restart",
                     ),
                 ),
@@ -97,7 +97,7 @@ def commands(d: Draft) -> None:
     """Commands follow grants; by hand only when free and not touched by a grant in this scan."""
     touches, demands = ways.demands(d)
     driving = _driving(d)
-    for m in d.machines:
+    for m in d.machines.all:
         terms = [Term(touches[m], "granted", "a way over it, or one that demands it")]
         touched = d.wire(names.TOUCHED(m), Join.ANY, terms, f"point {m}", f"a grant touches machine {m} in this scan")
         for x in Position:
@@ -139,7 +139,7 @@ def _keep_command(d: Draft, m: MachineId, x: Position) -> None:
         names.COMMAND_HELD(m, x),
         Join.ALL,
         (
-            Term(d.command(m, x), "held"),
+            Term(d.machines.command(m, x), "held"),
             Term(neg(var(names.DEMANDED(m, x.other))), "no opposite grant"),
             Term(neg(var(names.MOVED_BY_HAND(m, x.other))), "not moved by hand"),
         ),
@@ -158,7 +158,7 @@ def _keep_command(d: Draft, m: MachineId, x: Position) -> None:
         ),
         f"point {m}",
     )
-    started = conj((d.command(m, x), d.started(m)))
+    started = conj((d.machines.command(m, x), d.machines.started(m)))
     d.outputs.append(Output(names.DRIVE(m, x), started, False, f"machine {m}: {d.layout.word(m, x)}"))
 
 
@@ -173,15 +173,17 @@ def _driving(d: Draft) -> dict[tuple[MachineId, Position], Expr]:
 
 def supervision(d: Draft) -> None:
     """A commanded machine that is not detected in time raises an alarm (R10)."""
-    for m in d.machines:
+    for m in d.machines.all:
         d.wire(
             names.SUPERVISED(m),
             Join.ANY,
-            tuple(Term(conj((d.command(m, x), neg(d.detected(m, x)))), "not detected") for x in Position),
+            tuple(
+                Term(conj((d.machines.command(m, x), neg(d.machines.detected(m, x)))), "not detected") for x in Position
+            ),
             f"point {m}",
             f"machine {m} is not where it was commanded",
         )
-    for m in d.machines:
+    for m in d.machines.all:
         late = d.timer(names.LATE(m), names.SUPERVISED(m), d.layout.supervision_s(m), f"machine {m}: time-out")
         d.kept(
             names.NOT_DETECTED(m),
@@ -199,7 +201,7 @@ def supervision(d: Draft) -> None:
 def _anew(d: Draft, m: MachineId) -> Expr:
     """A machine is commanded to where it was not commanded before: a key that is held commands once."""
     return disj(
-        conj((disj((var(names.DEMANDED(m, x)), var(names.MOVED_BY_HAND(m, x)))), neg(d.command(m, x))))
+        conj((disj((var(names.DEMANDED(m, x)), var(names.MOVED_BY_HAND(m, x)))), neg(d.machines.command(m, x))))
         for x in Position
     )
 
@@ -209,14 +211,14 @@ def trailing(d: Draft) -> None:
 
     TH: detected where it is commanded.  TR: trailed.
     """
-    for m in d.powered:
+    for m in d.machines.powered:
         group = f"point {m}"
-        right = disj(conj((d.command(m, x), d.detected(m, x))) for x in Position)
+        right = disj(conj((d.machines.command(m, x), d.machines.detected(m, x))) for x in Position)
         lost = disj(
             conj(
                 (
-                    d.command(m, x),
-                    neg(d.detected(m, x)),
+                    d.machines.command(m, x),
+                    neg(d.machines.detected(m, x)),
                     neg(var(names.DEMANDED(m, x.other))),
                     neg(var(names.MOVED_BY_HAND(m, x.other))),
                 )
@@ -224,7 +226,9 @@ def trailing(d: Draft) -> None:
             for x in Position
         )
         trailed = conj((var(names.WAS_RIGHT(m)), var(names.VALID), lost))
-        seen = conj([var(names.LOOKED_AT(m)), var(names.VALID), *(d.clear(s) for s in d.sections_of(m))])
+        seen = conj(
+            [var(names.LOOKED_AT(m)), var(names.VALID), *(d.sections.clear(s) for s in d.machines.sections_of(m))]
+        )
         d.kept(
             names.WAS_RIGHT(m),
             False,
@@ -254,7 +258,7 @@ def starting(d: Draft) -> None:
     gap = d.layout.principles.point_start_gap_s
     if not gap:
         return
-    machines = d.powered
+    machines = d.machines.powered
     waits = {m: conj((var(names.SUPERVISED(m)), neg(var(names.MAY_RUN(m))))) for m in machines}
     d.wire(
         names.GAP_RUNS,

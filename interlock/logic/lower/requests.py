@@ -9,9 +9,10 @@ automatically is asked for, by its number or by its switch.
 from __future__ import annotations
 
 from interlock.logic import names
-from interlock.logic.controller import Input, Join, Output, Term, asked_of
+from interlock.logic.controller import Input, Join, Output, Term
 from interlock.logic.expr import Expr, conj, eq, neg, var
 from interlock.logic.lower.draft import Draft
+from interlock.logic.symbols import asked_of
 from interlock.model.principles import Local
 from interlock.table.rows import RouteRow
 
@@ -28,12 +29,12 @@ def asked(d: Draft, number: int) -> Expr:
 
 def inputs(d: Draft) -> None:
     """Route requests, automatic working."""
-    swings = "".join(f"; {d.swing_number(g)} = swing the overlap of {g}" for g in d.swinging)
-    d.inputs.append(Input(REQUEST, f"operator: set route number, 0 = none{swings}", size=d.requests))
+    swings = "".join(f"; {d.overlaps.swing_number(g)} = swing the overlap of {g}" for g in d.overlaps.swinging)
+    d.inputs.append(Input(REQUEST, f"operator: set route number, 0 = none{swings}", size=d.overlaps.requests))
     if d.layout.principles.local_requests is not Local.NONE:
         note = f"operator on the spot: set route number, 0 = none{swings}"
-        d.inputs.append(Input(LOCAL, note, size=d.requests))
-    for r in d.automatic:
+        d.inputs.append(Input(LOCAL, note, size=d.overlaps.requests))
+    for r in d.routes.automatic:
         d.inputs.append(Input(switch(r), f"operator: route {r.id} is set again after every train"))
 
 
@@ -49,9 +50,9 @@ def requested(d: Draft, r: RouteRow) -> Expr:
     two grants in one scan could want the same ground.
     """
     by_hand = asked(d, r.number)
-    if r not in d.automatic:
+    if r not in d.routes.automatic:
         return by_hand
-    before = d.automatic[: d.automatic.index(r)]
+    before = d.routes.automatic[: d.routes.automatic.index(r)]
     turn = conj((asked(d, 0), var(switch(r)), *(neg(var(names.GRANTED(x.number))) for x in before)))
     terms = (Term(by_hand, "by hand"), Term(turn, "switched on", "automatic, while nothing is asked for by hand"))
     return d.wire(names.ASKED(r.number), Join.ANY, terms, f"route {r.id}", f"route {r.id} is asked for (R14)")

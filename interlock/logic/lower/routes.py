@@ -30,11 +30,11 @@ def inputs(d: Draft) -> None:
     if d.layout.principles.lamp_proof:
         for g in d.layout.signals:
             d.inputs.append(Input(names.STOP_LAMP(g.id), f"stop lamp of {g.id} intact"))
-        for lit in d.open_for_trains:
+        for lit in d.routes.open_for_trains:
             d.inputs.append(Input(names.CLEAR_LAMP(lit), f"clear lamp of {lit} intact, or not lit"))
             if aspects.cautions(d):
                 d.inputs.append(Input(names.CAUTION_LAMP(lit), f"caution lamp of {lit} intact, or not lit"))
-        for passed in filter(d.identifies, d.routes_from):
+        for passed in filter(d.routes.identifies, d.routes.of_signal):
             d.inputs.append(Input(names.IDENTIFIER_LAMP(passed), f"identifier lamp of {passed} intact, or not lit"))
     for c in d.layout.conditions:
         d.inputs.append(Input(names.CONDITION(c.id), f"external {called('condition', c.id)}: {c.text or 'holds'}"))
@@ -48,18 +48,22 @@ def _berth_terms(d: Draft, r: RouteRow) -> list[Term]:
     into = r.traversals[-1]
     entry = d.table.lock[into].entry
     out = [*ways.not_blocked(s), *ways.available(d, into)]
-    out += [Term(neg(d.train(s)), "no train into the berth", f"{s} is not locked for a train")]
-    out += [Term(neg(d.overlap(o)), "no overlap in the berth", f"no overlap of {o[0]}") for o in d.overlaps_over(s)]
+    out += [Term(neg(d.sections.train(s)), "no train into the berth", f"{s} is not locked for a train")]
+    out += [
+        Term(neg(d.overlaps.held(o)), "no overlap in the berth", f"no overlap of {o[0]}") for o in d.overlaps.over(s)
+    ]
     for node in d.topo.ends[s]:
         rear = d.topo.beyond(s, node)
         if node == entry:
             continue
-        g = d.signal_at(s, node)
+        g = d.signals.signal_at(s, node)
         if g is not None:
-            waits = disj((neg(var(names.USED(s))), d.occupied(d.rear(s, node)), d.passing_signal(g)))
-            coming = conj((d.locked_in(s, node), waits))
+            waits = disj(
+                (neg(var(names.USED(s))), d.sections.occupied(d.sections.rear(s, node)), d.signals.passing_signal(g))
+            )
+            coming = conj((d.sections.locked_in(s, node), waits))
         else:
-            coming = FALSE if rear is None else d.locked_out(rear, node)
+            coming = FALSE if rear is None else d.sections.locked_out(rear, node)
         if coming is not FALSE:
             out.append(Term(neg(coming), "no other movement into the berth", f"nothing is set into {s} at {node}"))
     return out
@@ -77,16 +81,16 @@ def _needs(d: Draft, r: RouteRow) -> list[Term]:
 def grants(d: Draft) -> None:
     """A route is granted when everything it needs is free (R6, R3); automatic ones in the order of their classes."""
     own = [r for r in d.table.routes if r.kind is not RouteKind.IDENTIFIER]
-    by_hand = [r for r in own if r not in d.automatic]
-    for r in [*d.automatic, *by_hand]:
-        onward = d.onward(r)
+    by_hand = [r for r in own if r not in d.routes.automatic]
+    for r in [*d.routes.automatic, *by_hand]:
+        onward = d.routes.onward(r)
         beyond = [] if onward is None else _needs(d, onward)
         terms = [Term(requests.requested(d, r), "requested"), *_needs(d, r), *beyond]
         terms = list({t.expr: t for t in reversed(terms)}.values())[::-1] if onward is not None else terms
         d.wire(names.GRANTED(r.number), Join.ALL, terms, f"route {r.id}", f"grant of route {r.id} (R6)")
     for r in d.table.routes:
         if r.kind is RouteKind.IDENTIFIER:
-            with_ = [Term(var(names.GRANTED(x.number)), "requested", f"route {x.id}") for x in d.leading_past(r)]
+            with_ = [Term(var(names.GRANTED(x.number)), "requested", f"route {x.id}") for x in d.routes.leading_past(r)]
             d.wire(names.GRANTED(r.number), Join.ANY, with_, f"route {r.id}", f"grant of route {r.id}, with another")
 
 
@@ -103,7 +107,10 @@ def locking(d: Draft) -> None:
                 Term(var(names.VALID), "inputs valid"),
                 Term(neg(var(names.CANCELLING(r.entry))), "not cancelling"),
                 Term(neg(var(names.CANCEL(r.entry))), "not cancelled"),
-                *(Term(neg(_withdrawn(x)), "not cancelled", f"{x.id} is not cancelled") for x in d.leading_past(r)),
+                *(
+                    Term(neg(_withdrawn(x)), "not cancelled", f"{x.id} is not cancelled")
+                    for x in d.routes.leading_past(r)
+                ),
                 *ways.lying_terms(d, r),
                 *added.detected(d, r),
             ),
@@ -135,12 +142,12 @@ def _rear_terms(d: Draft, r: RouteRow) -> list[Term]:
         out.append(Term(released, "rear released", f"{rear}, with points or a diamond, is released after the restart"))
     for device in d.layout.devices:
         if rear in device.over:
-            closed = d.detected(device.id, Position.REVERSE)
+            closed = d.machines.detected(device.id, Position.REVERSE)
             out.append(Term(disj((released, closed)), "rear device closed", f"{device.id} over {rear} is closed"))
     beyond = {d.topo.beyond(rear, node) for node in d.topo.ends[rear] if node != r.entry_node}
     foul = {t.section for t in d.table.locks for c in t.foul if c.section == rear}
     for other in sorted({*(s for s in beyond if s is not None), *foul}):
-        alone = disj((released, neg(var(names.RESTART_LOCK(other))), d.clear(other)))
+        alone = disj((released, neg(var(names.RESTART_LOCK(other))), d.sections.clear(other)))
         out.append(Term(alone, "stands alone", f"nothing stands across from {other}, or foul of it, since the restart"))
     return out
 
@@ -149,7 +156,7 @@ def _beside(d: Draft, r: RouteRow) -> list[Term]:
     """What proceed needs besides the ways themselves."""
     terms = _rear_terms(d, r)
     terms += [Term(var(names.CONDITION(c.condition)), "condition", c.because.text) for c in r.conditions]
-    terms += [Term(d.clear(b.section), "line beyond clear", b.because.text) for b in r.block]
+    terms += [Term(d.sections.clear(b.section), "line beyond clear", b.because.text) for b in r.block]
     terms += block.terms(d, r)
     terms += added.detected(d, r)
     if r.kind is not RouteKind.CALL_ON:
@@ -157,7 +164,7 @@ def _beside(d: Draft, r: RouteRow) -> list[Term]:
     terms += aspects.lamp_terms(d, r)
     if r.overlap:
         some = {r.overlap.option, *r.overlap.swings}
-        options = disj(d.overlap(o) for o in d.overlaps_of[r.overlap.signal] if o[1] in some)
+        options = disj(d.overlaps.held(o) for o in d.overlaps.of_signal[r.overlap.signal] if o[1] in some)
         terms.append(Term(options, "overlap held", r.overlap.because.text))
     return terms
 
@@ -165,8 +172,8 @@ def _beside(d: Draft, r: RouteRow) -> list[Term]:
 def approaches(d: Draft) -> None:
     """Whether a train may be on its way to a signal, where more than one section tells (R8)."""
     for g in d.layout.signals:
-        if d.routes_from[g.id] and (x := d.routes_from[g.id][0].approach.coming).further:
-            nobody = (Term(neg(d.coming(x)), "nobody comes", "nothing in the approach, nor called into it"),)
+        if d.routes.of_signal[g.id] and (x := d.routes.of_signal[g.id][0].approach.coming).further:
+            nobody = (Term(neg(d.signals.coming(x)), "nobody comes", "nothing in the approach, nor called into it"),)
             d.wire(
                 names.APPROACH_CLEAR(g.id), Join.ALL, nobody, f"signal {g.id}", f"no train is on its way to {g.id} (R8)"
             )
@@ -174,22 +181,25 @@ def approaches(d: Draft) -> None:
 
 def cancellation(d: Draft) -> None:
     """Cancel: at once while nobody has seen the signal or the approach is clear, else after the delay (R8)."""
-    signals = [g for g in d.layout.signals if d.routes_from[g.id]]
-    seconds = {g.id: d.routes_from[g.id][0].approach.delay_s for g in signals}
+    signals = [g for g in d.layout.signals if d.routes.of_signal[g.id]]
+    seconds = {g.id: d.routes.of_signal[g.id][0].approach.delay_s for g in signals}
     for g in signals:
-        first = d.first_section(g.id)
+        first = d.signals.first_section(g.id)
         leaving = disj(
-            d.lock(*t.key) if t.exit in d.layout.boundary_at else d.into_berth(t)
-            for t in d.locks_of[first]
+            d.sections.lock(*t.key) if t.exit in d.layout.boundary_at else d.sections.into_berth(t)
+            for t in d.sections.locks_of[first]
             if t.entry == g.node
         )
         waiting = conj(
             (
-                neg(d.any_active(g.id)),
-                neg(d.passing_signal(g.id)),
-                d.locked_in(first, g.node),
+                neg(d.signals.any_active(g.id)),
+                neg(d.signals.passing_signal(g.id)),
+                d.sections.locked_in(first, g.node),
                 disj(
-                    (var(names.RELEASE_BY_HAND(first)), conj((leaving, var(names.USED(first)), neg(d.occupied(first)))))
+                    (
+                        var(names.RELEASE_BY_HAND(first)),
+                        conj((leaving, var(names.USED(first)), neg(d.sections.occupied(first)))),
+                    )
                 ),
             )
         )
@@ -208,18 +218,18 @@ def cancellation(d: Draft) -> None:
             names.APPROACH_OVER(g.id), names.APPROACH_RUNS(g.id), seconds[g.id], f"{g.id}: approach locking delay (R8)"
         )
     for g in signals:
-        first = d.first_section(g.id)
-        seen = disj(var(names.SHOWN(r.number)) for r in d.routes_from[g.id])
+        first = d.signals.first_section(g.id)
+        seen = disj(var(names.SHOWN(r.number)) for r in d.routes.of_signal[g.id])
         d.wire(
             names.CANCELLED(g.id),
             Join.ALL,
             (
                 Term(var(names.CANCELLING(g.id)), "cancelling"),
-                Term(d.any_active(g.id), "active"),
+                Term(d.signals.any_active(g.id), "active"),
                 Term(var(names.VALID), "inputs valid"),
                 sections.long_clear(d, first),
                 Term(
-                    disj((d.approach_safe(g.id), neg(seen))),
+                    disj((d.signals.approach_safe(g.id), neg(seen))),
                     "no train about to come",
                     "approach clear, or delay over, or the signal was never open",
                 ),
@@ -259,8 +269,8 @@ def _passing(d: Draft, r: RouteRow) -> None:
             Term(disj((var(name), begins)), "held or entered"),
             Term(var(names.VALID), "inputs valid"),
             Term(neg(var(names.CANCEL(r.entry))), "not cancelled"),
-            Term(d.occupied(whole), "still passing", f"{whole} occupied"),
-            Term(d.occupied(first), "first section occupied", f"{first} occupied"),
+            Term(d.sections.occupied(whole), "still passing", f"{whole} occupied"),
+            Term(d.sections.occupied(first), "first section occupied", f"{first} occupied"),
             *ways.passing_terms(d, r),
             *_beside(d, r),
         ),
@@ -270,17 +280,17 @@ def _passing(d: Draft, r: RouteRow) -> None:
 
 def keep(d: Draft) -> None:
     """Next values of routes and signals."""
-    for r in d.parts_first:
+    for r in d.routes.parts_first:
         stays = Term(var(names.STAYS(r.number)), "stays")
         stop = (
             Term(neg(var(names.CANCELLING(r.entry))), "not cancelling"),
             Term(neg(var(names.CANCEL(r.entry))), "not cancelled"),
-            *(Term(neg(_withdrawn(x)), "not cancelled", f"{x.id} is not cancelled") for x in d.leading_past(r)),
+            *(Term(neg(_withdrawn(x)), "not cancelled", f"{x.id} is not cancelled") for x in d.routes.leading_past(r)),
         )
         _opens(d, r, stays, stop)
         _keep_route(d, r, stays, stop)
     for signal in d.layout.signals:
-        if d.routes_from[signal.id]:
+        if d.routes.of_signal[signal.id]:
             _keep_cancelling(d, signal.id)
 
 
@@ -298,9 +308,9 @@ def _past(d: Draft, r: RouteRow) -> list[Term]:
         return [Term(var(names.OPENS(onward.number)), "identifier shown", note)]
     if r.kind is not RouteKind.IDENTIFIER:
         return []
-    before = d.before(r.entry)
-    leads = conj((d.locked_out(before, r.entry_node), var(names.FIRM(before)), d.train(before)))
-    set_ = disj((var(names.SHOWING(r.number)), *(var(names.ACTIVE(x.number)) for x in d.leading_past(r))))
+    before = d.signals.before(r.entry)
+    leads = conj((d.sections.locked_out(before, r.entry_node), var(names.FIRM(before)), d.sections.train(before)))
+    set_ = disj((var(names.SHOWING(r.number)), *(var(names.ACTIVE(x.number)) for x in d.routes.leading_past(r))))
     return [
         Term(leads, "rear locked", f"{before} is firmly locked towards {r.entry}"),
         Term(neg(var(names.RELEASED(before))), "rear locked", f"{before} is not released"),
@@ -371,7 +381,7 @@ def _keep_route(d: Draft, r: RouteRow, stays: Term, stop: tuple[Term, ...]) -> N
         group,
     )
     # what calls a train on closes for good: nothing tells whether the train has passed
-    by = [conj((requests.asked(d, x.number), var(names.ACTIVE(x.number)))) for x in d.leading_past(r)]
+    by = [conj((requests.asked(d, x.number), var(names.ACTIVE(x.number)))) for x in d.routes.leading_past(r)]
     asked = disj(by) if r.kind is RouteKind.IDENTIFIER else requests.asked(d, k)
     again = [conj((asked, var(names.LOCKED(k))))] if r.kind is not RouteKind.CALL_ON else []
     d.kept(
@@ -403,11 +413,13 @@ def _keep_route(d: Draft, r: RouteRow, stays: Term, stop: tuple[Term, ...]) -> N
 def _keep_cancelling(d: Draft, g: SignalId) -> None:
     """A route from a signal is being cancelled."""
     withdrawn = [
-        conj((var(names.ACTIVE(r.number)), _withdrawn(x))) for r in d.routes_from[g] for x in d.leading_past(r)
+        conj((var(names.ACTIVE(r.number)), _withdrawn(x)))
+        for r in d.routes.of_signal[g]
+        for x in d.routes.leading_past(r)
     ]
     terms = (
         Term(disj((var(names.CANCELLING(g)), var(names.CANCEL(g)), *withdrawn)), "held or asked"),
-        Term(d.any_active(g), "active"),
+        Term(d.signals.any_active(g), "active"),
         Term(neg(var(names.CANCELLED(g))), "not done"),
     )
     d.kept(names.CANCELLING(g), False, f"{g}: cancelling", Join.ALL, terms, f"signal {g}")

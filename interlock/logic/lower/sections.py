@@ -24,12 +24,12 @@ def inputs(d: Draft) -> None:
         if s.id in d.layout.undetected:
             continue
         d.inputs.append(Input(names.CLEAR(s.id), f"{called('section', s.id)} reported clear"))
-    for s_, name in d.healthy.items():
+    for s_, name in d.sections.healthy.items():
         d.inputs.append(Input(name, f"detector of {s_} healthy"))
-    for s_ in d.sections:
+    for s_ in d.sections.all:
         said = f"operator: release {called('section', s_)} (hold until released)"
         d.inputs.append(Input(names.RELEASE_BY_HAND(s_), said))
-    for s_ in d.lockable:
+    for s_ in d.sections.lockable:
         d.inputs.append(Input(names.BLOCKED(s_), f"operator: {called('section', s_)} is blocked", restrictive=1))
     d.inputs.append(
         Input(names.RELEASE_ALL, "operator: release all clear sections after a restart or a loss of inputs")
@@ -38,7 +38,7 @@ def inputs(d: Draft) -> None:
 
 def alarms(d: Draft) -> None:
     """A detector that is not healthy raises an alarm (document B 2.1)."""
-    for s, name in d.healthy.items():
+    for s, name in d.sections.healthy.items():
         d.kept(
             names.FAULTY(s),
             False,
@@ -60,20 +60,20 @@ def image(d: Draft) -> None:
             Join.ANY,
             (
                 Term(neg(var(names.CLEAR(s.id))), "not reported clear"),
-                *([Term(neg(var(d.healthy[s.id])), "detector faulty")] if s.id in d.healthy else []),
+                *([Term(neg(var(d.sections.healthy[s.id])), "detector faulty")] if s.id in d.sections.healthy else []),
                 Term(neg(var(names.VALID)), "inputs lost"),
             ),
             f"section {s.id}",
             f"{s.id} counts as occupied",
         )
-    for s_ in d.sections:
+    for s_ in d.sections.all:
         d.wire(
             names.FREE(s_),
             Join.ALL,
             (
                 Term(neg(var(names.RESTART_LOCK(s_))), "no restart lock"),
-                *(Term(neg(d.lock(*t.key)), "not locked") for t in d.locks_of[s_]),
-                *(Term(neg(d.overlap(o)), "no overlap", f"no overlap of {o[0]}") for o in d.overlaps_over(s_)),
+                *(Term(neg(d.sections.lock(*t.key)), "not locked") for t in d.sections.locks_of[s_]),
+                *(Term(neg(d.overlaps.held(o)), "no overlap", f"no overlap of {o[0]}") for o in d.overlaps.over(s_)),
             ),
             f"section {s_}",
             f"{s_} is not locked by anybody",
@@ -86,28 +86,30 @@ def _new_use(section: SectionId, index: int) -> names.Name:
 
 def three_point(d: Draft) -> None:
     """A train has come in: occupied together with the section in rear, which was itself used (R9)."""
-    for s in d.sections:
+    for s in d.sections.all:
         for i, node in enumerate(d.topo.ends[s], start=1):
-            locked = d.locked_in(s, node)
+            locked = d.sections.locked_in(s, node)
             if locked is FALSE:
                 continue
-            rear = d.rear(s, node)
-            if s in d.berths and d.signal_at(s, node) is None:
-                locked = disj(d.lock(*t.key) for t in d.locks_of[s])  # whichever movement locked it first
+            rear = d.sections.rear(s, node)
+            if s in d.routes.berths and d.signals.signal_at(s, node) is None:
+                locked = disj(
+                    d.sections.lock(*t.key) for t in d.sections.locks_of[s]
+                )  # whichever movement locked it first
             terms = [
                 Term(var(names.VALID), "inputs valid"),
                 Term(var(names.FIRM(s)), "firmly locked"),
                 Term(neg(var(names.STALE(s))), "inputs never lost"),
                 Term(neg(var(names.USED(s))), "not used yet"),
                 Term(locked, "locked from here"),
-                Term(d.occupied(s), "occupied"),
-                Term(d.occupied(rear), "rear occupied", f"{rear or 'no detection'} in rear occupied"),
+                Term(d.sections.occupied(s), "occupied"),
+                Term(d.sections.occupied(rear), "rear occupied", f"{rear or 'no detection'} in rear occupied"),
             ]
-            if d.main_at(s, node) is None and rear is not None:
-                own = neg(d.train(s)) if d.signal_at(s, node) is not None else FALSE
+            if d.signals.main_at(s, node) is None and rear is not None:
+                own = neg(d.sections.train(s)) if d.signals.signal_at(s, node) is not None else FALSE
                 # a train that has overrun a signal runs on within the overlap
-                own = disj([own, *(d.overlap(x) for x in d.overlaps_along(rear, node, s))])
-                used, leads = var(names.USED(rear)), d.locked_out(rear, node)
+                own = disj([own, *(d.overlaps.held(x) for x in d.overlaps.along(rear, node, s))])
+                used, leads = var(names.USED(rear)), d.sections.locked_out(rear, node)
                 terms.append(Term(disj((own, used)), "rear used", f"{rear} itself was used"))
                 terms.append(Term(disj((own, leads)), "rear leads here", f"{rear} is locked towards {s}"))
             d.wire(_new_use(s, i), Join.ALL, terms, f"section {s}", f"a train comes into {s} at {node} (R9)")
@@ -115,26 +117,26 @@ def three_point(d: Draft) -> None:
 
 def rear_free(d: Draft, s: SectionId) -> list[Term]:
     """No lock in rear still leads into the section, and none is granted in this scan."""
-    into = disj(var(names.GRANTED(r.number)) for r in d.routes_into.get(s, ()))
+    into = disj(var(names.GRANTED(r.number)) for r in d.routes.into.get(s, ()))
     out = [] if into is FALSE else [Term(neg(into), "nothing granted into it")]
     for node in d.topo.ends[s]:
         rear = d.topo.beyond(s, node)
-        if rear is None or d.main_at(s, node) is not None:
+        if rear is None or d.signals.main_at(s, node) is not None:
             continue
-        locked, leading = d.locked_in(s, node), d.locked_out(rear, node)
+        locked, leading = d.sections.locked_in(s, node), d.sections.locked_out(rear, node)
         if locked is FALSE or leading is FALSE:
             continue
-        if s in d.berths and d.signal_at(s, node) is None:
+        if s in d.routes.berths and d.signals.signal_at(s, node) is None:
             locked = TRUE  # a shunting movement may lead into a berth that another one has locked
-        on = d.passing(s, node, rear)
+        on = d.signals.passing(s, node, rear)
         out.append(Term(neg(conj((locked, leading, *on))), "rear released", f"{rear} in rear is released"))
     return out
 
 
 def _closed(d: Draft, s: SectionId) -> list[Term]:
     """A signal that stays open while a movement passes it has closed (R3)."""
-    signals = [g for node in d.topo.ends[s] if (g := d.signal_at(s, node)) is not None]
-    open_ = disj(d.passing_signal(g) for g in signals)
+    signals = [g for node in d.topo.ends[s] if (g := d.signals.signal_at(s, node)) is not None]
+    open_ = disj(d.signals.passing_signal(g) for g in signals)
     return [] if open_ is FALSE else [Term(neg(open_), "signal closed", f"{' and '.join(signals)} closed")]
 
 
@@ -158,9 +160,9 @@ def detected(d: Draft) -> list[SectionId]:
 
 def clear_time(d: Draft) -> None:
     """How long a section has been reported clear without a break: a single clear reading is never relied on (R15)."""
-    timed = list(dict.fromkeys((*d.sections, *detected(d))))
+    timed = list(dict.fromkeys((*d.sections.all, *detected(d))))
     for s in timed:
-        clear = Term(neg(d.occupied(s)), "section clear", f"{s} clear")
+        clear = Term(neg(d.sections.occupied(s)), "section clear", f"{s} clear")
         d.wire(names.CLEAR_RUNS(s), Join.ALL, (clear,), f"section {s}", f"{s} is reported clear")
     for s in timed:
         d.timer(
@@ -170,7 +172,7 @@ def clear_time(d: Draft) -> None:
 
 def long_clear(d: Draft, s: SectionId) -> Term:
     """The section has been clear, inputs valid, for the release delay."""
-    return Term(d.clear(s), "long clear", f"{s} clear without a break for the release delay")
+    return Term(d.sections.clear(s), "long clear", f"{s} clear without a break for the release delay")
 
 
 def _signals_into(d: Draft, s: SectionId) -> list[tuple[SignalId, Expr]]:
@@ -178,8 +180,8 @@ def _signals_into(d: Draft, s: SectionId) -> list[tuple[SignalId, Expr]]:
 
     Where there is an overlap alone, nothing is locked for a train.
     """
-    found = [(d.signal_at(s, node), d.locked_in(s, node)) for node in d.topo.ends[s]]
-    return [(g, locked) for g, locked in found if g is not None and locked is not FALSE and d.routes_from[g]]
+    found = [(d.signals.signal_at(s, node), d.sections.locked_in(s, node)) for node in d.topo.ends[s]]
+    return [(g, locked) for g, locked in found if g is not None and locked is not FALSE and d.routes.of_signal[g]]
 
 
 def _by_hand(d: Draft, s: SectionId) -> list[Term]:
@@ -187,19 +189,36 @@ def _by_hand(d: Draft, s: SectionId) -> list[Term]:
     asked = disj((var(names.RELEASE_BY_HAND(s)), conj((var(names.RELEASE_ALL), var(names.STALE(s))))))
     out = [
         Term(asked, "by hand", f"{s} alone, or all sections in which a train may have been missed"),
-        Term(disj(d.lock(*t.key) for t in d.locks_of[s]), "locked"),
+        Term(disj(d.sections.lock(*t.key) for t in d.sections.locks_of[s]), "locked"),
     ]
     for g, locked in _signals_into(d, s):
-        safe = conj((neg(d.any_active(g)), d.approach_safe(g)))
+        safe = conj((neg(d.signals.any_active(g)), d.signals.approach_safe(g)))
         note = f"no route from {g} is set and no train is about to pass it"
         out.append(Term(disj((neg(locked), safe)), "no train about to come", note))
     return out
 
 
+def _after_restart(d: Draft, s: SectionId, ready: list[Term], rear: list[Term]) -> None:
+    """The release of the restart lock by an operator, when the restart delay is over."""
+    d.wire(
+        names.RELEASED_AFTER_RESTART(s),
+        Join.ALL,
+        (
+            *ready,
+            Term(var(names.RESTART_LOCK(s)), "restart lock"),
+            Term(var(RESTART_DELAY), "restart delay over"),
+            Term(disj((var(names.RELEASE_BY_HAND(s)), var(names.RELEASE_ALL))), "operator"),
+            *(rear if s in d.routes.berths else ()),
+        ),
+        f"section {s}",
+        f"{s} released after a restart (R16)",
+    )
+
+
 def release(d: Draft) -> None:
     """All the ways in which a section is released; none of them before it has been clear for the release delay."""
     valid = Term(var(names.VALID), "inputs valid")
-    for s in d.sections:
+    for s in d.sections.all:
         group = f"section {s}"
         clear = long_clear(d, s)
         rear = rear_free(d, s)
@@ -210,11 +229,16 @@ def release(d: Draft) -> None:
         behind = (valid, used, clear, *_closed(d, s), *rear, went_on)
         d.wire(names.RELEASED_BEHIND(s), Join.ALL, behind, group, f"{s} is released behind the train (R9)")
         unsignalled = disj(
-            conj((d.locked_in(s, node), *([d.train(s)] if d.signal_at(s, node) is not None else [])))
+            conj(
+                (
+                    d.sections.locked_in(s, node),
+                    *([d.sections.train(s)] if d.signals.signal_at(s, node) is not None else []),
+                )
+            )
             for node in d.topo.ends[s]
-            if d.main_at(s, node) is None and d.topo.beyond(s, node) is not None
+            if d.signals.main_at(s, node) is None and d.topo.beyond(s, node) is not None
         )
-        if s in d.berths:
+        if s in d.routes.berths:
             d.wire(names.ARRIVED(s), Join.ALL, _arrival(d, s, rear), group, f"a train has arrived in {s}, wholly (R2)")
         inside = (Term(neg(var(names.USED(s))), "not used"), Term(unsignalled, "locked from inside"))
         d.wire(
@@ -229,20 +253,7 @@ def release(d: Draft) -> None:
             Term(var(names.CANCELLED(g)), "cancelled", f"route from {g} cancelled") for g, _ in _signals_into(d, s)
         ]
         d.wire(names.RELEASED_BY_HAND(s), Join.ALL, by_hand, group, f"{s} released by hand (R8, section fault release)")
-        d.wire(
-            names.RELEASED_AFTER_RESTART(s),
-            Join.ALL,
-            (
-                valid,
-                clear,
-                Term(var(names.RESTART_LOCK(s)), "restart lock"),
-                Term(var(RESTART_DELAY), "restart delay over"),
-                Term(disj((var(names.RELEASE_BY_HAND(s)), var(names.RELEASE_ALL))), "operator"),
-                *(rear if s in d.berths else ()),
-            ),
-            group,
-            f"{s} released after a restart (R16)",
-        )
+        _after_restart(d, s, [valid, clear], rear)
         d.wire(
             names.RELEASED(s),
             Join.ANY,
@@ -267,10 +278,12 @@ def wholly_in(d: Draft, s: SectionId, rear: list[Term]) -> list[Term]:
     """The section was used, and nothing stands in rear of it that may still come in."""
     terms = [Term(var(names.VALID), "inputs valid"), Term(var(names.USED(s)), "was used"), *rear]
     for node in d.topo.ends[s]:
-        g = d.main_at(s, node)
+        g = d.signals.main_at(s, node)
         if g is not None:
-            behind = d.occupied(d.rear(s, node))
-            terms.append(Term(neg(conj((d.locked_in(s, node), behind))), "wholly in", f"nothing stands before {g}"))
+            behind = d.sections.occupied(d.sections.rear(s, node))
+            terms.append(
+                Term(neg(conj((d.sections.locked_in(s, node), behind))), "wholly in", f"nothing stands before {g}")
+            )
     return terms
 
 
@@ -279,14 +292,14 @@ def _arrival(d: Draft, s: SectionId, rear: list[Term]) -> list[Term]:
     terms = wholly_in(d, s, rear)
     for node in d.topo.ends[s]:
         ahead = d.topo.beyond(s, node)
-        if ahead is None or d.main_at(ahead, node) is not None:
+        if ahead is None or d.signals.main_at(ahead, node) is not None:
             continue
-        leads, taken = d.locked_out(s, node), d.locked_in(ahead, node)
+        leads, taken = d.sections.locked_out(s, node), d.sections.locked_in(ahead, node)
         if leads is not FALSE and taken is not FALSE:
-            going = conj((leads, taken, *d.passing(ahead, node, s)))
+            going = conj((leads, taken, *d.signals.passing(ahead, node, s)))
             terms.append(Term(neg(going), "ends here", f"the train does not go on into {ahead}"))
     for r in d.table.routes:
-        if r.kind is RouteKind.IDENTIFIER and d.before(r.entry) == s:
+        if r.kind is RouteKind.IDENTIFIER and d.signals.before(r.entry) == s:
             note = f"the train does not go on past {r.entry}"
             terms.append(Term(neg(var(names.SHOWING(r.number))), "ends here", note))
     return terms
@@ -295,25 +308,29 @@ def _arrival(d: Draft, s: SectionId, rear: list[Term]) -> list[Term]:
 def _exits(d: Draft, s: SectionId) -> list[Term]:
     out = [Term(var(names.PASSED(s)), "passed on", "the next section was occupied together with this one")]
     by_entry: dict[NodeId, list[Expr]] = {}
-    for t in d.locks_of[s]:
+    for t in d.sections.locks_of[s]:
         if t.exit in d.layout.boundary_at:
-            by_entry.setdefault(t.entry, []).append(d.lock(*t.key))
+            by_entry.setdefault(t.entry, []).append(d.sections.lock(*t.key))
     for node, locks in by_entry.items():
-        g = d.signal_at(s, node)
+        g = d.signals.signal_at(s, node)
         leaves = disj(locks)
         if g is None:
             out.append(Term(leaves, "leaves at a boundary"))
         else:
             out.append(
-                Term(conj((leaves, d.approach_safe(g))), "leaves at a boundary", f"and no train is about to pass {g}")
+                Term(
+                    conj((leaves, d.signals.approach_safe(g))),
+                    "leaves at a boundary",
+                    f"and no train is about to pass {g}",
+                )
             )
-    for t in d.locks_of[s]:
-        into = d.into_berth(t)
+    for t in d.sections.locks_of[s]:
+        into = d.sections.into_berth(t)
         if into is not FALSE:
-            g = d.signal_at(s, t.entry)
-            safe = d.approach_safe(g) if g is not None else TRUE
+            g = d.signals.signal_at(s, t.entry)
+            safe = d.signals.approach_safe(g) if g is not None else TRUE
             ahead = d.topo.beyond(s, t.exit)
-            gone = conj((into, d.occupied(ahead), safe))
+            gone = conj((into, d.sections.occupied(ahead), safe))
             out.append(Term(gone, "gone into a berth", f"a shunting movement has gone into {ahead}"))
     return out
 
@@ -322,19 +339,19 @@ def _keep_locks(d: Draft, s: SectionId, locks: Expr, stays: Term) -> None:
     """The locks of a section for its ways and for trains, and whether they are firm."""
     group = f"section {s}"
     firmer: list[Expr] = []
-    for t in d.locks_of[s]:
+    for t in d.sections.locks_of[s]:
         name = names.LOCK(s, t.number)
         # a shunting movement locks its berth only if nobody has
         berth = conj((ways.grant_of(d, t.key, berth=True), var(names.FREE(s))))
         grants = [ways.grant_of(d, t.key), berth]
-        for r in d.routes_over.get(t.key, ()):
+        for r in d.routes.over.get(t.key, ()):
             lock = var(names.LOCKS(r.number))
             firmer.append(conj((lock, locks)) if r.berth == s else lock)
         held = Term(disj((var(name), *grants)), "held or granted")
         d.kept(name, False, f"{s} locked from {t.entry} to {t.exit}", Join.ALL, (held, stays), group)
-    if d.shunting:
-        over = [r for t in d.locks_of[s] for r in d.routes_over.get(t.key, ()) if r.train]
-        arrived = [Term(neg(var(names.ARRIVED(s))), "not arrived")] if s in d.berths else []
+    if d.signals.shunting:
+        over = [r for t in d.sections.locks_of[s] for r in d.routes.over.get(t.key, ()) if r.train]
+        arrived = [Term(neg(var(names.ARRIVED(s))), "not arrived")] if s in d.routes.berths else []
         name = names.TRAIN_LOCK(s)
         held = Term(disj((var(name), *(var(names.GRANTED(r.number)) for r in over))), "held or granted")
         d.kept(name, False, f"{s} locked for a train movement", Join.ALL, (held, stays, *arrived), group)
@@ -345,15 +362,17 @@ def _keep_locks(d: Draft, s: SectionId, locks: Expr, stays: Term) -> None:
 def _keep_passage(d: Draft, s: SectionId, stays: Term) -> None:
     """What a section remembers of the train over it: it came in, it went on (R9)."""
     group = f"section {s}"
-    uses = [var(_new_use(s, i)) for i, node in enumerate(d.topo.ends[s], 1) if d.locked_in(s, node) is not FALSE]
+    uses = [
+        var(_new_use(s, i)) for i, node in enumerate(d.topo.ends[s], 1) if d.sections.locked_in(s, node) is not FALSE
+    ]
     held = Term(disj((var(names.USED(s)), *uses)), "held or new")
     d.kept(names.USED(s), True, f"{s} used by a train (R9)", Join.ALL, (held, stays), group)
     gone = []
     for node in d.topo.ends[s]:
         ahead = d.topo.beyond(s, node)
-        if ahead is not None and d.locked_in(ahead, node) is not FALSE:
+        if ahead is not None and d.sections.locked_in(ahead, node) is not FALSE:
             gone.append(var(_new_use(ahead, d.topo.ends[ahead].index(node) + 1)))
-    going = conj((var(names.USED(s)), d.occupied(s), disj(gone)))
+    going = conj((var(names.USED(s)), d.sections.occupied(s), disj(gone)))
     held = Term(disj((var(names.PASSED(s)), going)), "held or new")
     d.kept(names.PASSED(s), False, f"{s}: the train went on (R9)", Join.ALL, (held, stays), group)
 
@@ -364,10 +383,10 @@ def keep(d: Draft) -> None:
     for r in d.table.routes:
         for s in r.section_ids if r.kind is RouteKind.CALL_ON else ():
             called.setdefault(s, []).append(r)
-    for s in d.sections:
+    for s in d.sections.all:
         group = f"section {s}"
         stays = Term(neg(var(names.RELEASED(s))), "not released")
-        locks = disj(d.lock(*t.key) for t in d.locks_of[s])
+        locks = disj(d.sections.lock(*t.key) for t in d.sections.locks_of[s])
         d.kept(
             names.RESTART_LOCK(s),
             True,
@@ -393,5 +412,5 @@ def keep(d: Draft) -> None:
             ),
             group,
         )
-        held = disj((var(names.RESTART_LOCK(s)), locks, *(d.overlap(o) for o in d.overlaps_over(s))))
+        held = disj((var(names.RESTART_LOCK(s)), locks, *(d.overlaps.held(o) for o in d.overlaps.over(s))))
         d.outputs.append(Output(names.LOCKED_SHOWN(s), held, True, f"indication: {s} is locked"))

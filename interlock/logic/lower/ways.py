@@ -46,7 +46,7 @@ def availability(d: Draft) -> None:
         free = [Term(var(names.FREE(t.section)), "section free", f"{t.section} not locked")]
         if t.key in routes:
             _wire(d, names.WAY_FREE, t, [*free, *_unlocked(d, t.key)], "free for a route (R6)")
-    for (g, k), over in d.overlaps.items():
+    for (g, k), over in d.overlaps.ways.items():
         terms = [x for key in over for x in _overlap_terms(d, g, key)]
         d.wire(names.OVERLAP_FREE(g, k), Join.ALL, terms, f"overlap {g}", f"overlap {k} of {g} may be held (R4)")
 
@@ -54,12 +54,14 @@ def availability(d: Draft) -> None:
 def _availability(d: Draft, t: TraversalRow) -> list[Term]:
     terms = []
     for ex in t.exclusions:
-        if ex.section not in d.sections:
+        if ex.section not in d.sections.all:
             continue
         if ex.whole:
             held = neg(var(names.FREE(ex.section)))
         else:
-            held = disj([*(d.holding((ex.section, n)) for n in ex.numbers), var(names.RESTART_LOCK(ex.section))])
+            held = disj(
+                [*(d.overlaps.holding((ex.section, n)) for n in ex.numbers), var(names.RESTART_LOCK(ex.section))]
+            )
         terms.append(Term(neg(held), "exclusion", f"{ex.section}: {ex.because.text}"))
     for p in t.points:
         free = var(names.POINT_AVAILABLE(p.machine, p.position))
@@ -70,7 +72,7 @@ def _availability(d: Draft, t: TraversalRow) -> list[Term]:
 def _unlocked(d: Draft, key: TraversalKey, clear: bool = True) -> list[Term]:
     """What a route asks for besides its section being free."""
     s = key[0]
-    reported = [Term(d.clear(s), "section clear", f"{s} clear")] if clear else []
+    reported = [Term(d.sections.clear(s), "section clear", f"{s} clear")] if clear else []
     return [*reported, *not_blocked(s), *available(d, key)]
 
 
@@ -87,17 +89,17 @@ def not_blocked(s: SectionId) -> list[Term]:
 
 def _trailed(d: Draft, t: TraversalRow) -> list[Term]:
     """A trailed point is not used before somebody has looked at it (R10)."""
-    machines = dict.fromkeys(p.machine for p in t.points if p.machine in d.powered)
+    machines = dict.fromkeys(p.machine for p in t.points if p.machine in d.machines.powered)
     return [Term(neg(var(names.TRAILED(m))), "not trailed", f"{m} was not trailed") for m in machines]
 
 
 def _foul(d: Draft, t: TraversalRow) -> list[Term]:
     out = []
     for c in t.foul:
-        clear = d.clear(c.section)
+        clear = d.sections.clear(c.section)
         if c.when is not None:
-            clear = disj((clear, d.detected(c.when[0], c.when[1].other)))
-        out.append(Term(clear, "foul section clear", c.because.text))
+            clear = disj((clear, d.machines.detected(c.when[0], c.when[1].other)))
+        out.append(Term(clear, "foul section clear", c.because.text, c.because.rule))
     return out
 
 
@@ -106,9 +108,9 @@ def _space(d: Draft, t: TraversalRow) -> list[Term]:
     out = []
     for c in t.space:
         if c.lamp:
-            out.append(Term(var(names.STOP_LAMP(c.name)), "flank lamp intact", c.because.text))
+            out.append(Term(var(names.STOP_LAMP(c.name)), "flank lamp intact", c.because.text, c.because.rule))
         else:
-            out.append(Term(d.clear(SectionId(c.name)), "flank space clear", c.because.text))
+            out.append(Term(d.sections.clear(SectionId(c.name)), "flank space clear", c.because.text, c.because.rule))
     return out
 
 
@@ -116,13 +118,13 @@ def _overlap_terms(d: Draft, g: SignalId, key: TraversalKey) -> list[Term]:
     """The overlap's way is free, or lies over the route that is already set onward from the signal (R4)."""
     s = key[0]
     onward = disj(
-        var(names.ACTIVE(r.number)) for r in d.routes_over.get(key, ()) if r.entry == g and r.kind is RouteKind.MAIN
+        var(names.ACTIVE(r.number)) for r in d.routes.over.get(key, ()) if r.entry == g and r.kind is RouteKind.MAIN
     )
-    free = [neg(var(names.RESTART_LOCK(s))), *(neg(d.overlap(o)) for o in d.overlaps_over(s))]
-    for t in d.locks_of[s]:
-        lock = neg(d.lock(*t.key))
+    free = [neg(var(names.RESTART_LOCK(s))), *(neg(d.overlaps.held(o)) for o in d.overlaps.over(s))]
+    for t in d.sections.locks_of[s]:
+        lock = neg(d.sections.lock(*t.key))
         free.append(disj((lock, onward)) if t.key == key else lock)
-    clear = Term(d.clear(s), "overlap clear", f"{s} clear: overlap")
+    clear = Term(d.sections.clear(s), "overlap clear", f"{s} clear: overlap")
     return [Term(conj(free), "overlap free", f"{s} free as overlap of {g}"), clear, *not_blocked(s), *available(d, key)]
 
 
@@ -131,7 +133,7 @@ def detection(d: Draft) -> None:
     routes = _of_routes(d)
     for t in d.table.locks:
         _wire(d, names.WAY_DETECTED, t, _detection(d, t), "its points lie, nothing is foul of it")
-        clear = Term(d.clear(t.section), "section clear", f"{t.section} clear")
+        clear = Term(d.sections.clear(t.section), "section clear", f"{t.section} clear")
         _wire(d, names.WAY_LIES, t, [clear, *_detected(d, t.key)], "lies and is clear")
         if t.key in routes:
             terms = [*_lying(t.key, "way lies"), *not_blocked(t.section)]
@@ -140,7 +142,9 @@ def detection(d: Draft) -> None:
 
 def _detection(d: Draft, t: TraversalRow) -> list[Term]:
     terms = [
-        Term(d.detected(p.machine, p.position), f"{p.role} point detected", f"{p.machine} {p.position} detected")
+        Term(
+            d.machines.detected(p.machine, p.position), f"{p.role} point detected", f"{p.machine} {p.position} detected"
+        )
         for p in t.points
     ]
     return [*terms, *_trailed(d, t), *_foul(d, t), *_space(d, t)]
@@ -161,7 +165,7 @@ def _lying(key: TraversalKey, kind: str) -> list[Term]:
 def free_terms(d: Draft, r: RouteRow, key: TraversalKey) -> list[Term]:
     """A way is free for a route; a train may run over the overlap of its own entry signal (R4)."""
     s = key[0]
-    own = [o for o in d.overlaps_over(s) if o[0] == r.entry and key in d.overlaps[o]]
+    own = [o for o in d.overlaps.over(s) if o[0] == r.entry and key in d.overlaps.ways[o]]
     if r.kind is not RouteKind.MAIN:  # nobody knows what stands in an overlap that a call-on would run over
         own = []
     clear = s in r.kept_clear
@@ -170,8 +174,10 @@ def free_terms(d: Draft, r: RouteRow, key: TraversalKey) -> list[Term]:
         return [Term(free, "section free", f"{s} not locked"), *_unlocked(d, key, clear)]
     if not own:
         return [Term(var(names.WAY_FREE(*key)), "way free", f"way through {s} free")]
-    others = [neg(d.overlap(o)) for o in d.overlaps_over(s) if o not in own]
-    free = conj([neg(var(names.RESTART_LOCK(s))), *(neg(d.lock(*t.key)) for t in d.locks_of[s]), *others])
+    others = [neg(d.overlaps.held(o)) for o in d.overlaps.over(s) if o not in own]
+    free = conj(
+        [neg(var(names.RESTART_LOCK(s))), *(neg(d.sections.lock(*t.key)) for t in d.sections.locks_of[s]), *others]
+    )
     return [Term(free, "section free", f"{s} not locked, but for the own overlap"), *_unlocked(d, key, clear)]
 
 
@@ -222,11 +228,11 @@ def _some_overlap_lies(d: Draft, r: RouteRow) -> list[Term]:
 
 def swung(d: Draft) -> None:
     """For each signal whose overlap swings: the alternative that is held lies and is clear."""
-    for g in d.swinging:
+    for g in d.overlaps.swinging:
         terms = []
-        for o in d.overlaps_of[g]:
-            lies = conj(x.expr for key in d.overlaps[o] for x in _lying(key, "overlap lies"))
-            terms.append(Term(conj((d.overlap(o), lies)), "overlap lies", f"overlap {o[1]} of {g}"))
+        for o in d.overlaps.of_signal[g]:
+            lies = conj(x.expr for key in d.overlaps.ways[o] for x in _lying(key, "overlap lies"))
+            terms.append(Term(conj((d.overlaps.held(o), lies)), "overlap lies", f"overlap {o[1]} of {g}"))
         d.wire(names.OVERLAP_LIES(g), Join.ANY, terms, f"overlap {g}", f"the overlap of {g} lies and is clear (R4)")
 
 
@@ -240,7 +246,7 @@ def _overlap_lies(r: RouteRow) -> list[Term]:
 def granted(d: Draft) -> None:
     """Which ways and overlaps are granted in this scan."""
     for t in d.table.locks:
-        over = d.routes_over.get(t.key, ())
+        over = d.routes.over.get(t.key, ())
         for family, routes in (
             (names.WAY_GRANTED, [r for r in over if r.berth != t.section]),
             (names.BERTH_GRANTED, [r for r in over if r.berth == t.section]),
@@ -248,30 +254,32 @@ def granted(d: Draft) -> None:
             if routes:
                 terms = [Term(var(names.GRANTED(r.number)), "granted", f"route {r.id}") for r in routes]
                 d.wire(family(*t.key), Join.ANY, terms, f"section {t.section}", _way(t, "granted"))
-    for (g, k), _ in d.overlaps.items():
+    for (g, k), _ in d.overlaps.ways.items():
         terms = [Term(var(names.GRANTED(r.number)), "granted", f"route {r.id}") for r in overlap_users(d, (g, k))]
         d.wire(names.OVERLAP_GRANTED(g, k), Join.ANY, terms, f"overlap {g}", f"overlap {k} of {g}: granted")
 
 
 def overlap_users(d: Draft, option: tuple[SignalId, int]) -> list[RouteRow]:
     """The routes that lock an overlap."""
-    return list(d.routes_to.get(option, ()))
+    return list(d.routes.to.get(option, ()))
 
 
 def grant_of(d: Draft, key: TraversalKey, berth: bool = False) -> Expr:
     """The way is granted in this scan: to a route that goes through it, or to one that ends in it as a berth."""
     s = key[0]
-    ends = any((r.berth == s) is berth for r in d.routes_over.get(key, ()))
+    ends = any((r.berth == s) is berth for r in d.routes.over.get(key, ()))
     return var((names.BERTH_GRANTED if berth else names.WAY_GRANTED)(*key)) if ends else disj(())
 
 
 def demands(d: Draft) -> tuple[Mapping[MachineId, Expr], Mapping[tuple[MachineId, Position], Expr]]:
     """A grant in this scan touches each machine (it lies over it, or demands it), and demands it in a position."""
-    touched: dict[MachineId, dict[Expr, None]] = {m: {} for m in d.machines}
-    demanded: dict[tuple[MachineId, Position], dict[Expr, None]] = {(m, x): {} for m in d.machines for x in Position}
+    touched: dict[MachineId, dict[Expr, None]] = {m: {} for m in d.machines.all}
+    demanded: dict[tuple[MachineId, Position], dict[Expr, None]] = {
+        (m, x): {} for m in d.machines.all for x in Position
+    }
     machines_in: dict[SectionId, list[MachineId]] = {}
-    for m in d.machines:
-        for s in d.sections_of(m):
+    for m in d.machines.all:
+        for s in d.machines.sections_of(m):
             machines_in.setdefault(s, []).append(m)
     for t in d.table.locks:
         grants = dict.fromkeys(_grants(d, t.key))
@@ -289,36 +297,38 @@ def demands(d: Draft) -> tuple[Mapping[MachineId, Expr], Mapping[tuple[MachineId
 def _grants(d: Draft, key: TraversalKey) -> Iterator[Expr]:
     yield grant_of(d, key)
     yield grant_of(d, key, berth=True)
-    for g, k in d.overlaps_over(key[0]):
-        if key in d.overlaps[g, k]:
+    for g, k in d.overlaps.over(key[0]):
+        if key in d.overlaps.ways[g, k]:
             yield var(names.OVERLAP_GRANTED(g, k))
-            if k in d.swinging.get(g, ()):
+            if k in d.overlaps.swinging.get(g, ()):
                 yield var(swing_wire(d, g, k))
 
 
 def swing_wire(d: Draft, g: SignalId, option: int) -> names.Name:
     """The wire that tells that the overlap of a signal swings to an alternative in this scan."""
-    return names.SWINGS_TO(g, list(d.swinging).index(g) + 1, option)
+    return names.SWINGS_TO(g, list(d.overlaps.swinging).index(g) + 1, option)
 
 
 def swing_terms(d: Draft, g: SignalId, key: TraversalKey) -> list[Term]:
     """A way can be held as overlap instead of another alternative of the same signal (R4)."""
     s, t = key[0], d.table.lock[key]
-    others = [neg(d.overlap(o)) for o in d.overlaps_over(s) if o[0] != g]
+    others = [neg(d.overlaps.held(o)) for o in d.overlaps.over(s) if o[0] != g]
     free = conj([neg(var(names.RESTART_LOCK(s))), *others])
     terms = [Term(free, "overlap free", f"{s} free for another overlap of {g}"), *not_blocked(s)]
     for ex in t.exclusions:
-        if ex.section in d.sections:
+        if ex.section in d.sections.all:
             held: list[Expr] = [var(names.RESTART_LOCK(ex.section))]
             if ex.whole:
-                held += [d.lock(*x.key) for x in d.locks_of[ex.section]]
-                held += [d.overlap(o) for o in d.overlaps_over(ex.section) if o[0] != g]
+                held += [d.sections.lock(*x.key) for x in d.sections.locks_of[ex.section]]
+                held += [d.overlaps.held(o) for o in d.overlaps.over(ex.section) if o[0] != g]
             else:
-                held += [d.holding((ex.section, n), but=g) for n in ex.numbers]
+                held += [d.overlaps.holding((ex.section, n), but=g) for n in ex.numbers]
             terms.append(Term(neg(disj(held)), "exclusion", f"{ex.section}: {ex.because.text}"))
     for p in t.points:
-        there = conj((d.detected(p.machine, p.position), *(neg(d.command(p.machine, y)) for y in Position)))
-        free = disj((d.command(p.machine, p.position), _may_swing(d, g, p.machine), there))
+        there = conj(
+            (d.machines.detected(p.machine, p.position), *(neg(d.machines.command(p.machine, y)) for y in Position))
+        )
+        free = disj((d.machines.command(p.machine, p.position), _may_swing(d, g, p.machine), there))
         terms.append(Term(free, f"{p.role} point available", f"{p.machine} {p.position}: {p.because.text}"))
     return [*terms, *_trailed(d, t), *_foul(d, t), *_space(d, t)]
 
@@ -326,11 +336,15 @@ def swing_terms(d: Draft, g: SignalId, key: TraversalKey) -> list[Term]:
 def _may_swing(d: Draft, g: SignalId, m: MachineId) -> Expr:
     """A machine that nobody holds but the overlap of one signal, and nothing stands over."""
     terms: list[Expr] = [var(names.VALID)]
-    for s in d.sections_of(m):
-        terms += [neg(var(names.RESTART_LOCK(s))), *(neg(d.lock(*x.key)) for x in d.locks_of[s]), d.clear(s)]
-        terms += [neg(d.overlap(o)) for o in d.overlaps_over(s) if o[0] != g]
+    for s in d.machines.sections_of(m):
+        terms += [
+            neg(var(names.RESTART_LOCK(s))),
+            *(neg(d.sections.lock(*x.key)) for x in d.sections.locks_of[s]),
+            d.sections.clear(s),
+        ]
+        terms += [neg(d.overlaps.held(o)) for o in d.overlaps.over(s) if o[0] != g]
     for t in d.table.locks:
         if any(p.machine == m and p.role is Role.FLANK for p in t.points):
-            terms.append(neg(d.holding(t.key, but=g)))
+            terms.append(neg(d.overlaps.holding(t.key, but=g)))
     terms += map(neg, added.held(d, m))
     return conj(terms)

@@ -52,10 +52,10 @@ class _Writer:
     def __init__(self, d: Draft) -> None:
         self.d = d
         self.equations: dict[Name, Equation] = {e.name: e for e in d.steps if isinstance(e, Equation)}
-        named = (*(i.name for i in d.inputs), *(x.name for x in d.state), *(x.name for x in d.steps))
+        named = (*(i.name for i in d.inputs), *(x.name for x, _ in d.memory), *(x.name for x in d.steps))
         self.names: dict[str, Name] = {n: n for n in named}
         """Names with their fields: a node may bear the same name as it was read from a text."""
-        self.number = {m: i for i, m in enumerate(d.machines)}
+        self.number = {m: i for i, m in enumerate(d.machines.all)}
         self.words: dict[Name, Word] = {}
         self.codes: dict[tuple[object, ...], int] = {}
         self.reasons: dict[int, Reason] = {}
@@ -113,7 +113,7 @@ class _Writer:
         """A section does not count as clear: reported occupied, its detector faulty, or clear not yet for long."""
         s = str(name.at[0])
         e = self.equations[names.OCCUPIED(s)]
-        wanted = [Term(neg(t.expr), t.kind, t.note) for t in e.terms if t.expr is not neg(var(names.VALID))]
+        wanted = [Term(neg(t.expr), t.kind, t.note, t.rule) for t in e.terms if t.expr is not neg(var(names.VALID))]
         late = self._code(var(name), sentence(name, False), SENTENCES[names.LONG_CLEAR].rule, about(name))
         return self._word(names.WHY_NOT_CLEAR(s), e, chain(self._cases(wanted), (Case(neg(var(name)), late),)))
 
@@ -147,12 +147,14 @@ class _Writer:
         """Between which neighbours a section is locked, and for which routes that may be."""
         way = self.d.table.lock[SectionId(str(lock.at[0])), int(lock.at[1])]
         ends = [self.d.topo.beyond(way.section, node) or node for node in (way.entry, way.exit)]
-        over = [r.id for r in self.d.routes_over.get(way.key, ())]
+        over = [r.id for r in self.d.routes.over.get(way.key, ())]
         routes = " or ".join(over if len(over) <= MANY else [*over[: MANY - 1], "another"])
         return f" from {ends[0]} to {ends[1]}" + (f" for route {routes}" if over else "")
 
     def _rule(self, x: Expr, t: Term) -> str:
-        """The page of the rule that asks for a condition."""
+        """The page of the rule that asks for a condition: that of its cell in the table, if it is from one."""
+        if t.rule:
+            return t.rule
         inner = x.args[0] if x.op is NOT else x
         known = SENTENCES.get(self._name(inner).family) if inner.op is VAR else None
         return known.rule if known is not None and t.kind not in RULES else RULES.get(t.kind, "R6")
@@ -204,7 +206,7 @@ class _Writer:
         said = f"route {r.id}: what it does, or why it would be refused"
         alone: Value = FREE
         if r.kind is RouteKind.IDENTIFIER:
-            with_ = " or ".join(x.id for x in self.d.leading_past(r))
+            with_ = " or ".join(x.id for x in self.d.routes.leading_past(r))
             alone = self._code(FALSE, f"it is set with route {with_}, never alone", "R11", (f"g:{r.entry}",), r.id)
         self.words[name] = Word(name, (*does, *refused), alone, f"route {r.id}", said)
         return name

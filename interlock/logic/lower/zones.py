@@ -37,11 +37,11 @@ def count(d: Draft) -> None:
 def _busy(d: Draft, z: Zone, s: SectionId) -> list[Term]:
     unseen = conj((neg(var(names.USED(s))), neg(var(names.STALE(s)))))
     terms = [Term(var(names.RESTART_LOCK(s)), "restart lock")]
-    for t in d.locks_of[s]:
+    for t in d.sections.locks_of[s]:
         rear = d.topo.beyond(s, t.entry)
-        leads = d.locked_out(rear, t.entry) if rear is not None and rear in z.sections else FALSE
-        terms.append(Term(conj((d.lock(*t.key), neg(conj((leads, unseen))))), "locked"))
-    return [*terms, *(Term(d.overlap(o), "overlap") for o in d.overlaps_over(s))]
+        leads = d.sections.locked_out(rear, t.entry) if rear is not None and rear in z.sections else FALSE
+        terms.append(Term(conj((d.sections.lock(*t.key), neg(conj((leads, unseen))))), "locked"))
+    return [*terms, *(Term(d.overlaps.held(o), "overlap") for o in d.overlaps.over(s))]
 
 
 def _at_least(d: Draft, number: int, trains: int) -> Expr:
@@ -59,7 +59,7 @@ def terms(d: Draft, r: RouteRow) -> list[Term]:
     for c in r.zones:
         z = d.layout.zones[number[c.zone] - 1]
         full = _at_least(d, number[c.zone], z.trains - c.entries + 1)
-        out.append(Term(neg(full), "zone not full", c.because.text))
+        out.append(Term(neg(full), "zone not full", c.because.text, c.because.rule))
     return out
 
 

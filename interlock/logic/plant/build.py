@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from itertools import pairwise
 
 from interlock.logic import names
@@ -13,6 +13,7 @@ from interlock.logic.plant.images import images
 from interlock.logic.plant.kinds import ASSUMPTIONS, Assumption, Plant, Wiring
 from interlock.logic.plant.machines import machines
 from interlock.logic.plant.reversals import reversals
+from interlock.logic.plant.standing import Entries, Standing, functions
 from interlock.logic.plant.words import (
     accepted,
     across,
@@ -33,7 +34,7 @@ from interlock.logic.plant.words import (
 from interlock.model.elements import Boundary, BoundaryKind, MachineId, NodeId, Position, SectionId, Signal, SignalId
 from interlock.model.layout import Layout
 from interlock.model.measured import Measured
-from interlock.model.traversal import Traversal, topology
+from interlock.model.traversal import topology
 
 
 class PlantBuilder:
@@ -41,23 +42,25 @@ class PlantBuilder:
 
     def __init__(self, layout: Layout, read: Measured, wiring: Wiring, dropped: frozenset[str]) -> None:
         self.layout = layout
-        self.fouls = read.fouls
-        self.in_time = read.needs.swings
+        self._fouls = read.fouls
+        self._in_time = read.needs.swings
         self.topo = topology(layout)
         self.w = wiring
         self.dropped = dropped
-        self.shunts = any(g.shunt for g in layout.signals)
-        self.overlaps = {g: self.topo.paths(ways) for g, ways in read.overlaps.items()}
-        self.overlapped: dict[SectionId, list[SignalId]] = {}
-        for g_, paths in self.overlaps.items():
+        self._shunts = any(g.shunt for g in layout.signals)
+        self._overlaps = {g: self.topo.paths(ways) for g, ways in read.overlaps.items()}
+        self._overlapped: dict[SectionId, list[SignalId]] = {}
+        for g_, paths in self._overlaps.items():
             for s in dict.fromkeys(t.section for path in paths for t in path):
-                self.overlapped.setdefault(s, []).append(g_)
-        self.before = {b: gs for b in self.topo.sections if (gs := self._overlapped_ahead(b))}
+                self._overlapped.setdefault(s, []).append(g_)
+        self.standing = Standing(layout, self.topo, self._overlapped)
+        self._before = {b: gs for b in self.topo.sections if (gs := self._overlapped_ahead(b))}
         self.p = Plant()
+        self.entries = Entries(layout, self.topo, self._overlapped, self.p.events)
 
     def _overlapped_ahead(self, s: SectionId) -> list[SignalId]:
         """The signals with an overlap before which a train in s may come to a stand."""
-        return [g for g in self.topo.signals_out(s) if g in self.overlaps]
+        return [g for g in self.topo.signals_out(s) if g in self._overlaps]
 
     def build(self) -> Plant:
         """All parts in order."""
@@ -71,26 +74,10 @@ class PlantBuilder:
             s = self.layout.section_of(self.layout.edges_at[b.node][0].id)
             on_the_line(self, b, self.p.events.get(names.HEAD(b.node, s), FALSE))
         images(self)
-        self.p.hazards.extend(hazards(self))
+        self.p.hazards.extend(hazards(self, self._fouls))
         return self.p
 
     # --- small pieces --------------------------------------------------------------------------
-
-    def lie(self, t: Traversal) -> Expr:
-        """Every point on the way really lies for it."""
-        return conj(lies(self.layout.point[p].machine, x) for p, x in t.points)
-
-    def ways(self, s: SectionId, a: NodeId, b: NodeId | None = None) -> list[Traversal]:
-        """Traversals from an end, to an end if given."""
-        return [t for t in self.topo.through(s, a) if b is None or t.exit == b]
-
-    def heading(self, s: SectionId, b: NodeId) -> Expr:
-        """The train in s is heading to its end b, as the points lie."""
-        return disj(conj((came(s, a), self.lie(t))) for a in self.topo.ends[s] for t in self.ways(s, a, b))
-
-    def _stood(self, s: SectionId, b: NodeId) -> Expr:
-        """A train has stood in s since the restart, so that it could go to b, whatever lies under it."""
-        return conj((rests(s), disj(came(s, a) for a in self.topo.ends[s] if self.ways(s, a, b))))
 
     def choice(self, name: names.Name, text: str) -> Expr:
         """A free choice of the world: whether that happens."""
@@ -110,7 +97,7 @@ class PlantBuilder:
         self.p.next[long] = over
         return over
 
-    def rear(self, g: SignalId) -> tuple[NodeId, SectionId, SectionId | None]:
+    def _rear(self, g: SignalId) -> tuple[NodeId, SectionId, SectionId | None]:
         """Joint, section beyond and section in rear (None: outside without detection) of a signal."""
         signal = self.layout.signal[g]
         first = self.layout.section_of(signal.into)
@@ -126,40 +113,6 @@ class PlantBuilder:
     def seen(self, g: SignalId, shunt: bool) -> Expr:
         """A driver may see proceed: shown in the last scan, or in the one before (A-LATE-OUTPUT)."""
         return disj((self.shown(g, shunt), lamp(g, shunt)))
-
-    def calls(self, s: SectionId) -> Iterator[tuple[NodeId, Expr]]:
-        """For each signal that governs leaving s: its joint, and whether somebody has accepted it."""
-        for g in self.topo.signals_out(s):
-            yield self.layout.signal[g].node, disj(accepted(g, k) for k in self.functions(g))
-
-    def called(self, s: SectionId) -> Expr:
-        """What stands in s has accepted a signal."""
-        return disj(x for _, x in self.calls(s))
-
-    def moves(self, s: SectionId) -> Expr:
-        """What stands in s has been called by a signal, or is a part of a train that has."""
-        return disj((self.called(s), FALSE if self.berth(s) else was_called(s)))
-
-    def _drawn(self, s: SectionId) -> Iterator[Expr]:
-        """What stands in s stands across an end, too, and the part beyond it moves."""
-        for j in self.topo.ends[s]:
-            ahead = None if j in self.layout.buffer_at else self.topo.beyond(s, j)
-            if ahead is not None:
-                came_on = FALSE if self.berth(ahead) else neg(rests(ahead))  # in a berth others may have
-                yield conj((across(j, s), disj((came_on, self.moves(ahead)))))
-
-    def parted(self, s: SectionId) -> Expr:
-        """What stands in s is the rear part of a train that was left there; in a berth any vehicles may be."""
-        return FALSE if self.berth(s) else parted(s)
-
-    def functions(self, g: SignalId) -> list[bool]:
-        """Whom a signal speaks to: False for trains, True for shunting movements."""
-        signal = self.layout.signal[g]
-        return [*([False] if signal.main else []), *([True] if signal.shunt else [])]
-
-    def berth(self, s: str) -> bool:
-        """Vehicles may stand there in any number."""
-        return s in self.topo.berths
 
     # --- movements -----------------------------------------------------------------------------
 
@@ -192,7 +145,7 @@ class PlantBuilder:
         outside = b.approach or names.outside(b.node)
         scanned = image(outside) if b.approach and "A-SCAN" not in self.dropped else TRUE
         free = neg(across(b.node, outside)) if "A-HEADWAY" not in self.dropped else TRUE
-        calls = disj(accepted(g, k) for k in self.functions(g))
+        calls = disj(accepted(g, k) for k in functions(self.layout, g))
         self.p.events[names.HEAD(b.node, outside)] = conj(
             (
                 o(outside),
@@ -202,7 +155,7 @@ class PlantBuilder:
                 self.choice(names.HEAD(b.node, outside), f"a train enters at {b.node}"),
             )
         )
-        if True in self.functions(g):
+        if True in functions(self.layout, g):
             self.p.events[names.SHUNTS(b.node, outside)] = conj(
                 (self.p.events[names.HEAD(b.node, outside)], accepted(g, True))
             )
@@ -223,23 +176,25 @@ class PlantBuilder:
 
     def _ready(self, g: Signal) -> None:
         """What stands before a signal inside the layout may accept it."""
-        node, first, rear = self.rear(g.id)
+        node, first, rear = self._rear(g.id)
         if node in self.layout.boundary_at or rear is None:
             return
         ready = conj(
             (
                 o(rear),
-                TRUE if self.berth(rear) else disj((self._stood(rear, node), self.heading(rear, node))),
+                TRUE
+                if self.standing.berth(rear)
+                else disj((self.standing.stood(rear, node), self.standing.heading(rear, node))),
                 neg(across(node, rear)) if "A-HEADWAY" not in self.dropped else TRUE,
                 neg(across(node, first)),
-                neg(self.astray(rear)),  # what has overrun a signal is moved under local rules
-                neg(self.parted(rear)),
+                neg(self.standing.astray(rear)),  # what has overrun a signal is moved under local rules
+                neg(self.standing.parted(rear)),
             )
         )
         self._accept(g.id, ready)
 
     def _accept(self, g: SignalId, ready: Expr) -> None:
-        for k in self.functions(g):
+        for k in functions(self.layout, g):
             event = names.accepts(g, k)
             what = "shunt aspect" if k else "proceed"
             accepts = self.choice(event, f"a driver accepts the {what} of {g}")
@@ -248,16 +203,16 @@ class PlantBuilder:
 
     def _head(self, s: SectionId, j: NodeId, g: SignalId | None) -> None:
         scanned = image(s) if "A-SCAN" not in self.dropped else TRUE
-        heading = self.heading(s, j)
-        called_heading = TRUE if self.berth(s) else heading
-        called = FALSE if g is None else disj(conj((called_heading, accepted(g, k))) for k in self.functions(g))
+        heading = self.standing.heading(s, j)
+        called_heading = TRUE if self.standing.berth(s) else heading
+        called = FALSE if g is None else disj(conj((called_heading, accepted(g, k))) for k in functions(self.layout, g))
         passes: Expr = FALSE  # without a signal to obey
         if g is None or not self.layout.signal[g].main:
             free = neg(rests(s)) if "A-RESTART" not in self.dropped else TRUE
             if "A-PARTED" not in self.dropped:
-                free = conj((free, neg(self.parted(s))))
+                free = conj((free, neg(self.standing.parted(s))))
             obeys = g is not None or self.topo.beyond(s, j) is None
-            as_train = neg(shunting(s)) if self.shunts and obeys else TRUE
+            as_train = neg(shunting(s)) if self._shunts and obeys else TRUE
             passes = conj((free, as_train, heading))
         if g is not None and "A-OBEY" in self.dropped:
             called = called_heading
@@ -275,7 +230,7 @@ class PlantBuilder:
         self.p.events[names.HEAD(j, s)] = head
         for h, x in running_over.items():
             self.p.events[names.OVERRUNS(h, j, s)] = conj((head, x, neg(disj((called, passes)))))
-        if self.shunts:
+        if self._shunts:
             by_call = FALSE if g is None or not self.layout.signal[g].shunt else accepted(g, True)
             goes_on = conj((passes, shunting(s))) if g is None else FALSE
             self.p.events[names.SHUNTS(j, s)] = conj((head, disj((by_call, goes_on))))
@@ -284,23 +239,23 @@ class PlantBuilder:
         """For each signal: a train fails to stop before it, or runs on within its overlap (A-OVERRUN)."""
         ahead = self.topo.beyond(s, j)
         out: dict[SignalId, Expr] = {}
-        for h in self.overlapped.get(s, ()):
-            steps = (x for path in self.overlaps[h] for x in pairwise(path))
+        for h in self._overlapped.get(s, ()):
+            steps = (x for path in self._overlaps[h] for x in pairwise(path))
             if any(a.section == s and a.exit == j and b.section == ahead for a, b in steps):
                 out[h] = conj((overran(h, s), rests(s), heading))
-        if g is not None and g in self.overlaps:
-            as_train = neg(shunting(s)) if self.shunts else TRUE
+        if g is not None and g in self._overlaps:
+            as_train = neg(shunting(s)) if self._shunts else TRUE
             turning = FALSE if "A-SWING" in self.dropped else disj(self._turning(g))
-            fails = conj((running(s), neg(rests(s)), neg(self.parted(s)), as_train, heading, neg(turning)))
+            fails = conj((running(s), neg(rests(s)), neg(self.standing.parted(s)), as_train, heading, neg(turning)))
             self.p.events[names.FAILS(g)] = fails
             out[g] = disj((out.get(g, FALSE), self.p.events[names.FAILS(g)]))
         return out
 
     def _turning(self, g: SignalId) -> list[Expr]:
         """For each machine of an overlap that swings: it turns since before a train was reported before the signal."""
-        if g not in self.in_time:
+        if g not in self._in_time:
             return []
-        over = [t for path in self.overlaps[g] for t in path]
+        over = [t for path in self._overlaps[g] for t in path]
         machines = [self.layout.point[p].machine for t in over for p, _ in t.points]
         machines += [MachineId(d.id) for d in self.layout.devices if any(t.section in d.over for t in over)]
         return [var(names.TURNS_SINCE(g, m)) for m in dict.fromkeys(machines)]
@@ -315,77 +270,33 @@ class PlantBuilder:
             self.p.next[x.name] = conj((away, disj((x, neg(o(s)), neg(image(s))))))
             self.p.initial.append(neg(x))
 
-    def overruns_in(self, g: SignalId, s: SectionId) -> Expr:
-        """A train that has overrun g comes into s in this step."""
-        ends = [j for j in self.topo.ends[s] if j not in self.layout.buffer_at]
-        return disj(self.p.events.get(names.OVERRUNS(g, j, self._other_side(s, j)), FALSE) for j in ends)
-
-    def _overrun_over(self, s: SectionId, j: NodeId) -> Expr:
-        """What comes into s at j in this step has overrun a signal."""
-        return disj(
-            self.p.events.get(names.OVERRUNS(g, j, self._other_side(s, j)), FALSE)
-            for g in self.overlapped.get(s, ())
-            if j not in self.layout.buffer_at
-        )
-
-    def astray(self, s: SectionId) -> Expr:
-        """What stands in s has overrun some signal."""
-        return disj(overran(g, s) for g in self.overlapped.get(s, ()))
-
     def _tail(self, s: SectionId, j: NodeId, ahead: SectionId | None) -> None:
         others = [k for k in self.topo.ends[s] if k != j]
-        inside = conj(neg(self.coming(s, k)) for k in others)
-        if self.berth(s):  # others may be coming in there, unless one train lies across
-            inside = disj((inside, neg(self.astray(s))))
+        inside = conj(neg(self.standing.coming(s, k)) for k in others)
+        if self.standing.berth(s):  # others may be coming in there, unless one train lies across
+            inside = disj((inside, neg(self.standing.astray(s))))
         scanned = image(ahead) if ahead is not None and "A-SCAN" not in self.dropped else TRUE
         leaves = self.choice(names.TAIL(j, s), f"its tail leaves {s}")
         self.p.events[names.TAIL(j, s)] = conj((across(j, s), inside, scanned, leaves))
-
-    def coming(self, s: SectionId, j: NodeId) -> Expr:
-        """A train stands across j on its way into s."""
-        boundary = self.layout.boundary_at.get(j)
-        if j in self.layout.buffer_at or (boundary is not None and (j, s) not in self.topo.signal_into):
-            return FALSE
-        return across(j, self._other_side(s, j))
 
     def _to(self, s: SectionId, j: NodeId) -> str:
         """Where a train goes over an end, in words."""
         ahead = self.topo.beyond(s, j)
         return f"on into {ahead}" if ahead is not None else f"out at {j}"
 
-    def _other_side(self, s: SectionId, j: NodeId) -> str:
-        """What lies across an end: a section, an approach section, or outside."""
-        ahead = self.topo.beyond(s, j)
-        if ahead is not None:
-            return ahead
-        boundary = self.layout.boundary_at.get(j)
-        return (boundary.approach if boundary and boundary.approach else None) or names.outside(j)
-
-    def comes_in(self, s: SectionId, j: NodeId) -> Expr:
-        """A head comes into s at j in this step."""
-        if j in self.layout.buffer_at:
-            return FALSE
-        return self.p.events.get(names.HEAD(j, self._other_side(s, j)), FALSE)
-
-    def shunts_in(self, s: SectionId, j: NodeId) -> Expr:
-        """A shunting movement comes into s at j in this step."""
-        if j in self.layout.buffer_at:
-            return FALSE
-        return self.p.events.get(names.SHUNTS(j, self._other_side(s, j)), FALSE)
-
     def _staying(self, s: SectionId) -> Expr:
         """Vehicles remain in a berth although a tail leaves it: left behind, or part of another movement."""
         ends = [j for j in self.topo.ends[s] if j not in self.layout.buffer_at]
         out = [conj((across(j, s), neg(self.p.events[names.TAIL(j, s)]))) for j in ends]
         out += [self.p.events[names.HEAD(j, s)] for j in ends]
-        into = [self.coming(s, j) for j in ends]
+        into = [self.standing.coming(s, j) for j in ends]
         called = [
             x
             for g in self.topo.signals_out(s)
-            for k in self.functions(g)
+            for k in functions(self.layout, g)
             for x in (accepted(g, k), self.p.events.get(names.accepts(g, k), FALSE))
         ]
-        left = conj((self.choice(names.STAYS_BEHIND(s), f"vehicles stay behind in {s}"), neg(self.astray(s))))
+        left = conj((self.choice(names.STAYS_BEHIND(s), f"vehicles stay behind in {s}"), neg(self.standing.astray(s))))
         return disj((left, *out, *into, *called))
 
     # --- next states ---------------------------------------------------------------------------
@@ -402,48 +313,48 @@ class PlantBuilder:
         """What stands in a section: whether it rests, was called, has parted, has overrun, runs, shunts."""
         topo, p = self.topo, self.p
         out = disj(p.events[names.TAIL(j, s)] for j in topo.ends[s] if j not in self.layout.buffer_at)
-        enter = {j: self.comes_in(s, j) for j in topo.ends[s]}
+        enter = {j: self.entries.comes_in(s, j) for j in topo.ends[s]}
         p.state[names.STANDS(s)] = f"a train stands in {s}"
         parts: Expr = FALSE
-        if not self.berth(s):
+        if not self.standing.berth(s):
             chance = self.choice(names.PARTS(s), f"the train parts, and its rear stays in {s}")
-            p.events[names.PARTS(s)] = conj((out, chance, neg(self.astray(s))))
+            p.events[names.PARTS(s)] = conj((out, chance, neg(self.standing.astray(s))))
             parts = p.events[names.PARTS(s)]
             out = conj((out, neg(parts)))
             p.state[names.PARTED(s)] = f"the rear part of a train has been left in {s}"
             p.next[names.PARTED(s)] = disj((conj((parted(s), neg(out))), parts))
             p.initial.append(neg(parted(s)))
         p.state[names.RESTS(s)] = f"the train in {s} has stood there since the restart"
-        if self.berth(s):
+        if self.standing.berth(s):
             stay = self._staying(s)
             left = conj((out, stay, o(s)))
             out = conj((out, neg(stay)))
-            joined = disj(self.shunts_in(s, j) for j in topo.ends[s])
+            joined = disj(self.entries.shunts_in(s, j) for j in topo.ends[s])
             p.state[names.RESTS(s)] = f"what stands in {s} moves only when a signal calls it"
             p.next[names.RESTS(s)] = disj((conj((rests(s), neg(out))), left, joined))
         else:
             p.next[names.RESTS(s)] = conj((rests(s), neg(out)))
             p.state[names.WAS_CALLED(s)] = f"the train in {s} has been called"
-            p.next[names.WAS_CALLED(s)] = conj((disj((self.moves(s), *self._drawn(s))), neg(out)))
+            p.next[names.WAS_CALLED(s)] = conj((disj((self.standing.moves(s), *self.standing.drawn(s))), neg(out)))
             p.initial.append(neg(was_called(s)))
         p.next[names.STANDS(s)] = disj((conj((o(s), neg(out))), *enter.values()))
         p.initial.append(iff(rests(s), o(s)))
-        if s in self.overlapped:
-            for h in self.overlapped[s]:
-                came_over = self.overruns_in(h, s)
+        if s in self._overlapped:
+            for h in self._overlapped[s]:
+                came_over = self.entries.overruns_in(h, s)
                 p.state[names.OVERRAN(h, s)] = f"what stands in {s} has overrun {h}"
                 p.next[names.OVERRAN(h, s)] = disj((conj((overran(h, s), neg(out))), came_over))
                 p.next[names.RESTS(s)] = disj((p.next[names.RESTS(s)], came_over))
                 p.initial.append(neg(overran(h, s)))
-        if s in self.before:
+        if s in self._before:
             self._running(s, disj((out, parts)), disj(enter.values()))
-        if self.shunts:
+        if self._shunts:
             p.state[names.SHUNTING(s)] = f"the train in {s} shunts"
             p.next[names.SHUNTING(s)] = disj(
                 (
                     conj((shunting(s), neg(disj(enter.values())))),
-                    *(self.shunts_in(s, j) for j in topo.ends[s]),
-                    self._turns(s),
+                    *(self.entries.shunts_in(s, j) for j in topo.ends[s]),
+                    self.entries.turns(s),
                 )
             )
         self._ends(s, out, enter)
@@ -469,7 +380,7 @@ class PlantBuilder:
                 continue
             ahead = topo.beyond(s, j)
             standing = conj((o(s), o(ahead), came(ahead, j))) if ahead is not None else o(s)
-            p.initial.append(implies(across(j, s), conj((standing, self.heading(s, j)))))
+            p.initial.append(implies(across(j, s), conj((standing, self.standing.heading(s, j)))))
 
     def _outside(self, b: Boundary) -> None:
         """A train before a boundary, and across it."""
@@ -490,9 +401,9 @@ class PlantBuilder:
     def _signal(self, g: Signal) -> None:
         """Who has accepted a signal, and what it showed one scan ago."""
         p = self.p
-        node, _, rear = self.rear(g.id)
+        node, _, rear = self._rear(g.id)
         behind = rear or names.outside(node)
-        for k in self.functions(g.id):
+        for k in functions(self.layout, g.id):
             accept = names.accepts(g.id, k)
             if accept not in p.events:
                 continue
@@ -513,20 +424,21 @@ class PlantBuilder:
                 stuck = self.choice((names.SHUNT_STUCK if k else names.STUCK)(g.id), f"{g.id} goes on showing {what}")
                 p.next[shows] = disj((p.next[shows], conj((lamp(g.id, k), stuck))))
 
-    def _turns(self, s: SectionId) -> Expr:
-        """The train in a section changes direction."""
-        ends, events = self.topo.ends[s], self.p.events
-        return disj(events[e] for a in ends for b in ends if (e := names.TURNS(s, a, b)) in events)
-
     def _running(self, s: SectionId, out: Expr, enters: Expr) -> None:
         """A train that came in runs until it stands, turns, or is gone (`out`: or only its rear part is left)."""
         topo, p = self.topo, self.p
-        shunts = disj(self.shunts_in(s, j) for j in topo.ends[s]) if self.shunts else FALSE
+        shunts = disj(self.entries.shunts_in(s, j) for j in topo.ends[s]) if self._shunts else FALSE
         stands: Expr = FALSE
-        for g in self.before[s]:
+        for g in self._before[s]:
             j = self.layout.signal[g].node
             comes = [
-                conj((self.comes_in(s, k), neg(self.shunts_in(s, k)), neg(self._overrun_over(s, k))))
+                conj(
+                    (
+                        self.entries.comes_in(s, k),
+                        neg(self.entries.shunts_in(s, k)),
+                        neg(self.entries.overrun_over(s, k)),
+                    )
+                )
                 for k in topo.ends[s]
                 if k != j
             ]
@@ -540,7 +452,7 @@ class PlantBuilder:
                 self.assume("A-STAND", implies(long, neg(conj((over, first)))))
             self._turns_since(g, s)
         p.state[names.RUNNING(s)] = f"the train in {s} has not come to a stand"
-        still = conj((running(s), neg(out), neg(self._turns(s)), neg(stands)))
+        still = conj((running(s), neg(out), neg(self.entries.turns(s)), neg(stands)))
         p.next[names.RUNNING(s)] = conj((disj((still, enters)), neg(shunts)))
         p.initial.append(neg(running(s)))
 

@@ -2,82 +2,44 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Protocol
 
 from interlock.logic import names
 from interlock.logic.expr import FALSE, Expr, at_most_one, conj, disj, neg
 from interlock.logic.plant.kinds import Hazard, Plant
+from interlock.logic.plant.standing import Entries, Standing
 from interlock.logic.plant.words import came, lies, o, rests
-from interlock.model.elements import NodeId, Position, SectionId
+from interlock.model.elements import Position, SectionId
 from interlock.model.foul import FoulJoint
 from interlock.model.layout import Layout
-from interlock.model.traversal import Topology, Traversal
+from interlock.model.traversal import Topology
 
 
 class Railway(Protocol):
     """What the hazards see of the plant in the making: its events and who stands where."""
 
     layout: Layout
-    fouls: tuple[FoulJoint, ...]
     topo: Topology
     p: Plant
     dropped: frozenset[str]
+    standing: Standing
+    entries: Entries
 
     def choice(self, name: names.Name, text: str) -> Expr:
         """A free choice of the world."""
         ...
 
-    def lie(self, t: Traversal) -> Expr:
-        """Every point on the way really lies for it."""
-        ...
 
-    def ways(self, s: SectionId, a: NodeId, b: NodeId | None = None) -> list[Traversal]:
-        """Traversals from an end."""
-        ...
-
-    def comes_in(self, s: SectionId, j: NodeId) -> Expr:
-        """A head comes into s at j in this step."""
-        ...
-
-    def shunts_in(self, s: SectionId, j: NodeId) -> Expr:
-        """A shunting movement comes into s at j in this step."""
-        ...
-
-    def coming(self, s: SectionId, j: NodeId) -> Expr:
-        """A train stands across j on its way into s."""
-        ...
-
-    def astray(self, s: SectionId) -> Expr:
-        """What stands in s has overrun some signal."""
-        ...
-
-    def moves(self, s: SectionId) -> Expr:
-        """What stands in s has been called by a signal, or is a part of a train that has."""
-        ...
-
-    def heading(self, s: SectionId, b: NodeId) -> Expr:
-        """The train in s is heading to its end b, as the points lie."""
-        ...
-
-    def calls(self, s: SectionId) -> Iterator[tuple[NodeId, Expr]]:
-        """For each signal that governs leaving s: its joint, and whether somebody has accepted it."""
-        ...
-
-    def berth(self, s: str) -> bool:
-        """Vehicles may stand there in any number."""
-        ...
-
-
-def hazards(b: Railway) -> list[Hazard]:
+def hazards(b: Railway, fouls: Sequence[FoulJoint]) -> list[Hazard]:
     """All hazards, by kind and place."""
     out: list[Hazard] = []
     for s in b.topo.sections:
-        enter = [b.comes_in(s, j) for j in b.topo.ends[s]]
+        enter = [b.entries.comes_in(s, j) for j in b.topo.ends[s]]
         enter = [e for e in enter if e is not FALSE]
         out.append(Hazard("COLLISION", s, _collision(b, s, enter)))
         out.append(Hazard("DERAIL", s, _derailment(b, s)))
-    return [*out, *_points_move(b), *_open_roads(b), *_diamonds(b), *_fouls(b)]
+    return [*out, *_points_move(b), *_open_roads(b), *_diamonds(b), *_fouls(b, fouls)]
 
 
 def _derailment(b: Railway, s: SectionId) -> Expr:
@@ -85,22 +47,24 @@ def _derailment(b: Railway, s: SectionId) -> Expr:
     p, topo, layout = b.p, b.topo, b.layout
     wrong: list[Expr] = []
     for j in topo.ends[s]:
-        good = disj(b.lie(t) for t in b.ways(s, j))
+        good = disj(b.standing.lie(t) for t in b.standing.ways(s, j))
         wrong.append(conj((o(s), neg(rests(s)), came(s, j), neg(good))))
-    for j, called in b.calls(s) if not b.berth(s) else ():  # one that stood there is called, whatever lies under it
-        wrong.append(conj((o(s), rests(s), called, neg(b.heading(s, j)))))
-    if not b.berth(s):  # so does what lies under the whole of its train
-        good = disj(b.heading(s, j) for j in topo.ends[s])
-        wrong.append(conj((o(s), rests(s), b.moves(s), neg(good))))
+    for j, called in (
+        b.standing.calls(s) if not b.standing.berth(s) else ()
+    ):  # one that stood there is called, whatever lies under it
+        wrong.append(conj((o(s), rests(s), called, neg(b.standing.heading(s, j)))))
+    if not b.standing.berth(s):  # so does what lies under the whole of its train
+        good = disj(b.standing.heading(s, j) for j in topo.ends[s])
+        wrong.append(conj((o(s), rests(s), b.standing.moves(s), neg(good))))
     for j in topo.ends[s]:
-        good = disj(b.lie(t) for t in b.ways(s, j))
-        if b.ways(s, j):
-            wrong.append(conj((b.comes_in(s, j), neg(good))))
+        good = disj(b.standing.lie(t) for t in b.standing.ways(s, j))
+        if b.standing.ways(s, j):
+            wrong.append(conj((b.entries.comes_in(s, j), neg(good))))
     if "A-BUFFER" in b.dropped:
         for j in topo.ends[s]:
             if j in layout.buffer_at:
                 chance = b.choice(names.THROUGH(j), f"the train in {s} runs through buffer {j}")
-                p.events[names.THROUGH(j)] = conj((o(s), neg(rests(s)), b.heading(s, j), chance))
+                p.events[names.THROUGH(j)] = conj((o(s), neg(rests(s)), b.standing.heading(s, j), chance))
                 wrong.append(p.events[names.THROUGH(j)])
     return disj(wrong)
 
@@ -115,8 +79,8 @@ def _points_move(b: Railway) -> Iterator[Hazard]:
             mine = {e.id for e in ends}
             over = [t for t in topo.traversals[s_] if mine & {q for q, _ in t.points}]
             # under a train, as the points lie; anywhere under one that has stood there since the restart
-            under = disj((standing(b, s_), *(conj((came(s_, t.entry), b.lie(t))) for t in over)))
-            coming = disj(conj((b.comes_in(s_, t.entry), b.lie(t))) for t in over)
+            under = disj((standing(b, s_), *(conj((came(s_, t.entry), b.standing.lie(t))) for t in over)))
+            coming = disj(conj((b.entries.comes_in(s_, t.entry), b.standing.lie(t))) for t in over)
             bad.append(conj((starts, disj((conj((o(s_), under)), coming)))))
         yield Hazard("POINT-MOVES", m, disj(bad))
 
@@ -126,8 +90,8 @@ def _open_roads(b: Railway) -> Iterator[Hazard]:
     for d in b.layout.devices:
         closed = lies(d.id, Position.REVERSE)
         for s_ in d.over:
-            entering = disj(b.comes_in(s_, j) for j in b.topo.ends[s_])
-            moves = disj((neg(rests(s_)), b.moves(s_)))
+            entering = disj(b.entries.comes_in(s_, j) for j in b.topo.ends[s_])
+            moves = disj((neg(rests(s_)), b.standing.moves(s_)))
             there = disj((conj((o(s_), moves)), entering))
             yield Hazard("ROAD", f"{d.id}/{s_}", conj((there, neg(closed))))
 
@@ -143,7 +107,7 @@ def _diamonds(b: Railway) -> Iterator[Hazard]:
                 (
                     sec,
                     disj(
-                        conj((o(sec), came(sec, t.entry), b.lie(t)))
+                        conj((o(sec), came(sec, t.entry), b.standing.lie(t)))
                         for t in topo.traversals[sec]
                         if (c.id, arm) in t.crossings
                     ),
@@ -154,16 +118,18 @@ def _diamonds(b: Railway) -> Iterator[Hazard]:
             yield Hazard("DIAMOND", c.id, both)
 
 
-def _fouls(b: Railway) -> Iterator[Hazard]:
+def _fouls(b: Railway, fouls: Sequence[FoulJoint]) -> Iterator[Hazard]:
     """Trains foul of each other at a joint."""
     topo = b.topo
-    for f in b.fouls:
-        crossing = disj(conj((came(f.section, t.entry), b.lie(t))) for t in topo.traversals[f.section] if f.fouls(t))
+    for f in fouls:
+        crossing = disj(
+            conj((came(f.section, t.entry), b.standing.lie(t))) for t in topo.traversals[f.section] if f.fouls(t)
+        )
         near = disj(
             (
                 standing(b, f.neighbour),
                 *(
-                    conj((came(f.neighbour, t.entry), b.lie(t)))
+                    conj((came(f.neighbour, t.entry), b.standing.lie(t)))
                     for t in topo.traversals[f.neighbour]
                     if f.node in (t.entry, t.exit)
                 ),
@@ -175,23 +141,23 @@ def _fouls(b: Railway) -> Iterator[Hazard]:
 
 def _still(b: Railway, s: SectionId) -> Expr:
     """What is in s has stood there since the restart, and nobody has called it, nor a train of which it is part."""
-    return conj((rests(s), neg(b.moves(s))))
+    return conj((rests(s), neg(b.standing.moves(s))))
 
 
 def standing(b: Railway, s: SectionId) -> Expr:
     """What is in s has stood there, somewhere, since the restart; what has overrun a signal is where its points lie."""
-    return conj((rests(s), neg(b.astray(s))))
+    return conj((rests(s), neg(b.standing.astray(s))))
 
 
 def _collision(b: Railway, s: SectionId, enter: list[Expr]) -> Expr:
     """Entry into an occupied section, or two entries at once; in a berth shunting movements run on sight."""
-    if not b.berth(s):
+    if not b.standing.berth(s):
         return disj((conj((o(s), disj(enter))), neg(at_most_one(enter))))
     ends = b.topo.ends[s]
-    shunts = [b.shunts_in(s, j) for j in ends]
-    trains = [conj((b.comes_in(s, j), neg(b.shunts_in(s, j)))) for j in ends]
+    shunts = [b.entries.shunts_in(s, j) for j in ends]
+    trains = [conj((b.entries.comes_in(s, j), neg(b.entries.shunts_in(s, j)))) for j in ends]
     train = disj(trains)
-    coming = disj(b.coming(s, j) for j in ends if j not in b.layout.buffer_at)
+    coming = disj(b.standing.coming(s, j) for j in ends if j not in b.layout.buffer_at)
     running_in = conj((o(s), neg(rests(s)), coming))
     return disj(
         (

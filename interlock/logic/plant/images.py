@@ -8,6 +8,7 @@ from typing import Protocol
 from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, implies, neg, var
 from interlock.logic.plant.kinds import Plant, Wiring
+from interlock.logic.plant.standing import functions
 from interlock.logic.plant.words import image, o
 from interlock.model.elements import SignalId
 from interlock.model.layout import Layout
@@ -33,10 +34,6 @@ class Making(Protocol):
 
     def shown(self, g: SignalId, shunt: bool) -> Expr:
         """What the controller shows at a signal."""
-        ...
-
-    def functions(self, g: SignalId) -> list[bool]:
-        """Whom a signal speaks to."""
         ...
 
 
@@ -80,9 +77,9 @@ def images(b: Making) -> None:
             implies(conj((valid, var(name))), p.next[names.LIES(m, x)]),
         )
     for g, stop in b.w.stop.items():
-        others = [b.shown(g, k) for k in b.functions(g)]
+        others = [b.shown(g, k) for k in functions(b.layout, g)]
         hold = conj((stop, *map(neg, others)))
-        gone = [names.accepted(g, k) for k in b.functions(g)]
+        gone = [names.accepted(g, k) for k in functions(b.layout, g)]
         if any(go in p.next for go in gone):
             long = b.clock(names.STOP_LONG(g), hold, f"{g} has shown stop for as long as a train needs to stand")
             nobody = conj(neg(x) for go in gone if go in p.next for x in (var(go), p.next[go]))

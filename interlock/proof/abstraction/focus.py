@@ -31,8 +31,8 @@ def foci(local: LocalAbstractions, goals: Iterable[tuple[int, Expr]]) -> list[Fo
                 at = named.get(part)
                 if at is None:
                     at = named[part] = _named(local, local.members.read(part)[0])
-                near = pieces.setdefault(at or _of_route(local, part, number), {})
-                near.setdefault(part, {}).setdefault(number, []).append(n)
+                here = pieces.setdefault(at or _of_route(local, part, number), {})
+                here.setdefault(part, {}).setdefault(number, []).append(n)
             continue
         homes = [local.homes[v] for v in names if v in local.homes]
         if homes:

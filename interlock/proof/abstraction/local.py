@@ -36,8 +36,8 @@ from interlock.proof.abstraction.indexed import GuardedClause, HasFamilies, Inde
 
 _KEPT = Kind.KEPT
 
-WIDE = 30  # a fact that reads more names than this is in no abstraction
-HUB = 60  # a name in more facts than this says nothing about what lies together
+MAX_SUPPORT = 30  # a fact whose support, the names that it reads, is larger is in no abstraction
+MAX_DEGREE = 60  # a name of the support of more facts than this leads to none of them
 
 
 class Located(HasFamilies, Protocol):
@@ -78,7 +78,7 @@ class Focus:
     """Goals that share a local abstraction.
 
     whole: goals by number.  pieces: an expression over families, and for each member of which it is to hold the goals
-    that it is a part of.  homes: elements that are near.
+    that it is a part of.  homes: elements that the goals name.
     """
 
     homes: tuple[Owner, ...]
@@ -135,28 +135,16 @@ class WholeDefinition:
     members: int
 
 
-class LocalAbstractions:
-    """The local abstractions of a system."""
+def families_in(m: IndexedFamilies, x: Expr) -> tuple[Name, ...]:
+    """The families that an expression reads."""
+    return tuple(dict.fromkeys(f for f, _ in m.read(x)[1]))
 
-    def __init__(self, system: Located, hypotheses: Sequence[Expr]) -> None:
-        """`hypotheses`: the invariants; they hold before the step."""
-        self.members = m = IndexedFamilies(system, hypotheses)
-        self.system = system
+
+class PlaceIndex:
+    """The facts of a system that speak of places, by the names that they read; and what names lead to."""
+
+    def __init__(self, system: Located, m: IndexedFamilies) -> None:
         self.homes = system.homes
-        self.reads = {name: m.read(x)[0] for name, x in m.meaning.items()}
-        self._of_places(m)
-        self._of_routes(m)
-        self._groups: dict[Expr, list[Occurrences]] = {}
-        self.of_block: dict[tuple[Expr, int], Expr] = {}
-        """Expressions over families, by blocks: what abstractions have in common."""
-        self.told: dict[int, dict[GuardedClause, Expr]] = {}
-        """Facts about blocks, by clause."""
-        self._of_definitions(m)
-        self.apart = _apart(m)
-        """By family and member: the members, as bits, of which the variable is false while the member's is true."""
-
-    def _of_places(self, m: IndexedFamilies) -> None:
-        """What facts read that speak of places, and what names lead to."""
         self.facts_at: dict[Name, list[int]] = {}
         self.alone_at: dict[Name, list[int]] = {}
         """Facts that speak of one name."""
@@ -164,25 +152,26 @@ class LocalAbstractions:
         self.names_of = [m.read(x)[0] for x, _ in m.plain]
         """What each fact about places reads."""
         for n, names in enumerate(self.names_of):
-            if len(names) <= WIDE:
+            if len(names) <= MAX_SUPPORT:
                 _note(self.facts_at, names, n)
             if len(names) == 1:
                 _note(self.alone_at, names, n)
         self.next_to = [tuple(v for v in names if v not in m.meaning) for names in self.names_of]
         """What facts read that has no meaning: states and inputs."""
-        self.leads = {
-            v: (reads, self.families_in(m.meaning[v]) if v in m.meaning else ()) for v, reads in self.reads.items()
-        }
-        """What names read, and the families of which they speak."""
-        self.state_homes = {v: home for v in self.system.later if (home := self.homes.get(v)) is not None}
+        self.leads = {v: (m.read(x)[0], families_in(m, x)) for v, x in m.meaning.items()}
+        """What the meaning of a name reads, and the families of which it speaks."""
+        self.state_homes = {v: home for v in system.later if (home := self.homes.get(v)) is not None}
         for n, (x, _) in enumerate(m.mixed):
             _note(self.mixed_at, m.read(x)[0], n)
         for at in (self.facts_at, self.mixed_at):
-            for v in [v for v, facts in at.items() if len(facts) > HUB]:
+            for v in [v for v, facts in at.items() if len(facts) > MAX_DEGREE]:
                 del at[v]
 
-    def _of_routes(self, m: IndexedFamilies) -> None:
-        """What guarded clauses read."""
+
+class ClauseIndex:
+    """What a system says of routes: its guarded clauses by the names that they read, and the definitions of members."""
+
+    def __init__(self, m: IndexedFamilies, homes: Mapping[Name, Owner]) -> None:
         self.guarded_at: dict[Name, list[GuardedClause]] = {}
         self.families: dict[Name, dict[Name, None]] = {}
         """Those that a family's guarded clauses read."""
@@ -191,7 +180,10 @@ class LocalAbstractions:
         self.homes_of: dict[GuardedClause, frozenset[Owner]] = {}
         """The elements of which a clause speaks, if all its names belong to some."""
         for t in m.guarded:
-            self._enter(t)
+            self._enter(t, homes)
+        self._of_definitions(m)
+        self.apart = _apart(m)
+        """By family and member: the members, as bits, of which the variable is false while the member's is true."""
 
     def _of_definitions(self, m: IndexedFamilies) -> None:
         """Which members have one definition, and of which the same is said without names."""
@@ -215,21 +207,34 @@ class LocalAbstractions:
         self.bare = list(kinds.values())
         """Members of which the same is said without names."""
 
-    def _enter(self, t: GuardedClause) -> None:
+    def _enter(self, t: GuardedClause, homes: Mapping[Name, Owner]) -> None:
         """Note what a clause reads."""
         for v in t.names:
             self.guarded_at.setdefault(v, []).append(t)
-            home = self.homes.get(v)
+            home = homes.get(v)
             if home is not None:
                 self.names_at.setdefault((t.family, home), {})[v] = None
-        homes = [self.homes.get(v) for v in t.names]
-        if None not in homes:
-            self.homes_of[t] = frozenset(h for h in homes if h is not None)
+        owners = [homes.get(v) for v in t.names]
+        if None not in owners:
+            self.homes_of[t] = frozenset(h for h in owners if h is not None)
         self.families.setdefault(t.family, {}).update(dict.fromkeys(t.families))
 
-    def families_in(self, x: Expr) -> tuple[Name, ...]:
-        """The families that an expression reads."""
-        return tuple(dict.fromkeys(f for f, _ in self.members.read(x)[1]))
+
+class LocalAbstractions:
+    """The local abstractions of a system."""
+
+    def __init__(self, system: Located, hypotheses: Sequence[Expr]) -> None:
+        """`hypotheses`: the invariants; they hold before the step."""
+        self.members = IndexedFamilies(system, hypotheses)
+        self.system = system
+        self.homes = system.homes
+        self.places = PlaceIndex(system, self.members)
+        self.clauses = ClauseIndex(self.members, self.homes)
+        self._groups: dict[Expr, list[Occurrences]] = {}
+        self.of_block: dict[tuple[Expr, int], Expr] = {}
+        """Expressions over families, by blocks: what abstractions have in common."""
+        self.told: dict[int, dict[GuardedClause, Expr]] = {}
+        """Facts about blocks, by clause."""
 
     def groups(self, root: Expr) -> list[Occurrences]:
         """The nodes below an expression that read members."""

@@ -25,7 +25,7 @@ CHUNK = 60  # foci that one process takes one after the other
 
 @dataclass(frozen=True)
 class Batch:
-    """Foci, the goals that are in them, and how far around an abstraction goes."""
+    """Foci, the goals that are in them, and the numbers of the goals."""
 
     foci: Sequence[Focus]
     goals: Sequence[int]
@@ -68,9 +68,9 @@ class LocalQueries:
         return Answers(tuple(left), time.perf_counter() - began)
 
     def _left(self, focus: Focus) -> dict[int, None]:
-        """The goals of a focus that follow neither from what is near nor from all around.
+        """The goals of a focus that follow neither from the truncated cone nor from the whole.
 
-        An overlap lies elsewhere than the signal that holds it: what is near is not asked.
+        An overlap lies elsewhere than the signal that holds it: the truncated cone is not asked.
         """
         if not any(h.kind is Kind.OVERLAP for h in focus.homes):
             open_ = self._open(focus, truncated=True)

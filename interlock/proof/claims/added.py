@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from interlock.logic.controller import RouteSymbols
 from interlock.logic.expr import FALSE, Expr, conj, disj, implies, neg, var
+from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import Choice, SignalId
 from interlock.model.traversal import Traversal
 from interlock.proof.claims.kinds import Facts
@@ -31,11 +31,11 @@ def fits(f: Facts, choice: Choice, g: SignalId, shunt: bool, ways: Sequence[Trav
 
 def declared(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """S-DECLARED, for each two signals with such routes."""
-    callings = [(g.id, k) for g in f.layout.signals for k in f.functions(g.id)]
+    callings = [(g.id, k) for g in f.layout.signals for k in f.track.functions(g.id)]
 
     def shown(g: SignalId, shunt: bool, choice: Choice) -> Expr:
         over = disj(lie(f, p.ways) for _, p in chosen(f, choice, g, shunt))
-        return conj((f.sym.signal(g, shunt), over))
+        return conj((f.sym.aspects.signal(g, shunt), over))
 
     for i, b in enumerate(f.layout.barred, 1):
         ones = [(who, x) for who in callings if (x := shown(*who, b.one)) is not FALSE]
@@ -58,8 +58,8 @@ def held(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         ends = conj((holds, neg(after(holds))))
         yield id_, f"{r.id} given up", implies(ends, neg(disj((var(r.active), after(var(r.active)), _last_lock(f, r)))))
         for d in f.layout.demanded:
-            if (d.machine, d.position) in r.demands and _route_fits(f, d.routes, r):
-                commanded = after(var(f.sym.command[d.machine, d.position]))
+            if (d.machine, d.position) in r.path.demands and _route_fits(f, d.routes, r):
+                commanded = after(var(f.sym.machines.command[d.machine, d.position]))
                 yield "S-DEMANDED", f"{r.id} {d.machine} held", implies(after(holds), commanded)
     for i, b in enumerate(f.layout.barred, 1):
         ones, others = ([r for r in f.sym.routes if _route_fits(f, x, r)] for x in (b.one, b.other))
@@ -79,7 +79,7 @@ def _among_hostile(f: Facts, r: RouteSymbols) -> bool:
 
 def _run(f: Facts, r: RouteSymbols) -> list[Traversal]:
     """The ways over which a route of the controller leads, the berth at its end among them."""
-    keys = [*r.ways, *([r.berth] if r.berth is not None else [])]
+    keys = [*r.path.ways, *([r.path.berth] if r.path.berth is not None else [])]
     return [f.topo.traversals[s][n - 1] for s, n in keys]
 
 
@@ -87,8 +87,8 @@ def _last_lock(f: Facts, r: RouteSymbols) -> Expr:
     """The lock that a train leaves behind when it is wholly in the last section; of a route that leads out over a
     boundary, as no shunting movement does, or that has one section, the last one."""
     leaves = not r.shunt and _run(f, r)[-1].exit in f.layout.boundary_at
-    through = r.ways if r.berth is not None or leaves else r.ways[:-1]
-    return f.lock(*(through or r.ways)[-1])
+    through = r.path.ways if r.path.berth is not None or leaves else r.path.ways[:-1]
+    return f.locking.lock(*(through or r.path.ways)[-1])
 
 
 def demanded(f: Facts) -> Iterator[tuple[str, str, Expr]]:
@@ -96,12 +96,12 @@ def demanded(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     after = f.system.after
     for d in f.layout.demanded:
         m, x = d.machine, d.position
-        there = [var(f.sym.detected[m, x]), neg(var(f.sym.detected[m, x.other]))]
-        if m in f.sym.trailed:
-            there.append(neg(var(f.sym.trailed[m])))
-        for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.functions(h.id)):
+        there = [var(f.sym.machines.detected[m, x]), neg(var(f.sym.machines.detected[m, x.other]))]
+        if m in f.sym.machines.trailed:
+            there.append(neg(var(f.sym.machines.trailed[m])))
+        for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.track.functions(h.id)):
             for n, path in chosen(f, d.routes, g, shunt):
-                here = conj((after(f.sym.signal(g, shunt)), after(lie(f, path.ways))))
+                here = conj((after(f.sym.aspects.signal(g, shunt)), after(lie(f, path.ways))))
                 yield "S-DEMANDED", f"{_who(g, shunt)}:{n} {m} {x}", implies(here, conj(there))
 
 
@@ -117,9 +117,9 @@ def added_invariants(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:
     holds = var(r.added)
     yield "R-ADDED", implies(disj((var(r.active), *(var(n) for n in r.open_while))), holds)
     of = {x.number: x.added for x in f.sym.routes}
-    for n in r.barred:
+    for n in r.path.barred:
         other = of[n]
         if n > r.number and other is not None:
             yield f"R-DECLARED:{n}", neg(conj((holds, var(other))))
-    for m, x in r.demands:
-        yield f"R-DEMANDED:{m}", implies(holds, var(f.sym.command[m, x]))
+    for m, x in r.path.demands:
+        yield f"R-DEMANDED:{m}", implies(holds, var(f.sym.machines.command[m, x]))

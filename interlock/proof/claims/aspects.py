@@ -19,11 +19,11 @@ def at_speed(f: Facts, signal: SignalId, path: SignalPath, here: Expr) -> Iterat
     permitted = path_speed(f.layout, path.ways)
     if permitted is None:
         return
-    after, shown = f.system.after, [(v, var(n)) for (g, v), n in f.sym.speed_shown.items() if g == signal]
+    after, shown = f.system.after, [(v, var(n)) for (g, v), n in f.sym.aspects.speed.items() if g == signal]
     slow, faster = (disj(x for v, x in shown if (v <= permitted) is fits) for fits in (True, False))
     if faster is not FALSE:
         yield "", implies(here, neg(after(faster)))
-    yield " shown", implies(conj((here, after(disj(map(var, f.sym.main_lamps(signal)))))), after(slow))
+    yield " shown", implies(conj((here, after(disj(map(var, f.sym.aspects.main_lamps(signal)))))), after(slow))
 
 
 def past_identifier(
@@ -32,14 +32,14 @@ def past_identifier(
     """What a signal shows to a train that passes the next one at identifier light counts for the way beyond, too."""
     after = f.system.after
     for k, path in enumerate(signal_paths(f, passed), 1):
-        beyond = conj((here, after(f.sym.identifies(passed)), after(lie(f, path.ways))))
+        beyond = conj((here, after(f.sym.aspects.identifies(passed)), after(lie(f, path.ways))))
         for what, x in at_speed(f, signal, path, beyond):
             yield "S-SPEED", f" past {passed}:{k}{what}", x
         ahead = f.topo.beyond(path.ways[-1].section, path.ways[-1].exit)
         exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
         if exit_ is not None:
-            lying = after(conj((f.sym.identifies(passed), lie(f, (*first.ways, *path.ways)))))
-            for id_, what, x in entry(f, signal, path, exit_, f.overlap_paths(exit_)):
+            lying = after(conj((f.sym.aspects.identifies(passed), lie(f, (*first.ways, *path.ways)))))
+            for id_, what, x in entry(f, signal, path, exit_, f.track.overlap_paths(exit_)):
                 yield id_, f" past {passed}:{k}{what}", implies(lying, x)
 
 
@@ -48,12 +48,12 @@ def entry(
 ) -> Iterator[tuple[str, str, Expr]]:
     """A train is shown no more than the speed for which its overlap is made: (claim, what of the path, claim)."""
     after = f.system.after
-    shown = {v: var(n) for (g, v), n in f.sym.speed_shown.items() if g == signal}
+    shown = {v: var(n) for (g, v), n in f.sym.aspects.speed.items() if g == signal}
     for k, ways in enumerate(over, 1):
         kmh = entry_speed(f.layout, exit_, ways)
         if kmh is None:
             continue
-        main = after(disj(map(var, f.sym.main_lamps(signal))))
+        main = after(disj(map(var, f.sym.aspects.main_lamps(signal))))
         lying = after(lie(f, (*path.ways, *ways)))
         slow, faster = (disj(x for v, x in shown.items() if (v <= kmh) is fits) for fits in (True, False))
         yield "S-ENTRY", f" overlap {k}", implies(conj((main, lying)), conj((after(slow), neg(after(faster)))))
@@ -64,13 +64,13 @@ def entry(
 def shows_open(f: Facts, g: SignalId, shunt: bool = False) -> Expr:
     """The lamps show proceed to a movement before the signal: not by calling a train on, nor for one that already
     passes it (which is the controller's own word; S-PASSING says when it may be given)."""
-    lamps = f.sym.proceed_lamps(g, True) if shunt else f.sym.main_lamps(g)
-    return conj((disj(map(var, lamps)), neg(f.sym.passing(g, shunt))))
+    lamps = f.sym.aspects.proceed_lamps(g, True) if shunt else f.sym.aspects.main_lamps(g)
+    return conj((disj(map(var, lamps)), neg(f.sym.routes.passing(g, shunt))))
 
 
 def clear_aspect(f: Facts, g: SignalId) -> Expr:
     """The signal will show clear, not caution."""
-    return f.system.after(var(f.sym.clear_aspect[g])) if g in f.sym.clear_aspect else FALSE
+    return f.system.after(var(f.sym.aspects.clear[g])) if g in f.sym.aspects.clear else FALSE
 
 
 def allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None, past: bool = False) -> Expr:
@@ -94,16 +94,16 @@ def allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None, past: bool 
 
 def _clear_past(f: Facts, passed: SignalId) -> Iterator[Expr]:
     """The signal shows its identifier light, and the way beyond, as the points lie, may be shown as clear."""
-    if passed not in f.sym.identifier_aspect:
+    if passed not in f.sym.aspects.identifier:
         return
     for path in signal_paths(f, passed):
         ahead = f.topo.beyond(path.ways[-1].section, path.ways[-1].exit)
         exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
-        lit = f.system.after(conj((f.sym.identifies(passed), lie(f, path.ways))))
+        lit = f.system.after(conj((f.sym.aspects.identifies(passed), lie(f, path.ways))))
         yield conj((lit, allows_clear(f, path, exit_, past=True)))
 
 
 def distants(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for d in f.layout.distants:
-        shown = f.system.after(var(f.sym.distant_clear[d.id]))
+        shown = f.system.after(var(f.sym.aspects.distant_clear[d.id]))
         yield "S-ASPECT", d.id, implies(shown, clear_aspect(f, d.of))

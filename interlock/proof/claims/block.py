@@ -49,20 +49,22 @@ def _departing(f: Facts, b: NodeId) -> list[tuple[str, Expr]]:
     here = var(f.sym.token[b].have)
     out = []
     for r in f.sym.routes:
-        s, n = r.ways[-1]
-        if r.shunt or f.way(s, n)[1] != b:
+        s, n = r.path.ways[-1]
+        if r.shunt or f.track.way(s, n)[1] != b:
             continue
         shows = disj(var(v) for v in (*r.open_while, r.shown))
         out.append((f"K-SHOWN:{r.id}", implies(shows, here)))
-        first = r.ways[0][0]
-        held = [x for t, k in r.ways for x in (f.lock(t, k), f.train(t))]
+        first = r.path.ways[0][0]
+        held = [x for t, k in r.path.ways for x in (f.locking.lock(t, k), f.locking.train(t))]
         went = [accepted(r.entry)] if names.ACCEPTED(r.entry) in f.system.plant.state else []
-        called = disj((f.sym.signal(r.entry), lamp(r.entry), *went))
-        out.append((f"K-CALLED:{r.id}", implies(conj((*held, f.firm(first), called)), here)))
-        for i, (t, _) in enumerate(r.ways):
-            ahead = [x for a, k in r.ways[i:] for x in (f.lock(a, k), f.train(a), neg(overrun(f, a)))]
-            out.append((f"K-GOES:{r.id}:{t}", implies(conj((*ahead, f.been(t))), here)))
-        if f.berth(s):  # a train counts as arrived there, and goes on all the same
-            on = conj((f.lock(s, n), o(s), came(s, f.way(s, n)[0]), neg(rests(s))))
+        called = disj((f.sym.aspects.signal(r.entry), lamp(r.entry), *went))
+        out.append((f"K-CALLED:{r.id}", implies(conj((*held, f.locking.firm(first), called)), here)))
+        for i, (t, _) in enumerate(r.path.ways):
+            ahead = [
+                x for a, k in r.path.ways[i:] for x in (f.locking.lock(a, k), f.locking.train(a), neg(overrun(f, a)))
+            ]
+            out.append((f"K-GOES:{r.id}:{t}", implies(conj((*ahead, f.seen.been(t))), here)))
+        if f.track.berth(s):  # a train counts as arrived there, and goes on all the same
+            on = conj((f.locking.lock(s, n), o(s), came(s, f.track.way(s, n)[0]), neg(rests(s))))
             out.append((f"K-GOES:{r.id}", implies(on, here)))
     return out

@@ -207,7 +207,7 @@ def _pairs(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         for kind, cases in sorted(bad.items()):
             yield kind, s, neg(disj(cases))
     for g in f.layout.signals:
-        one = [f.sym.signal(g.id, k) for k in f.functions(g.id)] + [disj(ground.past.get(g.id, ()))]
+        one = [f.sym.aspects.signal(g.id, k) for k in f.track.functions(g.id)] + [disj(ground.past.get(g.id, ()))]
         yield "S-HOSTILE", f"signal {g.id}", at_most_one(one)
     for c in f.layout.crossings:
         arms = [
@@ -215,7 +215,7 @@ def _pairs(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             for arm in (0, 1)
         ]
         yield "S-HOSTILE", f"diamond {c.id}", _apart(*arms)
-    for fj in f.fouls:
+    for fj in f.track.fouls:
         section, beside = f.topo.traversals[fj.section], f.topo.traversals[fj.neighbour]
         over, near = shown_over(ground, filter(fj.fouls, section)), shown_over(ground, filter(fj.touches, beside))
         yield "S-HOSTILE", f"joint {fj.section}/{fj.neighbour} foul of {fj.element}", _apart(over, near)
@@ -227,8 +227,8 @@ def _who(g: SignalId, shunt: bool) -> str:
 
 def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """Claims about the scan that shows proceed: new outputs against the inputs of that scan."""
-    for signal, shunt in ((g.id, k) for g in f.layout.signals for k in f.functions(g.id)):
-        shows = f.system.after(f.sym.signal(signal, shunt))
+    for signal, shunt in ((g.id, k) for g in f.layout.signals for k in f.track.functions(g.id)):
+        shows = f.system.after(f.sym.aspects.signal(signal, shunt))
         paths = signal_paths(f, signal, shunt)
         yield from _signal(f, signal, shunt, shows, paths)
         for k, path in enumerate(paths, 1):
@@ -245,61 +245,66 @@ def _signal(
     after, who = f.system.after, _who(signal, shunt)
     yield "S-LOST-INPUT", who, implies(neg(var(f.sym.valid)), neg(shows))
     yield "S-LOCKED", who, implies(shows, after(disj(lie(f, p.ways) for p in paths)))
-    passing = after(f.sym.passing(signal, shunt))
+    passing = after(f.sym.routes.passing(signal, shunt))
     if passing is not FALSE:
-        alone = FALSE if f.sym.approach_of[signal] in f.topo.standing else _still_passing(f, signal, shunt)
+        alone = FALSE if f.sym.cancellation.approach_of[signal] in f.topo.standing else _still_passing(f, signal, shunt)
         yield "S-PASSING", who, implies(passing, alone)
-    if signal in f.sym.stop_lamp:
-        opens = conj((shows, neg(f.sym.signal(signal, shunt))))
-        yield "S-LAMP", who, implies(opens, var(f.sym.stop_lamp[signal]))
-    if signal in f.sym.clear_lamp and not shunt:
-        last = f.sym.caution_lamp.get(signal, f.sym.clear_lamp[signal])
-        lit = implies(clear_aspect(f, signal), var(f.sym.clear_lamp[signal]))
-        main = after(disj(map(var, f.sym.main_lamps(signal))))
+    if signal in f.sym.lamp_proof.stop:
+        opens = conj((shows, neg(f.sym.aspects.signal(signal, shunt))))
+        yield "S-LAMP", who, implies(opens, var(f.sym.lamp_proof.stop[signal]))
+    if signal in f.sym.lamp_proof.clear and not shunt:
+        last = f.sym.lamp_proof.caution.get(signal, f.sym.lamp_proof.clear[signal])
+        lit = implies(clear_aspect(f, signal), var(f.sym.lamp_proof.clear[signal]))
+        main = after(disj(map(var, f.sym.aspects.main_lamps(signal))))
         yield "S-LAMP", f"{who} proceed", conj((implies(main, var(last)), lit))
-    if signal in f.sym.identifier_lamp and not shunt:
-        lit = implies(after(f.sym.identifies(signal)), var(f.sym.identifier_lamp[signal]))
+    if signal in f.sym.lamp_proof.identifier and not shunt:
+        lit = implies(after(f.sym.aspects.identifies(signal)), var(f.sym.lamp_proof.identifier[signal]))
         yield "S-LAMP", f"{who} identifier", lit
-    if signal in f.sym.cancelling:
-        yield "S-CANCELLED", who, implies(var(f.sym.cancel[signal]), neg(shows))
+    if signal in f.sym.cancellation.cancelling:
+        yield "S-CANCELLED", who, implies(var(f.sym.cancellation.cancel[signal]), neg(shows))
 
 
 def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr) -> Iterator[tuple[str, str, Expr]]:
     """Claims about a path while its signal shows proceed and its points lie (`here`): id, what of the path, claim."""
     after = f.system.after
-    lit = FALSE if shunt else f.sym.identifies(signal)
+    lit = FALSE if shunt else f.sym.aspects.identifies(signal)
     opened = conj((after(disj((shows_open(f, signal, shunt), lit))), after(lie(f, path.ways))))
-    yield "S-CLEAR", "", implies(opened, conj(f.steadily_clear(t.section) for t in path.kept_clear))
-    if signal in f.sym.call_aspect and f.layout.signal[signal].call_on and not shunt:
-        called = conj((after(var(f.sym.call_aspect[signal])), here))
+    yield "S-CLEAR", "", implies(opened, conj(f.seen.steadily_clear(t.section) for t in path.kept_clear))
+    if signal in f.sym.aspects.call_on and f.layout.signal[signal].call_on and not shunt:
+        called = conj((after(var(f.sym.aspects.call_on[signal])), here))
         yield "S-CALL-ON", "", implies(called, _may_call_on(f, path))
     yield "S-DETECTED", "", implies(here, _points_detected(f, path))
     if not shunt:
         for what, x in at_speed(f, signal, path, here):
             yield "S-SPEED", what, x
     machines = (f.layout.point[p].machine for t in path.ways for p, _ in t.points)
-    trailed = [neg(var(f.sym.trailed[m])) for m in dict.fromkeys(machines) if m in f.sym.trailed]
+    trailed = [neg(var(f.sym.machines.trailed[m])) for m in dict.fromkeys(machines) if m in f.sym.machines.trailed]
     if trailed:
         yield "S-TRAILED", "", implies(here, conj(trailed))
     ahead = f.topo.beyond(path.ways[-1].section, path.ways[-1].exit)
     exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
-    over = () if exit_ is None or shunt else f.overlap_paths(exit_)
+    over = () if exit_ is None or shunt else f.track.overlap_paths(exit_)
     if over and exit_ is not None:
         yield "S-OVERLAP", "", implies(here, disj(_overlap(f, ways) for ways in over))
         yield from entry(f, signal, path, exit_, over)
     if not shunt and f.layout.principles.caution is not Caution.NEVER:
         clear = conj((clear_aspect(f, signal), after(lie(f, path.ways))))
         yield "S-ASPECT", "", implies(clear, allows_clear(f, path, exit_))
-    if exit_ in f.sym.identifier_aspect and exit_ is not None and not shunt:
+    if exit_ in f.sym.aspects.identifier and exit_ is not None and not shunt:
         yield from past_identifier(f, signal, exit_, path, here)
     secured = [
-        conj((var(f.sym.detected[d.id, Position.REVERSE]), neg(var(f.sym.detected[d.id, Position.NORMAL]))))
+        conj(
+            (
+                var(f.sym.machines.detected[d.id, Position.REVERSE]),
+                neg(var(f.sym.machines.detected[d.id, Position.NORMAL])),
+            )
+        )
         for d in f.layout.devices
         if any(t.section in d.over for t in path.ways)
     ]
     if secured:
         yield "S-DETECTED", " devices", implies(here, conj(secured))
-    barred = [neg(var(f.sym.blocked[t.section])) for t in path.ways if t.section in f.sym.blocked]
+    barred = [neg(var(f.sym.sections.blocked[t.section])) for t in path.ways if t.section in f.sym.sections.blocked]
     yield "S-BLOCKED", "", implies(here, conj(barred))
     yield "S-LOCKED", "", implies(here, after(_path_locked(f, shunt, path)))
     yield from _beyond_the_path(f, signal, shunt, path, here)
@@ -308,16 +313,18 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
 def _points_detected(f: Facts, path: SignalPath) -> Expr:
     """Every point of a path is detected as it must lie, and not otherwise."""
     ends = [(f.layout.point[p].machine, x) for t in path.ways for p, x in t.points]
-    return conj(conj((var(f.sym.detected[m, x]), neg(var(f.sym.detected[m, x.other])))) for m, x in ends)
+    return conj(
+        conj((var(f.sym.machines.detected[m, x]), neg(var(f.sym.machines.detected[m, x.other])))) for m, x in ends
+    )
 
 
 def _path_locked(f: Facts, shunt: bool, path: SignalPath) -> Expr:
     """Every section of a path is firmly locked for its way, and for what the signal calls."""
     own = path.kept_clear
-    locked = [f.lock(t.section, t.number) for t in own if (t.section, t.number) in f.sym.lock]
-    kind = [neg(f.train(t.section)) if shunt else f.train(t.section) for t in own]
-    ok = conj([*locked, *kind, *(f.firm(t.section) for t in own)]) if len(locked) == len(own) else FALSE
-    return ok if path.berth is None else conj((ok, f.held(path.berth), neg(f.train(path.berth))))
+    locked = [f.locking.lock(t.section, t.number) for t in own if (t.section, t.number) in f.sym.sections.lock]
+    kind = [neg(f.locking.train(t.section)) if shunt else f.locking.train(t.section) for t in own]
+    ok = conj([*locked, *kind, *(f.locking.firm(t.section) for t in own)]) if len(locked) == len(own) else FALSE
+    return ok if path.berth is None else conj((ok, f.locking.held(path.berth), neg(f.locking.train(path.berth))))
 
 
 def _beyond_the_path(
@@ -336,8 +343,8 @@ def _beyond_the_path(
         ours = conj((var(f.sym.token[boundary.node].have), neg(has_token(boundary.node, "has"))))
         yield "S-DIRECTION", "", implies(here, f.system.after(ours))
     if boundary is not None and boundary.approach is not None and not shunt:
-        needed.append(f.steadily_clear(boundary.approach))
-    needed += [_not_foul(f, fj) for fj in f.fouls if any(map(fj.fouls, path.ways))]
+        needed.append(f.seen.steadily_clear(boundary.approach))
+    needed += [_not_foul(f, fj) for fj in f.track.fouls if any(map(fj.fouls, path.ways))]
     if needed:
         yield "S-CONDITION", "", implies(here, conj(needed))
 
@@ -345,51 +352,57 @@ def _beyond_the_path(
 def _still_passing(f: Facts, g: SignalId, shunt: bool) -> Expr:
     """A signal stays open for one movement alone: it was open, that movement occupies the sections before and beyond
     it, and none in rear of it may take the signal for itself."""
-    first, rear = f.layout.section_of(f.layout.signal[g].into), f.sym.approach_of[g]
+    first, rear = f.layout.section_of(f.layout.signal[g].into), f.sym.cancellation.approach_of[g]
     assert rear is not None
-    occupied = [neg(f.clear(s)) for s in (first, rear) if s in f.sym.clear]
+    occupied = [neg(f.seen.clear(s)) for s in (first, rear) if s in f.sym.sections.clear]
     name = names.accepted(g, shunt)
-    second = conj((f.system.after(f.been(first)), f.system.after(var(name)))) if name in f.system.plant.state else FALSE
-    return conj([f.sym.signal(g, shunt), *occupied, neg(second)])
+    second = (
+        conj((f.system.after(f.seen.been(first)), f.system.after(var(name)))) if name in f.system.plant.state else FALSE
+    )
+    return conj([f.sym.aspects.signal(g, shunt), *occupied, neg(second)])
 
 
 def _may_call_on(f: Facts, path: SignalPath) -> Expr:
     """A train may be called on over a path: R2."""
-    stop = f.system.after(var(f.sym.stop_aspect[path.signal]))
+    stop = f.system.after(var(f.sym.aspects.stop[path.signal]))
     standing = [t.section for i, t in enumerate(path.ways) if i == 0 or t.section in f.topo.berths]
-    return conj([stop, *map(f.steadily_clear, standing)])
+    return conj([stop, *map(f.seen.steadily_clear, standing)])
 
 
 def _requests(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """`fresh` is the controller's own bit; what it may mean is claimed too."""
     after, valid = f.system.after, var(f.sym.valid)
-    for x, fresh in f.sym.fresh.items():
+    for x, fresh in f.sym.requests.fresh.items():
         yield "S-REQUEST", x, iff(after(var(fresh)), conj((valid, eq(x, 0))))
-        yield "S-REQUEST", f"{x} seen", iff(after(var(f.sym.seen[x])), neg(after(var(fresh))))
-    for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.functions(h.id)):
-        shown = implies(after(f.sym.signal(g, shunt)), after(f.sym.opened(g, shunt)))
+        yield "S-REQUEST", f"{x} seen", iff(after(var(f.sym.requests.seen[x])), neg(after(var(fresh))))
+    for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.track.functions(h.id)):
+        shown = implies(after(f.sym.aspects.signal(g, shunt)), after(f.sym.routes.opened(g, shunt)))
         yield "S-REQUEST", f"{_who(g, shunt)} shown", shown
     for r in f.sym.routes:
-        lying = after(lie(f, tuple(f.topo.traversals[s][n - 1] for s, n in r.ways)))
+        lying = after(lie(f, tuple(f.topo.traversals[s][n - 1] for s, n in r.path.ways)))
         yield "S-LOCKED", f"{r.id} lies", implies(after(var(r.proceed)), lying)
         yield "S-REQUEST", f"{r.id} open", implies(after(var(r.proceed)), after(var(r.active)))
         new = conj((after(var(r.active)), neg(var(r.active))))
-        if r.identifier:
-            with_ = (f.sym.number[n] for n in r.parts_of)
+        if r.path.identifier:
+            with_ = (f.sym.routes.number[n] for n in r.path.parts_of)
             together = disj(conj((after(var(x.active)), neg(var(x.active)))) for x in with_)
             yield "S-REQUEST", r.id, implies(new, together)
             continue
-        switch = [var(f.sym.automatic[r.number])] if r.number in f.sym.automatic else []
-        yield "S-REQUEST", r.id, implies(new, disj((f.sym.asked(r.number), *switch)))
+        switch = [var(f.sym.requests.automatic[r.number])] if r.number in f.sym.requests.automatic else []
+        yield "S-REQUEST", r.id, implies(new, disj((f.sym.requests.asked(r.number), *switch)))
 
 
 def _set(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """R6, way by way, in the scan in which it is locked."""
-    for (s, n), name in f.sym.lock.items():
+    for (s, n), name in f.sym.sections.lock.items():
         new = conj((f.system.after(var(name)), neg(var(name))))
-        blocked = [neg(var(f.sym.blocked[s]))] if s in f.sym.blocked else []
-        occupied = any(r.call_on or r.berth == (s, n) for r in f.sym.routes_over.get((s, n), ()))
-        free = [] if occupied else [neg(f.locked(s)), *([f.steadily_clear(s)] if s in f.sym.clear else [])]
+        blocked = [neg(var(f.sym.sections.blocked[s]))] if s in f.sym.sections.blocked else []
+        occupied = any(r.call_on or r.path.berth == (s, n) for r in f.sym.routes.over.get((s, n), ()))
+        free = (
+            []
+            if occupied
+            else [neg(f.locking.locked(s)), *([f.seen.steadily_clear(s)] if s in f.sym.sections.clear else [])]
+        )
         yield "S-SET", f"{s} {n}", implies(new, conj((var(f.sym.valid), *blocked, *free)))
 
 
@@ -398,9 +411,9 @@ def _boards(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for g in sorted({*f.layout.boards, *f.layout.stops}):
         signal = f.layout.signal[g]
         s = f.layout.section_of(signal.into)
-        train = f.system.after(f.train(s))
+        train = f.system.after(f.locking.train(s))
         past = FALSE if g in f.layout.boards and g in f.layout.stops else train if g in f.layout.boards else neg(train)
-        for n, name in f.sym.locks_of.get(s, ()):
+        for n, name in f.sym.sections.locks_of.get(s, ()):
             if f.topo.traversals[s][n - 1].entry == signal.node:
                 new = conj((f.system.after(var(name)), neg(var(name))))
                 yield "S-BOARD", f"{g}:{s}:{n}", implies(new, past)
@@ -408,7 +421,7 @@ def _boards(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
 def _again(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for r in f.sym.routes:
-        yield "S-AGAIN", r.id, implies(f.shut(r.number), neg(f.system.after(var(r.proceed))))
+        yield "S-AGAIN", r.id, implies(f.seen.shut(r.number), neg(f.system.after(var(r.proceed))))
         if r.call_on:
             seen = conj((var(r.shown), var(r.active), neg(var(r.proceed))))
             yield "S-CALL-ON", f"{r.id} once", implies(seen, neg(f.system.after(var(r.proceed))))
@@ -419,21 +432,21 @@ def _overlap(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
     points = [(f.layout.point[p].machine, x) for t in ways for p, x in t.points]
     return conj(
         [
-            *(f.steadily_clear(t.section) for t in ways),
+            *(f.seen.steadily_clear(t.section) for t in ways),
             f.system.after(conj(lies(m, x) for m, x in points)),
-            *(var(f.sym.detected[m, x]) for m, x in points),
-            *(neg(var(f.sym.detected[m, x.other])) for m, x in points),
+            *(var(f.sym.machines.detected[m, x]) for m, x in points),
+            *(neg(var(f.sym.machines.detected[m, x.other])) for m, x in points),
         ]
     )
 
 
 def _not_foul(f: Facts, fj: FoulJoint) -> Expr:
     """The neighbour is clear, or its point is detected so that nothing in it stands at the joint."""
-    clear = f.steadily_clear(fj.neighbour)
+    clear = f.seen.steadily_clear(fj.neighbour)
     if fj.when is None:
         return clear
     m, x = fj.when
-    return disj((clear, conj((var(f.sym.detected[m, x.other]), neg(var(f.sym.detected[m, x]))))))
+    return disj((clear, conj((var(f.sym.machines.detected[m, x.other]), neg(var(f.sym.machines.detected[m, x]))))))
 
 
 # --- locks and points ----------------------------------------------------------------------------
@@ -443,18 +456,18 @@ def _locks(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     after = f.system.after
     valid = var(f.sym.valid)
     for s in f.topo.sections:
-        held = f.held(s)
+        held = f.locking.held(s)
         gone = conj((held, neg(after(held))))
         coming = []
         for j in f.topo.ends[s]:
             g = f.topo.signal_into.get((j, s))
-            for k in f.functions(g) if g is not None else ():
-                coming.append(conj((f.locked_in(s, j), after(accepted(SignalId(str(g)), k)))))
-        for j, a, past in f.passed_into(s):
+            for k in f.track.functions(g) if g is not None else ():
+                coming.append(conj((f.locking.locked_in(s, j), after(accepted(SignalId(str(g)), k)))))
+        for j, a, past in f.track.passed_into(s):
             as_train = neg(shunting(a)) if past else TRUE
-            for n, x in f.locks(a):
-                if f.way(a, n)[1] == j:
-                    coming.append(after(conj((o(a), came(a, f.way(a, n)[0]), x, neg(rests(a)), as_train))))
+            for n, x in f.locking.of(a):
+                if f.track.way(a, n)[1] == j:
+                    coming.append(after(conj((o(a), came(a, f.track.way(a, n)[0]), x, neg(rests(a)), as_train))))
         yield "L-RELEASE", s, implies(gone, conj((valid, neg(after(o(s))), neg(disj(coming)))))
         yield "L-HELD", s, implies(o(s), held)
         yield (
@@ -466,10 +479,10 @@ def _locks(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
 def _held_fast(f: Facts, s: SectionId) -> Expr:
     """Held otherwise than by an overlap that swings away in this step, with the section before its signal clear."""
-    held = [f.locked(s)]
-    for (g, _), name in f.options(s).items():
+    held = [f.locking.locked(s)]
+    for (g, _), name in f.locking.options(s).items():
         before = f.topo.beyond(f.layout.section_of(f.layout.signal[g].into), f.layout.signal[g].node)
-        close = neg(f.steadily_clear(before)) if g in f.sym.swings and before is not None else TRUE
+        close = neg(f.seen.steadily_clear(before)) if g in f.sym.overlaps.swings and before is not None else TRUE
         held.append(conj((var(name), disj((close, f.system.after(var(name)))))))
     return disj(held)
 
@@ -479,20 +492,20 @@ def _points(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
     def stays(m: MachineId, x: Position) -> Expr:
         """It lies there already and was never commanded elsewhere: nothing will move."""
-        never = conj(neg(var(f.sym.command[m, y])) for y in Position)
-        return conj((var(f.sym.detected[m, x]), after(lies(m, x)), never))
+        never = conj(neg(var(f.sym.machines.command[m, y])) for y in Position)
+        return conj((var(f.sym.machines.detected[m, x]), after(lies(m, x)), never))
 
     for m in f.layout.machines:
         secs = f.layout.sections_of_machine[m]
         changes = disj(
-            conj((neg(var(f.sym.command[m, x])), after(var(f.sym.command[m, x])), neg(stays(m, x))))
+            conj((neg(var(f.sym.machines.command[m, x])), after(var(f.sym.machines.command[m, x])), neg(stays(m, x))))
             for x in Position
             if m not in f.layout.device or x is Position.NORMAL
         )
         free = conj(
             [
                 *(neg(_held_fast(f, s)) for s in secs),
-                *(f.steadily_clear(s) for s in secs),
+                *(f.seen.steadily_clear(s) for s in secs),
                 var(f.sym.valid),
             ]
         )

@@ -20,28 +20,28 @@ def excluded(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """Claim, place and expression for each path of a signal, and for each two in a row where the signal between them
     shows its identifier light, that no route may take."""
     after = f.system.after
-    for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.functions(h.id)):
+    for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.track.functions(h.id)):
         who = f"{g} shunt" if shunt else g
         for k, path in enumerate(signal_paths(f, g, shunt), 1):
-            here = after(conj((f.sym.signal(g, shunt), lie(f, path.ways))))
+            here = after(conj((f.sym.aspects.signal(g, shunt), lie(f, path.ways))))
             passed = None if shunt else _passed(f, path)
             if not _can_be(f, g, shunt, path):
                 yield "S-EXCLUDED", f"{who}:{k}", neg(here)
             elif _unwanted(f, g, shunt, path):
-                past = FALSE if passed is None else after(conj((_opens(f, g), f.sym.identifies(passed))))
+                past = FALSE if passed is None else after(conj((_opens(f, g), f.sym.aspects.identifies(passed))))
                 yield "S-EXCLUDED", f"{who}:{k}", implies(here, past)
             if passed is None:
                 continue
             for n, onward in enumerate(signal_paths(f, passed), 1):
                 both = SignalPath(g, False, (*path.ways, *onward.ways), None)
                 if _unwanted(f, g, False, both) or not _can_be_run(f, both.ways, both.ways):
-                    lit = after(conj((_opens(f, g), f.sym.identifies(passed), lie(f, both.ways))))
+                    lit = after(conj((_opens(f, g), f.sym.aspects.identifies(passed), lie(f, both.ways))))
                     yield "S-EXCLUDED", f"{who}:{k} past {passed}:{n}", neg(lit)
 
 
 def _opens(f: Facts, g: SignalId) -> Expr:
     """The lamps that a route past the next signal may light: clear or caution."""
-    return disj(map(var, f.sym.main_lamps(g)))
+    return disj(map(var, f.sym.aspects.main_lamps(g)))
 
 
 def _passed(f: Facts, path: SignalPath) -> SignalId | None:

@@ -30,10 +30,14 @@ def exposed(f: Facts, beyond: Beyond) -> Expr:
         return FALSE
     if beyond.signal is not None:
         g = f.layout.signal[beyond.signal]
-        called = [x for k in f.functions(g.id) for x in (f.sym.signal(g.id, k), lamp(g.id, k), accepted(g.id, k))]
+        called = [
+            x
+            for k in f.track.functions(g.id)
+            for x in (f.sym.aspects.signal(g.id, k), lamp(g.id, k), accepted(g.id, k))
+        ]
         if not g.main:  # a train passes it on a lock that leads this way
             s = beyond.section
-            called.append(conj((f.train(s), f.firm(s), f.locked_in(s, g.node))))
+            called.append(conj((f.locking.train(s), f.locking.firm(s), f.locking.locked_in(s, g.node))))
         return disj(called)
     if beyond.boundary is not None:
         return FALSE if beyond.boundary is BoundaryKind.OUT else TRUE
@@ -47,28 +51,28 @@ def exposed(f: Facts, beyond: Beyond) -> Expr:
 def flank(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     over: dict[tuple[SectionId, int], dict[tuple[SignalId, bool], None]] = {}
     for g in f.layout.signals:
-        for k in f.functions(g.id):
+        for k in f.track.functions(g.id):
             for path in signal_paths(f, g.id, k):
                 for t in path.ways:
                     over.setdefault(t.key, {})[g.id, k] = None
     for s in f.topo.sections:
         for t in f.topo.traversals[s]:
-            if (s, t.number) not in f.sym.lock:
+            if (s, t.number) not in f.sym.sections.lock:
                 continue
-            uses = conj((f.firm(s), f.lock(s, t.number)))
+            uses = conj((f.locking.firm(s), f.locking.lock(s, t.number)))
             train = conj((o(s), neg(rests(s)), came(s, t.entry)))
-            shown = disj(f.sym.signal(g, k) for g, k in over.get(t.key, ()))
+            shown = disj(f.sym.aspects.signal(g, k) for g, k in over.get(t.key, ()))
             for name, danger in _dangers(f, t):
                 yield "T-FLANK", f"{s}:{t.number}:{name}", implies(conj((uses, train)), neg(danger))
                 yield "S-FLANK", f"{s}:{t.number}:{name}", implies(conj((uses, shown)), neg(danger))
-    for option, held in f.sym.overlap.items():
-        firm = conj((var(held), var(f.sym.overlap_firm[option[0]])))
-        for s, n in f.sym.overlap_ways[option]:
+    for option, held in f.sym.overlaps.held.items():
+        firm = conj((var(held), var(f.sym.overlaps.firm[option[0]])))
+        for s, n in f.sym.overlaps.ways[option]:
             for name, danger in _dangers(f, f.topo.traversals[s][n - 1]):
                 place = f"{s}:{n}:{name} as overlap {option[1]} of {option[0]}"
                 yield "T-FLANK", place, implies(firm, neg(danger))
     for s in f.topo.sections:
-        for h in f.overrun(s):
+        for h in f.seen.overrun(s):
             for t in f.topo.traversals[s]:
                 there = conj((overran(h, s), came(s, t.entry), *_points_lie(f, t)))
                 for name, danger in _dangers(f, t):
@@ -83,11 +87,11 @@ def _dangers(f: Facts, t: Traversal) -> Iterator[tuple[str, Expr]]:
     """Every place on a way at which a vehicle might come in, and whether one could roll there now."""
     for pid, x in t.points:
         p = f.layout.point[pid]
-        yield f"{pid}.{x.other}", exposed(f, f.beyond[p.node, p.leg(x.other)])
+        yield f"{pid}.{x.other}", exposed(f, f.track.beyond[p.node, p.leg(x.other)])
     for cid, arm in t.crossings:
         c = f.layout.crossing[cid]
         for edge in c.arms[1 - arm]:
-            yield f"{cid}.{edge}", exposed(f, f.beyond[c.node, edge])
+            yield f"{cid}.{edge}", exposed(f, f.track.beyond[c.node, edge])
 
 
 def scissors(f: Facts) -> Iterator[tuple[str, str, Expr]]:
@@ -95,9 +99,9 @@ def scissors(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     ground = ground_of(f)
     for s in f.topo.sections:
         for t in f.topo.traversals[s]:
-            if (s, t.number) not in f.sym.lock:
+            if (s, t.number) not in f.sym.sections.lock:
                 continue
-            uses = conj((f.firm(s), f.lock(s, t.number)))
+            uses = conj((f.locking.firm(s), f.locking.lock(s, t.number)))
             train = conj((uses, o(s), neg(rests(s)), came(s, t.entry)))
             shown = f.system.after(disj(shown_over(ground, [t]).values()))
             for cid, arm in t.crossings:
@@ -144,12 +148,12 @@ def flank_space(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             for pid, x in t.points:
                 p = f.layout.point[pid]
                 if (pid, x.other) not in waived:
-                    quiet = _Space(f, s, beside).quiet(f.beyond[p.node, p.leg(x.other)])
+                    quiet = _Space(f, s, beside).quiet(f.track.beyond[p.node, p.leg(x.other)])
                     yield "S-FLANK-SPACE", f"{s}:{t.number}:{pid}", implies(f.system.after(shown), quiet)
             for cid, arm in t.crossings:
                 c = f.layout.crossing[cid]
                 for edge in c.arms[1 - arm]:
-                    quiet = _Space(f, s, beside).quiet(f.beyond[c.node, edge])
+                    quiet = _Space(f, s, beside).quiet(f.track.beyond[c.node, edge])
                     yield "S-FLANK-SPACE", f"{s}:{t.number}:{cid}.{edge}", implies(f.system.after(shown), quiet)
 
 
@@ -160,7 +164,7 @@ def _movements(f: Facts) -> dict[SectionId, list[frozenset[SectionId]]]:
     traps = {b.node for b in f.layout.buffers if b.kind is BufferKind.TRAP}
     for g in f.layout.signals:
         rear = f.topo.beyond(f.layout.section_of(g.into), g.node)
-        for k in f.functions(g.id):
+        for k in f.track.functions(g.id):
             for path in signal_paths(f, g.id, k):
                 if path.ways[-1].exit in traps:
                     continue
@@ -188,10 +192,10 @@ class _Space:
         if beyond.one_way:
             return TRUE
         looked_at = layout.principles.flank_space and s != self.own and s not in (*layout.undetected, *self.beside)
-        clear = self.f.steadily_clear(s) if looked_at else TRUE
+        clear = self.f.seen.steadily_clear(s) if looked_at else TRUE
         if beyond.signal is not None:
-            lit = layout.principles.flank_lamp and beyond.signal in self.f.sym.stop_lamp
-            return conj((clear, var(self.f.sym.stop_lamp[beyond.signal]))) if lit else clear
+            lit = layout.principles.flank_lamp and beyond.signal in self.f.sym.lamp_proof.stop
+            return conj((clear, var(self.f.sym.lamp_proof.stop[beyond.signal]))) if lit else clear
         if beyond.closed or beyond.boundary is not None:
             return clear
         onward = conj((clear, *(self.quiet(x) for x in beyond.onward)))

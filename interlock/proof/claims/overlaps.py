@@ -14,51 +14,53 @@ from interlock.proof.claims.kinds import Facts, Invariant
 def against_of(f: Facts, other: SectionId, whole: bool, numbers: tuple[int, ...]) -> Expr:
     """What an exclusion forbids."""
     if whole:
-        return f.held(other)
-    return disj([f.restart(other), *(f.lock(other, k) for k in numbers), *f.overlaps(other, numbers)])
+        return f.locking.held(other)
+    return disj(
+        [f.locking.restart(other), *(f.locking.lock(other, k) for k in numbers), *f.locking.overlaps(other, numbers)]
+    )
 
 
 def overrun(f: Facts, s: str) -> Expr:
     """What stands in s has overrun a signal; FALSE where no overlap lies."""
-    return disj(overran(g, s) for g in f.overrun(s))
+    return disj(overran(g, s) for g in f.seen.overrun(s))
 
 
 def overlap_invariants(f: Facts) -> list[Invariant]:
     """All of them, ordered by signal and section."""
     out: list[Invariant] = []
-    for option, name in f.sym.overlap.items():
+    for option, name in f.sym.overlaps.held.items():
         out += _option(f, option, var(name))
     for s in f.topo.sections:
         if names.RUNNING(s) in f.system.plant.state:
-            along = disj(conj((x, came(s, f.way(s, n)[0]))) for n, x in f.locks(s))
+            along = disj(conj((x, came(s, f.track.way(s, n)[0]))) for n, x in f.locking.of(s))
             out.append(Invariant("O-ALONG", s, implies(conj((o(s), running(s), neg(rests(s)))), along)))
-        if len(f.overlaps(s)) > 1:
-            out.append(Invariant("O-ONE", s, at_most_one(f.overlaps(s))))
-        for g in f.overrun(s):
-            out.append(Invariant(f"O-BEEN:{g}", s, implies(conj((overran(g, s), f.firm(s))), f.been(s))))
+        if len(f.locking.overlaps(s)) > 1:
+            out.append(Invariant("O-ONE", s, at_most_one(f.locking.overlaps(s))))
+        for g in f.seen.overrun(s):
+            out.append(Invariant(f"O-BEEN:{g}", s, implies(conj((overran(g, s), f.locking.firm(s))), f.seen.been(s))))
             calls = [
                 accepted(h, k)
                 for h in f.topo.signals_out(s)
-                for k in f.functions(h)
+                for k in f.track.functions(h)
                 if names.accepted(h, k) in f.system.plant.state
             ]
             out.append(Invariant(f"O-STAYS:{g}", s, implies(overran(g, s), neg(disj(calls)))))
             firmly = [
                 conj((var(name), firm_for(f, opt), *_only_in(f, s, n)))
-                for opt, name in f.sym.overlap.items()
-                for sec, n in f.sym.overlap_ways[opt]
+                for opt, name in f.sym.overlaps.held.items()
+                for sec, n in f.sym.overlaps.ways[opt]
                 if sec == s and opt[0] == g
             ]
             there = conj((o(s), rests(s), disj(firmly)))
             out.append(Invariant(f"O-OVER:{g}", s, implies(overran(g, s), there)))
     for g in f.layout.overlap_of:
         out += _signal(f, g)
-    for j, s, t, past in f.passed_joints():
-        if f.berth(t) and not past and f.overlaps(t):
-            leads = conj((f.locked_out(s, j), neg(f.train(s))))
-            out.append(Invariant("O-LEAD", f"{j}:{s}>{t}", implies(leads, neg(disj(f.overlaps(t))))))
+    for j, s, t, past in f.track.passed_joints():
+        if f.track.berth(t) and not past and f.locking.overlaps(t):
+            leads = conj((f.locking.locked_out(s, j), neg(f.locking.train(s))))
+            out.append(Invariant("O-LEAD", f"{j}:{s}>{t}", implies(leads, neg(disj(f.locking.overlaps(t))))))
     for s in f.topo.sections:
-        for g in f.overrun(s):
+        for g in f.seen.overrun(s):
             out += [Invariant(f"O-ON:{g}", f"{j}:{s}", x) for j, x in _inside(f, g, s)]
     return out
 
@@ -74,7 +76,7 @@ def _inside(f: Facts, g: SignalId, s: SectionId) -> Iterator[tuple[str, Expr]]:
 
 def _only_in(f: Facts, s: SectionId, n: int) -> list[Expr]:
     """What is in s came in at the entry of the way, and does not stand across it outward."""
-    entry = f.way(s, n)[0]
+    entry = f.track.way(s, n)[0]
     out = names.ACROSS(entry, s) in f.system.plant.state
     others = [neg(came(s, j)) for j in f.topo.ends[s] if j != entry]
     return [came(s, entry), *others, *([neg(across(entry, s))] if out else [])]
@@ -84,30 +86,30 @@ def _option(f: Facts, option: tuple[SignalId, int], held: Expr) -> list[Invarian
     g, k = option
     place = f"{g}:{k}"
     out = []
-    firm = var(f.sym.overlap_firm[g])
-    ways = f.sym.overlap_ways[option]
+    firm = var(f.sym.overlaps.firm[g])
+    ways = f.sym.overlaps.ways[option]
     for s, n in ways:
-        others = [x for m, x in f.locks(s) if m != n]
-        out.append(Invariant("O-FREE", f"{place}:{s}", implies(held, neg(disj((f.restart(s), *others))))))
-        if f.berth(s):
-            shunt = conj((f.any_lock(s), neg(f.train(s)), neg(f.used(s))))
+        others = [x for m, x in f.locking.of(s) if m != n]
+        out.append(Invariant("O-FREE", f"{place}:{s}", implies(held, neg(disj((f.locking.restart(s), *others))))))
+        if f.track.berth(s):
+            shunt = conj((f.locking.any_lock(s), neg(f.locking.train(s)), neg(f.seen.used(s))))
             out.append(Invariant("O-TRAIN", f"{place}:{s}", implies(held, neg(shunt))))
-        for m, p in f.sym.demands[s, n]:
-            out.append(Invariant(f"O-COMMAND:{m}", f"{place}:{s}", implies(held, var(f.sym.command[m, p]))))
-            sure = implies(conj((held, firm)), f.settled(m, p))
+        for m, p in f.sym.ways.demands[s, n]:
+            out.append(Invariant(f"O-COMMAND:{m}", f"{place}:{s}", implies(held, var(f.sym.machines.command[m, p]))))
+            sure = implies(conj((held, firm)), f.seen.settled(m, p))
             out.append(Invariant(f"O-LIES:{m}", f"{place}:{s}", sure))
-        for other, whole, numbers in f.sym.excluded[s, n]:
+        for other, whole, numbers in f.sym.ways.excluded[s, n]:
             bad = against_of(f, other, whole, numbers)
             out.append(Invariant(f"O-EXCLUDES:{other}", f"{place}:{s}", implies(held, neg(bad))))
     for s, n in ways:
-        entry = f.way(s, n)[0]
+        entry = f.track.way(s, n)[0]
         for j in f.topo.ends[s]:
             rear = f.topo.beyond(s, j)
             if j != entry and rear is not None:
                 alone = implies(held, neg(across(j, rear)))  # nobody comes in against it
                 out.append(Invariant(f"O-ACROSS:{j}", f"{place}:{s}", alone))
     for i, (s, n) in enumerate(ways[:-1]):
-        j = f.way(s, n)[1]
+        j = f.track.way(s, n)[1]
         slides = conj((held, overran(g, s), neg(across(j, s))))
         empty = conj(neg(o(t)) for t, _ in ways[i + 1 :])
         out.append(Invariant("O-SLIDE", f"{place}:{s}", implies(slides, conj((firm_for(f, option), empty)))))
@@ -117,21 +119,21 @@ def _option(f: Facts, option: tuple[SignalId, int], held: Expr) -> list[Invarian
 def firm_for(f: Facts, option: tuple[SignalId, int]) -> Expr:
     """An overlap is held firmly: locked and detected, or swung and really come to lie."""
     g = option[0]
-    firm = var(f.sym.overlap_firm[g])
-    if g not in f.sym.swings:
+    firm = var(f.sym.overlaps.firm[g])
+    if g not in f.sym.overlaps.swings:
         return firm
-    wanted = [d for way in f.sym.overlap_ways[option] for d in f.sym.demands[way]]
-    return disj((firm, conj((var(f.sym.swings[g]), *(f.settled(m, p) for m, p in wanted)))))
+    wanted = [d for way in f.sym.overlaps.ways[option] for d in f.sym.ways.demands[way]]
+    return disj((firm, conj((var(f.sym.overlaps.swings[g]), *(f.seen.settled(m, p) for m, p in wanted)))))
 
 
 def turned(f: Facts, option: tuple[SignalId, int]) -> Expr:
     """Every machine of an alternative to which an overlap swings lies, or still turns to it since before a train was
     reported before the signal."""
     g = option[0]
-    wanted = [d for way in f.sym.overlap_ways[option] for d in f.sym.demands[way]]
+    wanted = [d for way in f.sym.overlaps.ways[option] for d in f.sym.ways.demands[way]]
     turns = [(m, p, names.TURNS_SINCE(g, m)) for m, p in wanted]
     known = f.system.plant.state
-    return conj(disj((f.settled(m, p), var(t))) if t in known else f.settled(m, p) for m, p, t in turns)
+    return conj(disj((f.seen.settled(m, p), var(t))) if t in known else f.seen.settled(m, p) for m, p, t in turns)
 
 
 def running_into(f: Facts, g: SignalId, s: SectionId) -> Expr:
@@ -140,24 +142,26 @@ def running_into(f: Facts, g: SignalId, s: SectionId) -> Expr:
     b = f.topo.beyond(f.layout.section_of(f.layout.signal[g].into), node)
     assert b is not None
     out = []
-    for opt, name in f.sym.overlap.items():
-        ways = f.sym.overlap_ways[opt] if opt[0] == g else ()
+    for opt, name in f.sym.overlaps.held.items():
+        ways = f.sym.overlaps.ways[opt] if opt[0] == g else ()
         if any(a == s for a, _ in ways):
-            out += [conj((var(name), f.firm(b), x)) for n, _ in f.locks(b) for x in _towards(f, b, n, node)]
+            out += [
+                conj((var(name), f.locking.firm(b), x)) for n, _ in f.locking.of(b) for x in _towards(f, b, n, node)
+            ]
         for i, (a, n) in enumerate(ways):
             if any(c == s for c, _ in ways[i + 1 :]):
-                out.append(conj((var(name), overran(g, a), neg(across(f.way(a, n)[1], a)))))
+                out.append(conj((var(name), overran(g, a), neg(across(f.track.way(a, n)[1], a)))))
     return disj(out)
 
 
 def _towards(f: Facts, b: SectionId, n: int, node: NodeId) -> tuple[Expr, ...]:
     """On a way through the section before a signal: a train runs there, or may still come."""
-    entry, exit_ = f.way(b, n)
+    entry, exit_ = f.track.way(b, n)
     if exit_ != node:
         return ()
-    as_train = neg(shunting(b)) if f.shunts else TRUE
-    runs = conj((f.lock(b, n), o(b), running(b), came(b, entry), neg(rests(b)), neg(across(node, b)), as_train))
-    coming = conj((f.lock(b, n), f.train(b), neg(f.been(b)), _coming(f, b, entry)))
+    as_train = neg(shunting(b)) if f.track.shunts else TRUE
+    runs = conj((f.locking.lock(b, n), o(b), running(b), came(b, entry), neg(rests(b)), neg(across(node, b)), as_train))
+    coming = conj((f.locking.lock(b, n), f.locking.train(b), neg(f.seen.been(b)), _coming(f, b, entry)))
     return runs, coming
 
 
@@ -167,27 +171,27 @@ def _signal(f: Facts, g: SignalId) -> list[Invariant]:
     t = f.layout.section_of(f.layout.signal[g].into)
     b = f.topo.beyond(t, node)
     assert b is not None
-    firm = var(f.sym.overlap_firm[g]) if g in f.sym.overlap_firm else neg(TRUE)  # no train route leads to it
-    swings = var(f.sym.swings[g]) if g in f.sym.swings else FALSE
+    firm = var(f.sym.overlaps.firm[g]) if g in f.sym.overlaps.firm else neg(TRUE)  # no train route leads to it
+    swings = var(f.sym.overlaps.swings[g]) if g in f.sym.overlaps.swings else FALSE
     apart = [] if swings is FALSE else [Invariant("O-SWINGS", g, implies(swings, neg(firm)))]
     firm = disj((firm, swings))
     options = [
-        (var(name), conj(neg(o(s)) for s, _ in f.sym.overlap_ways[opt]))
-        for opt, name in f.sym.overlap.items()
+        (var(name), conj(neg(o(s)) for s, _ in f.sym.overlaps.ways[opt]))
+        for opt, name in f.sym.overlaps.held.items()
         if opt[0] == g
     ]
     ready = disj(conj((held, empty)) for held, empty in options)
     out = apart
-    for option, name in f.sym.overlap.items() if swings is not FALSE else ():
+    for option, name in f.sym.overlaps.held.items() if swings is not FALSE else ():
         if option[0] == g:
             close = conj((swings, var(name), o(b), neg(rests(b)), image(b), running(b)))
             out.append(Invariant(f"O-TURNS:{option[1]}", g, implies(close, turned(f, option))))
-    for n, _ in f.locks(b):
-        if f.way(b, n)[1] != node:
+    for n, _ in f.locking.of(b):
+        if f.track.way(b, n)[1] != node:
             continue
         runs, coming = _towards(f, b, n, node)
         out.append(Invariant(f"O-RUNS:{n}", g, implies(runs, conj((firm, ready)))))
-        kept = disj(conj((held, implies(f.firm(b), conj((firm, empty))))) for held, empty in options)
+        kept = disj(conj((held, implies(f.locking.firm(b), conj((firm, empty))))) for held, empty in options)
         out.append(Invariant(f"O-COMES:{n}", g, implies(coming, kept)))
     return out
 
@@ -197,13 +201,19 @@ def _coming(f: Facts, b: SectionId, entry: str) -> Expr:
     rear = f.topo.beyond(b, entry)  # type: ignore[arg-type]
     g = f.topo.main_into.get((entry, b))  # type: ignore[arg-type]
     if g is not None:
-        active = [var(r.active) for r in f.sym.routes_from.get(g, ()) if not r.shunt]
+        active = [var(r.active) for r in f.sym.routes.of_signal.get(g, ()) if not r.shunt]
         went = [accepted(g)] if names.ACCEPTED(g) in f.system.plant.state else []
-        shown = disj((f.sym.signal(g), lamp(g)))
-        if f.sym.passing(g) is not FALSE:  # nobody comes after the one that passes
-            shown = disj((f.sym.opens(g), f.sym.called(g), conj((shown, o(f.sym.approach_of[g] or "")))))
+        shown = disj((f.sym.aspects.signal(g), lamp(g)))
+        if f.sym.routes.passing(g) is not FALSE:  # nobody comes after the one that passes
+            shown = disj(
+                (
+                    f.sym.routes.opens(g),
+                    f.sym.routes.called(g),
+                    conj((shown, o(f.sym.cancellation.approach_of[g] or ""))),
+                )
+            )
         return disj([*active, shown, *went])
     if rear is None:
         return disj(())
-    on = [f.train(rear)] if (entry, b) in f.topo.signal_into else []
-    return conj([f.locked_out(rear, entry), *on])
+    on = [f.locking.train(rear)] if (entry, b) in f.topo.signal_into else []
+    return conj([f.locking.locked_out(rear, entry), *on])

@@ -49,7 +49,7 @@ def _search_paths(f: Facts, g: SignalId, shunt: bool) -> list[SignalPath]:
         for t in f.topo.through(section, entry):
             path = (*ways, t)
             ahead = f.topo.beyond(section, t.exit)
-            stands = shunt and f.berth(section)
+            stands = shunt and f.track.berth(section)
             ends = stands or section in f.topo.turning
             if ahead is None and shunt and not ends and t.exit in f.layout.boundary_at:
                 continue
@@ -80,9 +80,9 @@ class Ground:
 
 def ground_of(f: Facts) -> Ground:
     ground = Ground({}, {})
-    for who in ((g.id, k) for g in f.layout.signals for k in f.functions(g.id)):
+    for who in ((g.id, k) for g in f.layout.signals for k in f.track.functions(g.id)):
         for path in signal_paths(f, *who):
-            there = conj((f.sym.signal(*who), lie(f, path.ways)))
+            there = conj((f.sym.aspects.signal(*who), lie(f, path.ways)))
             for t in path.ways:
                 ground.over.setdefault(t.key, {}).setdefault(who, []).append(there)
             for a, b in pairwise(path.ways):

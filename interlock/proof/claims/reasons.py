@@ -24,30 +24,41 @@ def _ends(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     after = f.system.after
     waits_for = f.system.waits_for
     for s in f.topo.sections:
-        by_hand = var(f.sym.release[s])
-        freed = conj((f.restart(s), neg(after(f.restart(s)))))
-        yield "L-REASON", f"{s} after a restart", implies(freed, disj((by_hand, var(f.sym.release_all), f.passed(s))))
-        reasons = [f.used(s), by_hand, conj((var(f.sym.release_all), f.stale(s)))]
+        by_hand = var(f.sym.sections.release[s])
+        freed = conj((f.locking.restart(s), neg(after(f.locking.restart(s)))))
+        yield (
+            "L-REASON",
+            f"{s} after a restart",
+            implies(freed, disj((by_hand, var(f.sym.sections.release_all), f.seen.passed(s)))),
+        )
+        reasons = [f.seen.used(s), by_hand, conj((var(f.sym.sections.release_all), f.seen.stale(s)))]
         for j in f.topo.ends[s]:
             g = f.topo.signal_into.get((j, s))
             rear = f.topo.beyond(s, j)
-            if g is not None and g in f.sym.cancelling:
-                reasons.append(var(f.sym.cancelling[g]))
+            if g is not None and g in f.sym.cancellation.cancelling:
+                reasons.append(var(f.sym.cancellation.cancelling[g]))
             if rear is not None and (j, s) not in f.topo.main_into:
-                leads = f.locked_out(rear, j)  # past a shunt signal only for a train
-                reasons.append(conj((f.locked_in(s, j), neg(conj((leads, f.train(rear))) if g is not None else leads))))
-        ended = conj((f.any_lock(s), neg(after(f.any_lock(s)))))
+                leads = f.locking.locked_out(rear, j)  # past a shunt signal only for a train
+                reasons.append(
+                    conj(
+                        (
+                            f.locking.locked_in(s, j),
+                            neg(conj((leads, f.locking.train(rear))) if g is not None else leads),
+                        )
+                    )
+                )
+        ended = conj((f.locking.any_lock(s), neg(after(f.locking.any_lock(s)))))
         yield "L-REASON", s, implies(ended, disj(reasons))
-        yield "L-REASON", f"{s} used", implies(conj((after(f.used(s)), neg(f.used(s)))), _came_in(f, s))
-        gone = disj(neg(f.clear(a)) for j in f.topo.ends[s] if (a := f.topo.beyond(s, j)) is not None)
-        onward = conj((f.used(s), neg(f.clear(s)), gone))
-        yield "L-REASON", f"{s} passed", implies(conj((after(f.passed(s)), neg(f.passed(s)))), onward)
-        yield "L-CLEAR", s, implies(disj((freed, ended)), var(f.sym.release_timer[s]))
-    for s, timer in f.sym.release_timer.items():
-        yield "L-CLEAR", f"{s} timed", implies(var(waits_for[timer]), conj((var(f.sym.valid), f.clear(s))))
-    for (g, k), held in f.sym.overlap.items():
-        swings = [after(var(f.sym.swings[g]))] if g in f.sym.swings else []
-        over = [var(f.sym.release_timer[s]) for s, _ in f.sym.overlap_ways[g, k]]
+        yield "L-REASON", f"{s} used", implies(conj((after(f.seen.used(s)), neg(f.seen.used(s)))), _came_in(f, s))
+        gone = disj(neg(f.seen.clear(a)) for j in f.topo.ends[s] if (a := f.topo.beyond(s, j)) is not None)
+        onward = conj((f.seen.used(s), neg(f.seen.clear(s)), gone))
+        yield "L-REASON", f"{s} passed", implies(conj((after(f.seen.passed(s)), neg(f.seen.passed(s)))), onward)
+        yield "L-CLEAR", s, implies(disj((freed, ended)), var(f.sym.sections.release_timer[s]))
+    for s, timer in f.sym.sections.release_timer.items():
+        yield "L-CLEAR", f"{s} timed", implies(var(waits_for[timer]), conj((var(f.sym.valid), f.seen.clear(s))))
+    for (g, k), held in f.sym.overlaps.held.items():
+        swings = [after(var(f.sym.overlaps.swings[g]))] if g in f.sym.overlaps.swings else []
+        over = [var(f.sym.sections.release_timer[s]) for s, _ in f.sym.overlaps.ways[g, k]]
         given_up = conj((var(held), neg(after(var(held)))))
         yield "L-CLEAR", f"overlap {k} of {g}", implies(given_up, disj((conj(over), *swings)))
 
@@ -60,39 +71,45 @@ def _rear(f: Facts, s: SectionId, j: NodeId) -> SectionId | None:
 
 def _came_in(f: Facts, s: SectionId) -> Expr:
     """A locked section and one in rear of it, from which it can be locked, are reported occupied (R9)."""
-    rear = [_rear(f, s, j) for j in f.topo.ends[s] if f.locked_in(s, j) is not FALSE]
-    occupied = disj(TRUE if r is None else neg(f.clear(r)) for r in rear)
-    return conj((var(f.sym.valid), f.any_lock(s), neg(f.clear(s)), occupied))
+    rear = [_rear(f, s, j) for j in f.topo.ends[s] if f.locking.locked_in(s, j) is not FALSE]
+    occupied = disj(TRUE if r is None else neg(f.seen.clear(r)) for r in rear)
+    return conj((var(f.sym.valid), f.locking.any_lock(s), neg(f.seen.clear(s)), occupied))
 
 
 def _coming(f: Facts, x: Approach) -> Expr:
     """A train may be on its way from there."""
     if x.section is None or x.unseen:
         return TRUE
-    ways = ((f.sym.lock.get((x.section, n)), y) for n, y in x.further)
+    ways = ((f.sym.sections.lock.get((x.section, n)), y) for n, y in x.further)
     called = (conj((var(name), _coming(f, y))) for name, y in ways if name is not None)
-    return disj((neg(f.steadily_clear(x.section)), *called))
+    return disj((neg(f.seen.steadily_clear(x.section)), *called))
 
 
 def _given_up(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """R8: comprehensive approach locking, over what is `measured`."""
     after = f.system.after
-    for g, routes in f.sym.routes_from.items():
+    for g, routes in f.sym.routes.of_signal.items():
         signal = f.layout.signal[g]
         first = f.layout.section_of(signal.into)
-        from_g = f.locked_in(first, signal.node)
+        from_g = f.locking.locked_in(first, signal.node)
         shown = disj(var(r.shown) for r in routes)
-        given_up = conj((from_g, neg(after(from_g)), neg(f.used(first)), shown))
+        given_up = conj((from_g, neg(after(from_g)), neg(f.seen.used(first)), shown))
         long = names.STOP_LONG(g)
         stands = after(var(long)) if long in f.system.plant.clocks else FALSE
         nobody = neg(_coming(f, f.system.measured.approaches[g]))
-        asked = conj((after(var(f.sym.cancelling[g])), neg(var(f.sym.cancelling[g]))))
+        asked = conj((after(var(f.sym.cancellation.cancelling[g])), neg(var(f.sym.cancellation.cancelling[g]))))
         withdrawn = (
-            conj((var(r.active), var(x.active), disj((var(f.sym.cancel[x.entry]), var(f.sym.cancelling[x.entry])))))
-            for r in f.sym.routes_from.get(g, ())
-            for x in (f.sym.number[n] for n in r.parts_of)
+            conj(
+                (
+                    var(r.active),
+                    var(x.active),
+                    disj((var(f.sym.cancellation.cancel[x.entry]), var(f.sym.cancellation.cancelling[x.entry]))),
+                )
+            )
+            for r in f.sym.routes.of_signal.get(g, ())
+            for x in (f.sym.routes.number[n] for n in r.path.parts_of)
         )
-        yield "L-REASON", f"{g} cancelled", implies(asked, disj((var(f.sym.cancel[g]), *withdrawn)))
+        yield "L-REASON", f"{g} cancelled", implies(asked, disj((var(f.sym.cancellation.cancel[g]), *withdrawn)))
         yield "L-APPROACH", g, implies(given_up, disj((nobody, stands)))
         for r in routes:
             set_, seen = after(var(r.active)), after(var(r.shown))
@@ -102,18 +119,18 @@ def _given_up(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
 def _trailed(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """R10: detection lost without a command.  That it was there in the scan before is the controller's own bit."""
-    after, commands = f.system.after, f.sym.command
-    for m, trailed in f.sym.trailed.items():
-        right = var(f.sym.seen_right[m])
-        there = disj(conj((var(commands[m, x]), f.reported(m, x))) for x in Position)
+    after, commands = f.system.after, f.sym.machines.command
+    for m, trailed in f.sym.machines.trailed.items():
+        right = var(f.sym.machines.seen_right[m])
+        there = disj(conj((var(commands[m, x]), f.seen.reported(m, x))) for x in Position)
         anew = disj(conj((after(var(commands[m, x])), neg(var(commands[m, x])))) for x in Position)
         yield "S-TRAILED", f"{m} detected", implies(conj((there, neg(anew))), after(right))
         for x in Position:
             stays = conj((var(commands[m, x]), after(var(commands[m, x])), neg(after(var(commands[m, x.other])))))
-            lost = conj((right, var(f.sym.valid), stays, neg(f.reported(m, x))))
+            lost = conj((right, var(f.sym.valid), stays, neg(f.seen.reported(m, x))))
             yield "S-TRAILED", f"{m} {x}", implies(lost, after(var(trailed)))
         sections = f.layout.sections_of_machine[m]
-        seen = conj((var(f.sym.looked_at[m]), var(f.sym.valid), *(f.steadily_clear(s) for s in sections)))
+        seen = conj((var(f.sym.machines.looked_at[m]), var(f.sym.valid), *(f.seen.steadily_clear(s) for s in sections)))
         yield "S-TRAILED", f"{m} kept", implies(conj((var(trailed), neg(seen))), after(var(trailed)))
 
 

@@ -24,38 +24,38 @@ def terminals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
 def _lamps(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     after = f.system.after
-    for g, stop in f.sym.stop_aspect.items():
-        mains = [var(name) for name in f.sym.main_lamps(g)]
-        others = [*mains, *(var(name) for name in f.sym.proceed_lamps(g, shunt=True))]
-        others += [var(f.sym.identifier_aspect[g])] if g in f.sym.identifier_aspect else []
-        speeds = [var(name) for (h, _), name in f.sym.speed_shown.items() if h == g]
+    for g, stop in f.sym.aspects.stop.items():
+        mains = [var(name) for name in f.sym.aspects.main_lamps(g)]
+        others = [*mains, *(var(name) for name in f.sym.aspects.proceed_lamps(g, shunt=True))]
+        others += [var(f.sym.aspects.identifier[g])] if g in f.sym.aspects.identifier else []
+        speeds = [var(name) for (h, _), name in f.sym.aspects.speed.items() if h == g]
         one = conj((at_most_one(others), implies(disj(speeds), disj(mains))))
         yield "S-STOP", g, after(conj((iff(var(stop), neg(disj(others))), one)))
         for name in _not_for(f, g):
             yield "S-STOP", f"{g} never {name}", neg(after(var(name)))
-        if g in f.sym.call_aspect and not f.layout.signal[g].call_on:
-            yield "S-CALL-ON", f"{g} never", neg(after(var(f.sym.call_aspect[g])))
+        if g in f.sym.aspects.call_on and not f.layout.signal[g].call_on:
+            yield "S-CALL-ON", f"{g} never", neg(after(var(f.sym.aspects.call_on[g])))
     for d in f.layout.distants:
-        clear, caution = var(f.sym.distant_clear[d.id]), var(f.sym.distant_caution[d.id])
+        clear, caution = var(f.sym.aspects.distant_clear[d.id]), var(f.sym.aspects.distant_caution[d.id])
         yield "S-STOP", d.id, after(iff(caution, neg(clear)))
 
 
 def _not_for(f: Facts, g: SignalId) -> list[Name]:
     """Lamps of a signal that speak to trains, or to shunting movements, of which the layout does not let it speak."""
     signal = f.layout.signal[g]
-    trains = [*f.sym.main_lamps(g), *(name for (h, _), name in f.sym.speed_shown.items() if h == g)]
-    return [*([] if signal.main else trains), *([] if signal.shunt else f.sym.proceed_lamps(g, shunt=True))]
+    trains = [*f.sym.aspects.main_lamps(g), *(name for (h, _), name in f.sym.aspects.speed.items() if h == g)]
+    return [*([] if signal.main else trains), *([] if signal.shunt else f.sym.aspects.proceed_lamps(g, shunt=True))]
 
 
 def _drives(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for m in f.layout.machines:
         both = []
         for x in Position:
-            turn = f.sym.turn.get(m)
-            commanded = var(f.sym.command[m, x])
+            turn = f.sym.machines.turn.get(m)
+            commanded = var(f.sym.machines.command[m, x])
             due = commanded if turn is None else conj((commanded, var(turn)))
-            both.append(iff(var(f.sym.drive[m, x]), due))
-        never = neg(conj(var(f.sym.drive[m, x]) for x in Position))
+            both.append(iff(var(f.sym.machines.drive[m, x]), due))
+        never = neg(conj(var(f.sym.machines.drive[m, x]) for x in Position))
         yield "P-DRIVEN", m, f.system.after(conj((*both, never)))
 
 
@@ -63,15 +63,15 @@ def _indications(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """What an operator is told, in terms of the state after the scan, or of what the scan has read."""
     after, told = f.system.after, f.sym.indication
     for s in f.topo.sections:
-        yield "I-TOLD", f"locked {s}", iff(after(var(told[f"locked {s}"])), after(f.held(s)))
-    for s, healthy in f.sym.healthy.items():
+        yield "I-TOLD", f"locked {s}", iff(after(var(told[f"locked {s}"])), after(f.locking.held(s)))
+    for s, healthy in f.sym.sections.healthy.items():
         yield "I-TOLD", f"faulty {s}", iff(after(var(told[f"faulty {s}"])), neg(var(healthy)))
     for m in f.layout.machines:
-        timer = f.sym.late_timer[m]
-        astray = disj(conj((var(f.sym.command[m, x]), neg(f.reported(m, x)))) for x in Position)
+        timer = f.sym.machines.late_timer[m]
+        astray = disj(conj((var(f.sym.machines.command[m, x]), neg(f.seen.reported(m, x)))) for x in Position)
         yield "I-TOLD", f"late {m}", iff(after(var(told[f"late {m}"])), var(timer))
         yield "I-TOLD", f"late {m} timed", iff(var(f.system.waits_for[timer]), astray)
-    for m, trailed in f.sym.trailed.items():
+    for m, trailed in f.sym.machines.trailed.items():
         yield "I-TOLD", f"trailed {m}", iff(after(var(told[f"trailed {m}"])), after(var(trailed)))
     for z, full in f.sym.zone_full.items():
         yield "I-TOLD", f"full {z}", iff(after(var(told[f"full {z}"])), after(var(full)))
@@ -79,7 +79,7 @@ def _indications(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         words = {"gives": var(x.give), "has": var(x.have)}
         for word, is_so in words.items():
             yield "I-TOLD", f"{word} {b}", iff(after(var(x.tells[word])), after(is_so))
-        towards = disj(f.locked_out(s, b) for s in f.topo.sections if b in f.topo.ends[s])
+        towards = disj(f.locking.locked_out(s, b) for s in f.topo.sections if b in f.topo.ends[s])
         yield "I-TOLD", f"asks {b}", iff(after(var(x.tells["asks"])), after(conj((towards, neg(var(x.have))))))
         yield "I-TOLD", f"keeps {b}", implies(after(var(x.tells["keeps"])), neg(after(var(x.give))))
 
@@ -90,19 +90,19 @@ def _delays(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     presets = f.system.presets
     ordered: dict[Name, list[float]] = {}
     own = dict(f.layout.signal_releases)
-    for g, name in f.sym.approach_timer.items():
-        kinds = {r.shunt for r in f.sym.routes_from.get(g, ())}
+    for g, name in f.sym.cancellation.approach_timer.items():
+        kinds = {r.shunt for r in f.sym.routes.of_signal.get(g, ())}
         trains = [own.get(g, rules.approach_release_s), needs.stop[g] / 1000] if False in kinds else []
         shunts = [own.get(g, rules.shunt_release_s), needs.shunt / 1000] if True in kinds else []
         ordered[name] = [*trains, *shunts]
-    for g, name in f.sym.overlap_timer.items():
+    for g, name in f.sym.overlaps.timer.items():
         ordered[name] = [f.layout.overlap_release_s(g), needs.stand[g] / 1000]
     ordered |= {x.timer: [rules.token_delay_s, needs.agreed / 1000] for x in f.sym.token.values()}
-    ordered |= {name: [f.layout.supervision_s(m), needs.run / 1000] for m, name in f.sym.late_timer.items()}
-    ordered |= {name: [rules.release_delay_s] for name in f.sym.release_timer.values()}
-    ordered[f.sym.restart_timer] = [rules.restart_delay_s, needs.restart / 1000]
-    if f.sym.start_timer is not None:
-        ordered[f.sym.start_timer] = [rules.point_start_gap_s]
+    ordered |= {name: [f.layout.supervision_s(m), needs.run / 1000] for m, name in f.sym.machines.late_timer.items()}
+    ordered |= {name: [rules.release_delay_s] for name in f.sym.sections.release_timer.values()}
+    ordered[f.sym.start.restart_timer] = [rules.restart_delay_s, needs.restart / 1000]
+    if f.sym.machines.start_timer is not None:
+        ordered[f.sym.machines.start_timer] = [rules.point_start_gap_s]
     for name, seconds in ordered.items():
         yield "D-PRESET", name, TRUE if presets[name] >= round(1000 * max(seconds)) else FALSE
     for name in sorted(presets.keys() - ordered.keys()):

@@ -1,11 +1,12 @@
 """Questions that were answered before, in a folder (`interlock prove --cache`).
 
 What is kept is no verdict about a layout: a file says which of some goals follow from some facts and definitions, and
-its name is the digest of all of these (`alike.py`: variables have numbers for names) and of the engine that was asked.
-A question that has changed in any other way has another name, so nothing can be out of date.  Each file ends with a
-seal: an HMAC of its name and content under a key of the user's own, which lies in the user's configuration folder and
-never in the cache.  What is damaged, was planted, or was written by somebody else is not believed: the question is
-asked again.  Only "follows" is kept.  Who can read the key file can make answers that are believed; nobody else can.
+its name is the digest of all of these (`canonical.py`: variables have numbers for names) and of the engine that was
+asked.  A question that has changed in any other way has another name, so nothing can be out of date.  Each file ends
+with a seal: an HMAC of its name and content under a key of the user's own, which lies in the user's configuration
+folder and never in the cache.  What is damaged, was planted, or was written by somebody else is not believed: the
+question is asked again.  Only "follows" is kept.  Who can read the key file can make answers that are believed;
+nobody else can.
 
 All that is asked of a layout at once is one question, too: see `app/kept.py`.
 """

@@ -13,41 +13,46 @@ from interlock.proof.functions.words import Words
 def delays(w: Words) -> Iterator[tuple[str, str, Expr]]:
     """F-DELAY."""
     f, sym = w.f, w.sym
-    reasons: dict[Name, Expr] = {name: neg(w.occupied(s)) for s, name in sym.release_timer.items()}
-    reasons[sym.restart_timer] = var(sym.running)
-    reasons |= {name: disj((var(sym.cancelling[g]), _waiting(w, g))) for g, name in sym.approach_timer.items()}
-    for m, name in sym.late_timer.items():
-        reasons[name] = disj(conj((w.commanded(m, x), neg(w.detected(m, x)))) for x in Position)
-    for g, name in sym.overlap_timer.items():
+    reasons: dict[Name, Expr] = {name: neg(w.sections.occupied(s)) for s, name in sym.sections.release_timer.items()}
+    reasons[sym.start.restart_timer] = var(sym.start.running)
+    reasons |= {
+        name: disj((var(sym.cancellation.cancelling[g]), _waiting(w, g)))
+        for g, name in sym.cancellation.approach_timer.items()
+    }
+    for m, name in sym.machines.late_timer.items():
+        reasons[name] = disj(conj((w.points.commanded(m, x), neg(w.points.detected(m, x)))) for x in Position)
+    for g, name in sym.overlaps.timer.items():
         node = w.layout.signal[g].node
-        before = w.topo.beyond(w.first(g), node)
+        before = w.topo.beyond(w.signals.first(g), node)
         assert before is not None
-        reasons[name] = conj((w.wholly_in(before), f.locked_out(before, node), w.occupied(before)))
-    if sym.start_timer is not None and sym.started is not None:
-        reasons[sym.start_timer] = neg(var(sym.started))
+        reasons[name] = conj(
+            (w.sections.wholly_in(before), f.locking.locked_out(before, node), w.sections.occupied(before))
+        )
+    if sym.machines.start_timer is not None and sym.machines.started is not None:
+        reasons[sym.machines.start_timer] = neg(var(sym.machines.started))
     for x in sym.token.values():
         absent = [neg(var(name)) for name in (x.have, x.give, x.gives, x.has)]
-        reasons[x.timer] = conj((w.valid, var(x.manual), var(sym.restart_timer), *absent))
+        reasons[x.timer] = conj((w.valid, var(x.manual), var(sym.start.restart_timer), *absent))
     for name, reason in reasons.items():
         yield "F-DELAY", name, iff(var(f.system.waits_for[name]), reason)
     rules, presets = w.layout.principles, f.system.presets
-    for g, name in sym.approach_timer.items():  # whatever routes it has today
+    for g, name in sym.cancellation.approach_timer.items():  # whatever routes it has today
         signal = w.layout.signal[g]
         trains = rules.approach_release_s if signal.main else 0.0
         kind = max(trains, rules.shunt_release_s if signal.shunt else 0.0)
         ordered = dict(w.layout.signal_releases).get(g, kind)
         yield "F-DELAY", f"{name} as its signal's kind", TRUE if presets[name] >= round(1000 * ordered) else FALSE
-    yield "F-DELAY", f"{sym.restart_timer} goes on", w.after(var(sym.running))
+    yield "F-DELAY", f"{sym.start.restart_timer} goes on", w.after(var(sym.start.running))
 
 
 def _waiting(w: Words, g: SignalId) -> Expr:
     """Stop stands, and what is locked from the signal waits for a train that may still come: somebody wants it
     released, or what came in has left it on a way that nobody releases behind it."""
-    first = w.first(g)
+    first = w.signals.first(g)
     node = w.layout.signal[g].node
-    left = conj((w.outward(first, node), w.f.used(first), neg(w.occupied(first))))
-    quiet = [neg(w.active(g)), neg(w.passing(g)), w.f.locked_in(first, node)]
-    return conj((*quiet, disj((var(w.sym.release[first]), left))))
+    left = conj((w.sections.outward(first, node), w.f.seen.used(first), neg(w.sections.occupied(first))))
+    quiet = [neg(w.signals.active(g)), neg(w.signals.passing(g)), w.f.locking.locked_in(first, node)]
+    return conj((*quiet, disj((var(w.sym.sections.release[first]), left))))
 
 
 def start(w: Words) -> Expr:
@@ -57,12 +62,22 @@ def start(w: Words) -> Expr:
     for r in sym.routes:
         off += [var(name) for name in (r.active, r.locked, r.want, r.proceed, r.shown, *r.open_while)]
         off += [var(r.added)] if r.added is not None else []
-    off += map(var, sym.cancelling.values())
+    off += map(var, sym.cancellation.cancelling.values())
     for s in w.topo.sections:
-        off += [f.any_lock(s), f.firm(s), f.passed(s), f.stale(s)]
-    off += map(var, (*sym.train.values(), *sym.overlap.values(), *sym.overlap_firm.values(), *sym.swings.values()))
-    off += map(var, (*sym.turn.values(), *([sym.started] if sym.started is not None else [])))
-    off += map(var, (*sym.trailed.values(), *sym.seen_right.values()))
+        off += [f.locking.any_lock(s), f.locking.firm(s), f.seen.passed(s), f.seen.stale(s)]
+    off += map(
+        var,
+        (
+            *sym.sections.train.values(),
+            *sym.overlaps.held.values(),
+            *sym.overlaps.firm.values(),
+            *sym.overlaps.swings.values(),
+        ),
+    )
+    off += map(
+        var, (*sym.machines.turn.values(), *([sym.machines.started] if sym.machines.started is not None else []))
+    )
+    off += map(var, (*sym.machines.trailed.values(), *sym.machines.seen_right.values()))
     off += [var(name) for x in sym.token.values() for name in (x.have, x.give, x.seen)]
-    on = [*(f.used(s) for s in w.topo.sections), *map(var, sym.zone_full.values())]
+    on = [*(f.seen.used(s) for s in w.topo.sections), *map(var, sym.zone_full.values())]
     return conj((*map(neg, off), *on))

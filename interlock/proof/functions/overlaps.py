@@ -12,16 +12,16 @@ from interlock.proof.functions.words import Words
 def overlaps(w: Words) -> Iterator[tuple[str, str, Expr]]:
     """F-OVERLAP, F-SWING, F-ZONE and F-TOKEN."""
     f, sym = w.f, w.sym
-    for o, name in sym.overlap.items():
+    for o, name in sym.overlaps.held.items():
         g, node = o[0], w.layout.signal[o[0]].node
-        before = w.topo.beyond(w.first(g), node)
+        before = w.topo.beyond(w.signals.first(g), node)
         assert before is not None
-        needless = disj((neg(f.locked_out(before, node)), var(sym.overlap_timer[g])))
-        clear = conj(w.long(s) for s, _ in sym.overlap_ways[o])
+        needless = disj((neg(f.locking.locked_out(before, node)), var(sym.overlaps.timer[g])))
+        clear = conj(w.sections.long(s) for s, _ in sym.overlaps.ways[o])
         over = conj((needless, clear))
-        users = [w.set_now(r) for r in sym.routes if r.overlap == o]
+        users = [w.signals.set_now(r) for r in sym.routes if r.path.overlap == o]
         held = var(name)
-        if g not in sym.swings:
+        if g not in sym.overlaps.swings:
             yield "F-OVERLAP", f"{g} {o[1]}", iff(w.after(held), disj((*users, conj((held, neg(over))))))
         else:
             yield "F-OVERLAP", f"{g} {o[1]}", implies(conj((held, over, neg(disj(users)))), neg(w.after(held)))
@@ -33,41 +33,50 @@ def overlaps(w: Words) -> Iterator[tuple[str, str, Expr]]:
 def _swings(w: Words) -> Iterator[tuple[str, str, Expr]]:
     """The first alternative that can be had is taken."""
     f, sym = w.f, w.sym
-    for g in sym.swings:
+    for g in sym.overlaps.swings:
         node = w.layout.signal[g].node
-        before = w.topo.beyond(w.first(g), node)
+        before = w.topo.beyond(w.signals.first(g), node)
         assert before is not None
-        options = [o for o in sym.overlap if o[0] == g]
-        asked = [w.valid, sym.asked(sym.swing_request[g]), var(sym.overlap_firm[g]), f.locked_out(before, node)]
-        asked += [neg(var(sym.overlap_timer[g])), w.long(before)]
-        for s in dict.fromkeys(s for o in options for s, _ in sym.overlap_ways[o]):
-            asked += [w.long(s), neg(f.any_lock(s))]
+        options = [o for o in sym.overlaps.held if o[0] == g]
+        asked = [
+            w.valid,
+            sym.requests.asked(sym.overlaps.swing_request[g]),
+            var(sym.overlaps.firm[g]),
+            f.locking.locked_out(before, node),
+        ]
+        asked += [neg(var(sym.overlaps.timer[g])), w.sections.long(before)]
+        for s in dict.fromkeys(s for o in options for s, _ in sym.overlaps.ways[o]):
+            asked += [w.sections.long(s), neg(f.locking.any_lock(s))]
         for i, o in enumerate(options):
-            held = disj(var(sym.overlap[x]) for x in options if x != o)
-            ready = conj((*asked, held, *(x for s, n in sym.overlap_ways[o] for x in _swings_to(w, g, s, n))))
-            taken = disj(var(sym.overlap[x]) for x in options[: i + 1])
+            held = disj(var(sym.overlaps.held[x]) for x in options if x != o)
+            ready = conj((*asked, held, *(x for s, n in sym.overlaps.ways[o] for x in _swings_to(w, g, s, n))))
+            taken = disj(var(sym.overlaps.held[x]) for x in options[: i + 1])
             yield "F-SWING", f"{g} {o[1]}", implies(ready, w.after(taken))
 
 
 def _swings_to(w: Words, g: SignalId, s: SectionId, n: int) -> Iterator[Expr]:
     """A way can be held as overlap instead of another alternative of the same signal (R4)."""
-    yield from (_only_by(w, g, s), neg(w.blocked(s)), neg(w.trouble(s, n)))
-    for other, _, _ in w.sym.excluded[s, n]:
-        if other in w.sym.restart:
-            yield conj((_only_by(w, g, other), neg(w.f.any_lock(other))))
-    for m, x in w.sym.demands[s, n]:
+    yield from (_only_by(w, g, s), neg(w.ways.blocked(s)), neg(w.ways.trouble(s, n)))
+    for other, _, _ in w.sym.ways.excluded[s, n]:
+        if other in w.sym.sections.restart:
+            yield conj((_only_by(w, g, other), neg(w.f.locking.any_lock(other))))
+    for m, x in w.sym.ways.demands[s, n]:
         free = [
-            y for t in w.layout.sections_of_machine[m] for y in (_only_by(w, g, t), neg(w.f.any_lock(t)), w.long(t))
+            y
+            for t in w.layout.sections_of_machine[m]
+            for y in (_only_by(w, g, t), neg(w.f.locking.any_lock(t)), w.sections.long(t))
         ]
-        holding = (r.added for r in w.sym.routes if any(m == k for k, _ in r.demands))
+        holding = (r.added for r in w.sym.routes if any(m == k for k, _ in r.path.demands))
         free += [neg(var(name)) for name in holding if name is not None]
-        yield disj((w.commanded(m, x), conj((*free, *(neg(w.holding(way)) for way in w.flanks(m))))))
+        yield disj(
+            (w.points.commanded(m, x), conj((*free, *(neg(w.points.holding(way)) for way in w.points.flanks(m)))))
+        )
 
 
 def _only_by(w: Words, g: SignalId, s: SectionId) -> Expr:
     """A section is held neither by the restart nor as overlap of another signal."""
-    others = (var(name) for o, name in w.f.options(s).items() if o[0] != g)
-    return neg(disj((w.f.restart(s), *others)))
+    others = (var(name) for o, name in w.f.locking.options(s).items() if o[0] != g)
+    return neg(disj((w.f.locking.restart(s), *others)))
 
 
 def _zones(w: Words) -> Iterator[tuple[str, str, Expr]]:
@@ -78,11 +87,15 @@ def _zones(w: Words) -> Iterator[tuple[str, str, Expr]]:
 
 def _counts(w: Words, zone: tuple[SectionId, ...], s: SectionId) -> Expr:
     """A train may be there: not where the lock is only the unused way ahead of one in rear."""
-    f, out = w.f, [w.f.restart(s), *w.f.overlaps(s)]
-    for n, lock in f.locks(s):
-        entry = f.way(s, n)[0]
+    f, out = w.f, [w.f.locking.restart(s), *w.f.locking.overlaps(s)]
+    for n, lock in f.locking.of(s):
+        entry = f.track.way(s, n)[0]
         rear = w.topo.beyond(s, entry)
-        ahead = conj((f.locked_out(rear, entry), neg(f.used(s)), neg(f.stale(s)))) if rear in zone else FALSE
+        ahead = (
+            conj((f.locking.locked_out(rear, entry), neg(f.seen.used(s)), neg(f.seen.stale(s))))
+            if rear in zone
+            else FALSE
+        )
         out.append(conj((lock, neg(ahead))))
     return disj(out)
 
@@ -98,10 +111,10 @@ def _at_least(xs: list[Expr], number: int) -> Expr:
 
 def _tokens(w: Words) -> Iterator[tuple[str, str, Expr]]:
     f, sym = w.f, w.sym
-    running = var(sym.restart_timer)
+    running = var(sym.start.restart_timer)
     for b, x in sym.token.items():
         have, give, seen = var(x.have), var(x.give), var(x.seen)
-        out = disj(f.locked_out(s, b) for s in w.topo.sections if b in w.topo.ends[s])
+        out = disj(f.locking.locked_out(s, b) for s in w.topo.sections if b in w.topo.ends[s])
         taken = conj((w.valid, running, var(x.gives), neg(have), neg(give)))
         given = conj((w.valid, var(x.asks), have, seen, var(x.clear), neg(out)))
         arrived = conj((w.valid, var(x.has)))

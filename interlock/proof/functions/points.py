@@ -11,55 +11,60 @@ from interlock.proof.functions.words import Words
 
 def points(w: Words) -> Iterator[tuple[str, str, Expr]]:
     """F-TRAILED, F-POINT and F-TURN."""
-    for m, name in w.sym.trailed.items():
-        there = disj(conj((w.commanded(m, x), w.detected(m, x))) for x in Position)
-        lost = disj(conj((w.commanded(m, x), neg(w.detected(m, x)))) for x in Position)
-        was, quiet, trailed = var(w.sym.seen_right[m]), neg(w.anew(m)), var(name)
-        seen = conj((var(w.sym.looked_at[m]), w.valid, *(w.long(s) for s in w.layout.sections_of_machine[m])))
+    for m, name in w.sym.machines.trailed.items():
+        there = disj(conj((w.points.commanded(m, x), w.points.detected(m, x))) for x in Position)
+        lost = disj(conj((w.points.commanded(m, x), neg(w.points.detected(m, x)))) for x in Position)
+        was, quiet, trailed = var(w.sym.machines.seen_right[m]), neg(w.points.anew(m)), var(name)
+        seen = conj(
+            (var(w.sym.machines.looked_at[m]), w.valid, *(w.sections.long(s) for s in w.layout.sections_of_machine[m]))
+        )
         new = conj((was, w.valid, lost, quiet))
         yield "F-TRAILED", f"{m} detected", iff(w.after(was), conj((there, quiet)))
         yield "F-TRAILED", m, iff(w.after(trailed), disj((new, conj((trailed, neg(seen))))))
     for m in w.layout.machines:
         yield from _commands(w, m)
-    if w.sym.started is not None and w.sym.start_timer is not None:
-        yield from _starts(w, var(w.sym.started), var(w.sym.start_timer))
+    if w.sym.machines.started is not None and w.sym.machines.start_timer is not None:
+        yield from _starts(w, var(w.sym.machines.started), var(w.sym.machines.start_timer))
 
 
 def _starts(w: Words, last: Expr, gap: Expr) -> Iterator[tuple[str, str, Expr]]:
     """`last`: a machine started in the last scan; `gap`: the time that must lie between two starts is over."""
     before: list[Expr] = []
     starting = []
-    for m, name in w.sym.turn.items():
+    for m, name in w.sym.machines.turn.items():
         runs = var(name)
-        missing = disj(conj((w.commanded(m, x), neg(w.detected(m, x)))) for x in Position)
+        missing = disj(conj((w.points.commanded(m, x), neg(w.points.detected(m, x)))) for x in Position)
         waits = conj((missing, neg(runs)))
         begins = conj((waits, gap, neg(disj(before))))
-        yield "F-TURN", m, iff(w.after(runs), conj((disj((runs, begins)), missing, neg(w.anew(m)))))
+        yield "F-TURN", m, iff(w.after(runs), conj((disj((runs, begins)), missing, neg(w.points.anew(m)))))
         before.append(waits)
         starting.append(begins)
     yield "F-TURN", "last", iff(w.after(last), disj(starting))
 
 
 def _commands(w: Words, m: MachineId) -> Iterator[tuple[str, str, Expr]]:
-    nothing_set = conj(neg(w.set_now(r)) for r in w.sym.routes)
-    no_overlap = conj(neg(w.rises(var(name))) for name in w.sym.overlap.values())
-    both = conj((nothing_set, no_overlap, *(var(w.sym.by_hand[m, x]) for x in Position)))
-    yield "F-POINT", f"{m} both by hand", implies(both, neg(w.anew(m)))
+    nothing_set = conj(neg(w.signals.set_now(r)) for r in w.sym.routes)
+    no_overlap = conj(neg(w.rises(var(name))) for name in w.sym.overlaps.held.values())
+    both = conj((nothing_set, no_overlap, *(var(w.sym.machines.by_hand[m, x]) for x in Position)))
+    yield "F-POINT", f"{m} both by hand", implies(both, neg(w.points.anew(m)))
     for x in Position:
-        command, other = w.commanded(m, x), w.commanded(m, x.other)
-        key, opposite = var(w.sym.by_hand[m, x]), var(w.sym.by_hand[m, x.other])
-        permitted = conj(()) if w.closing(m, x) else conj((w.movable(m), nothing_set))
+        command, other = w.points.commanded(m, x), w.points.commanded(m, x.other)
+        key, opposite = var(w.sym.machines.by_hand[m, x]), var(w.sym.machines.by_hand[m, x.other])
+        permitted = conj(()) if w.points.closing(m, x) else conj((w.points.movable(m), nothing_set))
         turned = conj((key, neg(opposite), permitted))
         yield "F-POINT", f"{m} {x} by hand", implies(turned, w.after(command))
         yield "F-POINT", f"{m} {x} stays", implies(w.ends(command), w.after(other))
         if m in w.layout.device and x is Position.NORMAL:
-            back = conj((w.movable(m), nothing_set, neg(opposite)))
+            back = conj((w.points.movable(m), nothing_set, neg(opposite)))
             yield "F-POINT", f"{m} returns", implies(back, w.after(command))
         demanded = [
-            w.set_now(r)
+            w.signals.set_now(r)
             for r in w.sym.routes
-            for way in (*r.ways, *(w.sym.overlap_ways[r.overlap] if r.overlap is not None else ()))
-            if (m, x) in w.sym.demands[way]
+            for way in (
+                *r.path.ways,
+                *(w.sym.overlaps.ways[r.path.overlap] if r.path.overlap is not None else ()),
+            )
+            if (m, x) in w.sym.ways.demands[way]
         ]
-        demanded += [w.set_now(r) for r in w.sym.routes if (m, x) in r.demands]
+        demanded += [w.signals.set_now(r) for r in w.sym.routes if (m, x) in r.path.demands]
         yield "F-POINT", f"{m} {x} by a route", implies(disj(demanded), w.after(command))

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from interlock.logic.controller import RouteSymbols
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, iff, implies, neg, var
 from interlock.logic.names import Name
+from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import Position, SectionId, SignalId
 from interlock.model.overlap import route_speed
 from interlock.model.principles import Closes
@@ -19,61 +19,71 @@ def routes(w: Words) -> Iterator[tuple[str, str, Expr]]:
     """F-GRANT to F-SHOWN route by route, F-CANCEL signal by signal."""
     for r in w.sym.routes:
         yield from _route(w, r)
-    for g, name in w.sym.cancelling.items():
-        x, active, done = var(name), w.active(g), w.given_up(g)
-        withdrawn = (conj((var(r.active), _withdrawn(w, r))) for r in w.sym.routes_from.get(g, ()))
-        going = conj((disj((x, var(w.sym.cancel[g]), *withdrawn)), active, neg(done)))
+    for g, name in w.sym.cancellation.cancelling.items():
+        x, active, done = var(name), w.signals.active(g), w.signals.given_up(g)
+        withdrawn = (conj((var(r.active), _withdrawn(w, r))) for r in w.sym.routes.of_signal.get(g, ()))
+        going = conj((disj((x, var(w.sym.cancellation.cancel[g]), *withdrawn)), active, neg(done)))
         yield "F-CANCEL", g, conj((iff(w.after(x), going), implies(done, neg(w.after(active)))))
+
+
+def _grants(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
+    """When a route is set, and what of it is locked then."""
+    after, sym, active = w.after, w.sym, var(r.active)
+    if r.path.identifier:  # it is set with a route that leads past its signal
+        yield (
+            "F-GRANT",
+            r.id,
+            iff(w.signals.set_now(r), disj(w.signals.set_now(sym.routes.number[n]) for n in r.path.parts_of)),
+        )
+    else:
+        refused = conj((sym.requests.asked(r.number), neg(active), neg(after(active))))
+        parts = [r] if r.path.onward is None else [r, sym.routes.number[r.path.onward]]
+        narrow, all_ = (disj(x for p in parts for x in _refusing(w, p, wide)) for wide in (False, True))
+        yield "F-GRANT", r.id, implies(refused, all_)
+        yield "F-GRANT", f"{r.id} set", implies(w.signals.set_now(r), neg(narrow))
+    if r.path.berth is not None:
+        unlocked = conj((w.signals.set_now(r), neg(w.f.locking.held(r.path.berth[0]))))
+        yield "F-GRANT", f"{r.id} into its berth", implies(unlocked, after(w.f.locking.lock(*r.path.berth)))
 
 
 def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
     after, sym = w.after, w.sym
     active, locked, want, shows, shown = (var(n) for n in (r.active, r.locked, r.want, r.proceed, r.shown))
-    cancelling, cancelled = var(sym.cancelling[r.entry]), var(sym.cancel[r.entry])
+    cancelling, cancelled = var(sym.cancellation.cancelling[r.entry]), var(sym.cancellation.cancel[r.entry])
     free = conj((neg(cancelling), neg(cancelled), neg(_withdrawn(w, r))))
-    if r.identifier:  # it is set with a route that leads past its signal
-        yield "F-GRANT", r.id, iff(w.set_now(r), disj(w.set_now(sym.number[n]) for n in r.parts_of))
-    else:
-        refused = conj((sym.asked(r.number), neg(active), neg(after(active))))
-        parts = [r] if r.onward is None else [r, sym.number[r.onward]]
-        narrow, all_ = (disj(x for p in parts for x in _refusing(w, p, wide)) for wide in (False, True))
-        yield "F-GRANT", r.id, implies(refused, all_)
-        yield "F-GRANT", f"{r.id} set", implies(w.set_now(r), neg(narrow))
+    yield from _grants(w, r)
     stays = after(active)
-    if r.berth is not None:
-        unlocked = conj((w.set_now(r), neg(w.f.held(r.berth[0]))))
-        yield "F-GRANT", f"{r.id} into its berth", implies(unlocked, after(w.f.lock(*r.berth)))
     setting = [active, neg(locked), w.valid, free, stays]
     ready, needed = (
-        conj((*setting, *_lie(w, r, wide), *_added_lie(w, r), w.overlap_lies(r, wide))) for wide in (True, False)
+        conj((*setting, *_lie(w, r, wide), *_added_lie(w, r), w.ways.overlap_lies(r, wide))) for wide in (True, False)
     )
     yield "F-LOCK", r.id, conj((implies(ready, after(locked)), implies(w.rises(locked), needed)))
     yield "F-LOCK", f"{r.id} stays", implies(conj((locked, stays)), after(locked))
     order, some = conj(_in_order(w, r, True)), conj(_in_order(w, r, False))
-    lamp = disj((shows, var(sym.stop_lamp[r.entry]))) if r.entry in sym.stop_lamp else conj(())
+    lamp = disj((shows, var(sym.lamp_proof.stop[r.entry]))) if r.entry in sym.lamp_proof.stop else conj(())
     past = _past(w, r)
     opens = conj((active, locked, want, order, free, stays, lamp, past))
     yield "F-OPEN", r.id, implies(opens, after(shows))
-    asked = sym.asked(r.number)
-    if r.identifier:
-        asked = disj(conj((sym.asked(n), var(sym.number[n].active))) for n in r.parts_of)
+    asked = sym.requests.asked(r.number)
+    if r.path.identifier:
+        asked = disj(conj((sym.requests.asked(n), var(sym.routes.number[n].active))) for n in r.path.parts_of)
     again = disj((want, FALSE if r.call_on else asked))
     wanted, unwanted = (neg(conj((again, free, disj((neg(shows), conj((x, past))))))) for x in (order, some))
     kept = conj((disj((wanted, after(want))), implies(unwanted, neg(after(want)))))
     yield "F-WANT", r.id, implies(conj((active, locked, stays)), kept)
     yield "F-WANT", f"{r.id} at first", implies(w.rises(locked), after(want))
     yield "F-WANT", f"{r.id} at last", implies(after(want), after(locked))
-    main = not (r.shunt or r.call_on or r.identifier)
-    if r.entry in sym.caution_aspect and main:
+    main = not (r.shunt or r.call_on or r.path.identifier)
+    if r.entry in sym.aspects.caution and main:
         yield (
             "F-CLEAR",
             r.id,
-            implies(conj((after(shows), _may_show_clear(w, r))), after(var(sym.clear_aspect[r.entry]))),
+            implies(conj((after(shows), _may_show_clear(w, r))), after(var(sym.aspects.clear[r.entry]))),
         )
     speed = _speed(w, r)
-    if speed is not None and (r.entry, speed) in sym.speed_shown and main:
+    if speed is not None and (r.entry, speed) in sym.aspects.speed and main:
         is_open = after(disj(map(var, r.open_while)))
-        yield "F-SPEED", r.id, implies(is_open, after(var(sym.speed_shown[r.entry, speed])))
+        yield "F-SPEED", r.id, implies(is_open, after(var(sym.aspects.speed[r.entry, speed])))
     if r.added is not None:
         yield "F-ADDED", r.id, _holds_added(w, r, r.added)
     if r.passing is not None:
@@ -81,50 +91,54 @@ def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
         closes = w.layout.principles.shunt_closes if r.shunt else w.layout.principles.main_closes
         yield "F-PASSING", f"{r.id} as the layout has it", FALSE if r.call_on or closes is Closes.FIRST_AXLE else TRUE
     yield "F-SHOWN", r.id, iff(after(shown), conj((stays, disj((shown, after(shows))))))
-    first, number = r.ways[0]
-    node = w.f.way(first, number)[0]
-    ended = disj((w.given_up(r.entry), w.coming_in(first, node)))
+    first, number = r.path.ways[0]
+    node = w.f.track.way(first, number)[0]
+    ended = disj((w.signals.given_up(r.entry), w.sections.coming_in(first, node)))
     yield "F-CANCEL", f"{r.id} ends", iff(w.ends(active), conj((active, ended)))
 
 
 def _withdrawn(w: Words, r: RouteSymbols) -> Expr:
     """The route that leads past the signal, and is set with this one, is being cancelled."""
-    with_ = (w.sym.number[n] for n in r.parts_of)
-    cancel, cancelling = w.sym.cancel, w.sym.cancelling
+    with_ = (w.sym.routes.number[n] for n in r.path.parts_of)
+    cancel, cancelling = w.sym.cancellation.cancel, w.sym.cancellation.cancelling
     return disj(conj((var(x.active), disj((var(cancel[x.entry]), var(cancelling[x.entry]))))) for x in with_)
 
 
 def _past(w: Words, r: RouteSymbols) -> Expr:
     """A signal opens for a route that leads past the next one while that shows its identifier light; this shows first
     while such a route is set, and then while the section before it stays firmly locked towards it."""
-    if r.onward is not None:
-        return w.after(w.sym.identifies(w.sym.number[r.onward].entry))
-    if not r.identifier:
+    if r.path.onward is not None:
+        return w.after(w.sym.aspects.identifies(w.sym.routes.number[r.path.onward].entry))
+    if not r.path.identifier:
         return TRUE
-    before, node = w.sym.approach_of[r.entry], w.layout.signal[r.entry].node
+    before, node = w.sym.cancellation.approach_of[r.entry], w.layout.signal[r.entry].node
     if before is None:
         return FALSE
-    led = conj((w.f.locked_out(before, node), w.f.firm(before), w.f.train(before)))
-    with_ = (var(w.sym.number[n].active) for n in r.parts_of)
-    return conj((led, w.after(w.f.locked_out(before, node)), disj((var(r.proceed), *with_))))
+    led = conj((w.f.locking.locked_out(before, node), w.f.locking.firm(before), w.f.locking.train(before)))
+    with_ = (var(w.sym.routes.number[n].active) for n in r.path.parts_of)
+    return conj((led, w.after(w.f.locking.locked_out(before, node)), disj((var(r.proceed), *with_))))
 
 
 def _passing(w: Words, r: RouteSymbols, name: Name) -> Expr:
     """The signal stays open for the movement that has begun to pass it."""
-    first, n = r.ways[0]
-    node = w.f.way(first, n)[0]
-    begun = disj((var(name), conj((var(r.proceed), w.coming_in(first, node)))))
-    there = [w.occupied(first), w.occupied(w.sym.approach_of[r.entry]), neg(var(w.sym.cancel[r.entry]))]
+    first, n = r.path.ways[0]
+    node = w.f.track.way(first, n)[0]
+    begun = disj((var(name), conj((var(r.proceed), w.sections.coming_in(first, node)))))
+    there = [
+        w.sections.occupied(first),
+        w.sections.occupied(w.sym.cancellation.approach_of[r.entry]),
+        neg(var(w.sym.cancellation.cancel[r.entry])),
+    ]
     return implies(conj((begun, *there, *_in_order(w, r, True, clear=False))), w.after(var(name)))
 
 
 def _may_show_clear(w: Words, r: RouteSymbols) -> Expr:
     """The path allows clear, and its lamp is intact (R11)."""
-    path = SignalPath(r.entry, False, tuple(w.way(s, n) for s, n in r.ways), None)
+    path = SignalPath(r.entry, False, tuple(w.ways.way(s, n) for s, n in r.path.ways), None)
     last = path.ways[-1]
     ahead = w.topo.beyond(last.section, last.exit)
     exit_ = None if ahead is None else w.topo.main_into.get((last.exit, ahead))
-    lamp = [var(w.sym.clear_lamp[r.entry])] if r.entry in w.sym.clear_lamp else []
+    lamp = [var(w.sym.lamp_proof.clear[r.entry])] if r.entry in w.sym.lamp_proof.clear else []
     speed = _speed(w, r)
     if speed is not None and speed < w.layout.principles.slow_below_kmh:
         return FALSE
@@ -133,64 +147,70 @@ def _may_show_clear(w: Words, r: RouteSymbols) -> Expr:
 
 def _speed(w: Words, r: RouteSymbols) -> int | None:
     """The highest speed for a route: of its path, and for its overlap (R11, R4)."""
-    over = [] if r.overlap is None else [w.way(s, n) for s, n in w.sym.overlap_ways[r.overlap]]
-    own = route_speed(w.layout, [w.way(s, n) for s, n in r.ways], "" if r.overlap is None else r.overlap[0], over)
-    beyond = None if r.onward is None else _speed(w, w.sym.number[r.onward])
+    over = [] if r.path.overlap is None else [w.ways.way(s, n) for s, n in w.sym.overlaps.ways[r.path.overlap]]
+    own = route_speed(
+        w.layout, [w.ways.way(s, n) for s, n in r.path.ways], "" if r.path.overlap is None else r.path.overlap[0], over
+    )
+    beyond = None if r.path.onward is None else _speed(w, w.sym.routes.number[r.path.onward])
     return min((v for v in (own, beyond) if v is not None), default=None)
 
 
 def _kept_clear(w: Words, r: RouteSymbols) -> list[SectionId]:
     """The sections that must be clear: all, but those of a call-on only at first and where vehicles may stand."""
-    sections = [s for s, _ in r.ways]
-    return [s for i, s in enumerate(sections) if not r.call_on or i == 0 or w.f.berth(s)]
+    sections = [s for s, _ in r.path.ways]
+    return [s for i, s in enumerate(sections) if not r.call_on or i == 0 or w.f.track.berth(s)]
 
 
 def _refusing(w: Words, r: RouteSymbols, wide: bool) -> Iterator[Expr]:
     """Why a route is refused (R6); `wide`: with what might count for the flank space or for the limit of a zone."""
     f, clear = w.f, _kept_clear(w, r)
     yield neg(w.valid)
-    for s, n in r.ways:
-        own = [o for o, ways in w.sym.overlap_ways.items() if o[0] == r.entry and (s, n) in ways]
-        if r.shunt or r.call_on or r.identifier:
+    for s, n in r.path.ways:
+        own = [o for o, ways in w.sym.overlaps.ways.items() if o[0] == r.entry and (s, n) in ways]
+        if r.shunt or r.call_on or r.path.identifier:
             own = []
-        yield f.locked(s)
-        yield disj(var(name) for o, name in f.options(s).items() if o not in own)
+        yield f.locking.locked(s)
+        yield disj(var(name) for o, name in f.locking.options(s).items() if o not in own)
         if s in clear:
-            yield neg(w.long(s))
-        yield w.blocked(s)
+            yield neg(w.sections.long(s))
+        yield w.ways.blocked(s)
         yield _not_to_be_had(w, (s, n), wide)
     yield from _rear(w, r)
-    if r.overlap is not None:
-        for s, n in w.sym.overlap_ways[r.overlap]:
-            yield _not_as_overlap(w, r.overlap[0], (s, n), wide)
-    if r.berth is not None:
-        yield from _berth(w, r.berth, wide)
+    if r.path.overlap is not None:
+        for s, n in w.sym.overlaps.ways[r.path.overlap]:
+            yield _not_as_overlap(w, r.path.overlap[0], (s, n), wide)
+    if r.path.berth is not None:
+        yield from _berth(w, r.path.berth, wide)
     of = {x.number: x.added for x in w.sym.routes}
-    yield disj(var(name) for n in r.barred if (name := of[n]) is not None)
-    for m, x in r.demands:
-        yield neg(w.obtainable(m, x))
-        yield var(w.sym.trailed[m]) if w.powered(m) else FALSE
+    yield disj(var(name) for n in r.path.barred if (name := of[n]) is not None)
+    for m, x in r.path.demands:
+        yield neg(w.points.obtainable(m, x))
+        yield var(w.sym.machines.trailed[m]) if w.points.powered(m) else FALSE
     for z in w.layout.zones if wide else ():  # how many trains there may be is T-ZONE's business
-        if any(s in z.sections for s, _ in r.ways):
+        if any(s in z.sections for s, _ in r.path.ways):
             yield _zone_may_be_full(w, z.sections)
 
 
 def _zone_may_be_full(w: Words, those: tuple[SectionId, ...]) -> Expr:
     """Something is locked or held in a zone."""
-    return disj(w.f.held(s) for s in those)
+    return disj(w.f.locking.held(s) for s in those)
 
 
 def _not_to_be_had(w: Words, way: Way, wide: bool) -> Expr:
     """A way cannot be locked, whatever stands in its section (R6, R10)."""
-    f, out = w.f, [w.trouble(*way, wide)]
-    for other, whole, numbers in w.sym.excluded[way]:
-        if other not in w.sym.restart:
+    f, out = w.f, [w.ways.trouble(*way, wide)]
+    for other, whole, numbers in w.sym.ways.excluded[way]:
+        if other not in w.sym.sections.restart:
             continue
         if whole:
-            out.append(f.held(other))
+            out.append(f.locking.held(other))
         else:
-            out += [f.restart(other), *f.overlaps(other, numbers), *(f.lock(other, n) for n in numbers)]
-    out += [neg(w.obtainable(m, x)) for m, x in w.sym.demands[way]]
+            out += [
+                f.locking.restart(other),
+                *f.locking.overlaps(other, numbers),
+                *(f.locking.lock(other, n) for n in numbers),
+            ]
+    out += [neg(w.points.obtainable(m, x)) for m, x in w.sym.ways.demands[way]]
     return disj(out)
 
 
@@ -199,75 +219,75 @@ def _not_as_overlap(w: Words, g: SignalId, way: Way, wide: bool) -> Expr:
     f, (s, n) = w.f, way
     onward = disj(
         var(x.active)
-        for x in w.sym.routes_over.get(way, ())
-        if x.entry == g and not x.shunt and not x.call_on and not x.identifier and way in x.ways
+        for x in w.sym.routes.over.get(way, ())
+        if x.entry == g and not x.shunt and not x.call_on and not x.path.identifier and way in x.path.ways
     )
-    locks = [conj((lock, neg(onward))) if k == n else lock for k, lock in f.locks(s)]
-    held = [f.restart(s), *(var(name) for name in f.options(s).values()), *locks]
-    return disj((*held, neg(w.long(s)), w.blocked(s), _not_to_be_had(w, way, wide)))
+    locks = [conj((lock, neg(onward))) if k == n else lock for k, lock in f.locking.of(s)]
+    held = [f.locking.restart(s), *(var(name) for name in f.locking.options(s).values()), *locks]
+    return disj((*held, neg(w.sections.long(s)), w.ways.blocked(s), _not_to_be_had(w, way, wide)))
 
 
 def _rear(w: Words, r: RouteSymbols) -> Iterator[Expr]:
     """A train that may stand before the signal since the restart on points, on what is open, or not alone (R16)."""
-    f, (first, n) = w.f, r.ways[0]
-    node = f.way(first, n)[0]
+    f, (first, n) = w.f, r.path.ways[0]
+    node = f.track.way(first, n)[0]
     rear = w.topo.beyond(first, node)
     if rear is None:
         return
     lies_anyhow = any(t.points or t.crossings for t in w.topo.traversals[rear])
     if lies_anyhow:
-        yield f.restart(rear)
+        yield f.locking.restart(rear)
     for d in w.layout.devices:
         if rear in d.over:
-            yield conj((f.restart(rear), neg(w.detected(d.id, Position.REVERSE))))
+            yield conj((f.locking.restart(rear), neg(w.points.detected(d.id, Position.REVERSE))))
     beside = {w.topo.beyond(rear, j) for j in w.topo.ends[rear] if j != node}
-    beside |= {fj.section for fj in f.fouls if fj.neighbour == rear}
+    beside |= {fj.section for fj in f.track.fouls if fj.neighbour == rear}
     for other in sorted(s for s in beside if s is not None):
-        yield conj((f.restart(rear), f.restart(other), neg(w.long(other))))
+        yield conj((f.locking.restart(rear), f.locking.restart(other), neg(w.sections.long(other))))
 
 
 def _berth(w: Words, way: Way, wide: bool) -> Iterator[Expr]:
     """A shunting movement does not come among vehicles where a train, or another movement, comes in (R2, R6)."""
     f, s = w.f, way[0]
-    yield disj((w.blocked(s), _not_to_be_had(w, way, wide), f.train(s), *f.overlaps(s)))
+    yield disj((w.ways.blocked(s), _not_to_be_had(w, way, wide), f.locking.train(s), *f.locking.overlaps(s)))
     for j in w.topo.ends[s]:
         rear = w.topo.beyond(s, j)
-        if j == f.way(*way)[0]:
+        if j == f.track.way(*way)[0]:
             continue
-        g = w.signal_at(s, j)
+        g = w.sections.signal_at(s, j)
         if g is not None:
-            waits = disj((neg(f.used(s)), w.occupied(w.rear(s, j)), w.passing(g)))
-            yield conj((f.locked_in(s, j), waits))
+            waits = disj((neg(f.seen.used(s)), w.sections.occupied(w.sections.rear(s, j)), w.signals.passing(g)))
+            yield conj((f.locking.locked_in(s, j), waits))
         elif rear is not None:
-            yield f.locked_out(rear, j)
+            yield f.locking.locked_out(rear, j)
 
 
 def _lie(w: Words, r: RouteSymbols, wide: bool, kept_clear: bool = True) -> Iterator[Expr]:
     """The ways lie, and those that are kept clear are."""
     clear = _kept_clear(w, r) if kept_clear else []
-    for s, n in (*r.ways, *([r.berth] if r.berth is not None else [])):
-        yield w.lies(s, n, wide)
+    for s, n in (*r.path.ways, *([r.path.berth] if r.path.berth is not None else [])):
+        yield w.ways.lies(s, n, wide)
         if s in clear:
-            yield w.long(s)
+            yield w.sections.long(s)
 
 
 def _added_lie(w: Words, r: RouteSymbols) -> Iterator[Expr]:
     """The points that the author has the route lock lie so (R5)."""
-    for m, x in r.demands:
-        yield w.detected(m, x)
-        yield neg(var(w.sym.trailed[m])) if w.powered(m) else conj(())
+    for m, x in r.path.demands:
+        yield w.points.detected(m, x)
+        yield neg(var(w.sym.machines.trailed[m])) if w.points.powered(m) else conj(())
 
 
 def _holds_added(w: Words, r: RouteSymbols, name: Name) -> Expr:
     """What was added is held from the grant until the train is wholly in the last section (R6)."""
-    last = w.topo.traversals[r.ways[-1][0]][r.ways[-1][1] - 1]
-    leaves = last.exit in w.layout.boundary_at or r.berth is not None
-    through = r.ways if leaves or len(r.ways) == 1 else r.ways[:-1]
-    overlaps = [x for o, x in w.sym.overlap.items() if r.overlap is not None and o[0] == r.overlap[0]]
-    mine = [w.sym.overlap[r.overlap]] if r.overlap is not None else []
-    those = overlaps if r.overlap is not None and r.overlap[0] in w.sym.swings else mine
-    under_way = disj((w.set_now(r), var(r.active), w.f.lock(*through[-1]), *map(var, those)))
-    return iff(w.after(var(name)), conj((disj((var(name), w.set_now(r))), under_way)))
+    last = w.topo.traversals[r.path.ways[-1][0]][r.path.ways[-1][1] - 1]
+    leaves = last.exit in w.layout.boundary_at or r.path.berth is not None
+    through = r.path.ways if leaves or len(r.path.ways) == 1 else r.path.ways[:-1]
+    overlaps = [x for o, x in w.sym.overlaps.held.items() if r.path.overlap is not None and o[0] == r.path.overlap[0]]
+    mine = [w.sym.overlaps.held[r.path.overlap]] if r.path.overlap is not None else []
+    those = overlaps if r.path.overlap is not None and r.path.overlap[0] in w.sym.overlaps.swings else mine
+    under_way = disj((w.signals.set_now(r), var(r.active), w.f.locking.lock(*through[-1]), *map(var, those)))
+    return iff(w.after(var(name)), conj((disj((var(name), w.signals.set_now(r))), under_way)))
 
 
 def _in_order(w: Words, r: RouteSymbols, wide: bool, clear: bool = True) -> Iterator[Expr]:
@@ -276,12 +296,12 @@ def _in_order(w: Words, r: RouteSymbols, wide: bool, clear: bool = True) -> Iter
     f, sym = w.f, w.sym
     yield w.valid
     yield from _lie(w, r, wide, clear)
-    yield w.overlap_lies(r, wide)
+    yield w.ways.overlap_lies(r, wide)
     yield from _added_lie(w, r)
-    for s, _ in (*r.ways, *([r.berth] if r.berth is not None else [])):
-        yield neg(w.blocked(s))
+    for s, _ in (*r.path.ways, *([r.path.berth] if r.path.berth is not None else [])):
+        yield neg(w.ways.blocked(s))
     yield from map(neg, _rear(w, r))
-    ways = [w.way(s, n) for s, n in r.ways]
+    ways = [w.ways.way(s, n) for s, n in r.path.ways]
     for c in w.layout.conditions:
         exits = not r.shunt and ways[-1].exit in c.exits
         if r.entry in c.signals or any(t.section in c.over for t in ways) or exits:
@@ -291,13 +311,13 @@ def _in_order(w: Words, r: RouteSymbols, wide: bool, clear: bool = True) -> Iter
         if boundary.node in sym.token:
             yield var(sym.token[boundary.node].have)
         if boundary.approach is not None:
-            yield w.long(boundary.approach)
+            yield w.sections.long(boundary.approach)
     if not r.call_on:
-        yield neg(f.stale(r.ways[0][0]))
-        last = sym.caution_lamp.get(r.entry, sym.clear_lamp.get(r.entry))
-        if r.identifier:
-            last = sym.identifier_lamp.get(r.entry)
+        yield neg(f.seen.stale(r.path.ways[0][0]))
+        last = sym.lamp_proof.caution.get(r.entry, sym.lamp_proof.clear.get(r.entry))
+        if r.path.identifier:
+            last = sym.lamp_proof.identifier.get(r.entry)
         if last is not None and not r.shunt:
             yield var(last)
-    if r.overlap is not None:
-        yield disj(var(name) for o, name in sym.overlap.items() if o[0] == r.overlap[0])
+    if r.path.overlap is not None:
+        yield disj(var(name) for o, name in sym.overlaps.held.items() if o[0] == r.path.overlap[0])

@@ -6,9 +6,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from interlock.logic import words as said
-from interlock.logic.controller import Controller, RouteSymbols
+from interlock.logic.controller import Controller
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, iff, implies, neg, var
 from interlock.logic.names import computed
+from interlock.logic.symbols import RouteSymbols
 from interlock.proof.functions.words import Words
 
 
@@ -34,12 +35,12 @@ def _does(w: Words, r: RouteSymbols, told: dict[int, Expr]) -> Iterator[Expr]:
 
     yield neg(says(said.UNKNOWN))
     yield iff(says(said.OPEN), after(disj(map(var, r.open_while))))
-    yield implies(says(said.OPEN), after(w.sym.signal(r.entry, r.shunt)))
-    yield implies(says(said.CANCELLING), after(conj((active, var(w.sym.cancelling[r.entry])))))
+    yield implies(says(said.OPEN), after(w.sym.aspects.signal(r.entry, r.shunt)))
+    yield implies(says(said.CANCELLING), after(conj((active, var(w.sym.cancellation.cancelling[r.entry])))))
     waits = disj(x for k, x in told.items() if said.WAITING < k < said.REFUSED)
     yield implies(waits, conj((after(active), neg(after(var(r.locked))))))
     yield implies(says(said.SET), after(active))
-    yield FALSE if r.identifier and said.FREE in told else TRUE  # nobody can ask for it alone
-    yield implies(conj((says(said.FREE), w.sym.asked(r.number))), after(active))
+    yield FALSE if r.path.identifier and said.FREE in told else TRUE  # nobody can ask for it alone
+    yield implies(conj((says(said.FREE), w.sym.requests.asked(r.number))), after(active))
     refused = disj(x for k, x in told.items() if k > said.REFUSED)
     yield implies(disj((refused, says(said.FREE))), neg(after(active)))

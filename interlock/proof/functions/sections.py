@@ -13,84 +13,86 @@ def sections(w: Words) -> Iterator[tuple[str, str, Expr]]:
     """F-USED to F-MODE and F-RELEASE."""
     for s in w.topo.sections:
         yield from _memory(w, s)
-        released = conj((w.f.locked(s), disj(_releasing(w, s))))
-        yield "F-RELEASE", s, iff(w.ends(w.f.locked(s)), released)
+        released = conj((w.f.locking.locked(s), disj(_releasing(w, s))))
+        yield "F-RELEASE", s, iff(w.ends(w.f.locking.locked(s)), released)
 
 
 def _memory(w: Words, s: SectionId) -> Iterator[tuple[str, str, Expr]]:
     f, after = w.f, w.after
-    yield "F-USED", s, iff(w.rises(f.used(s)), disj(w.coming_in(s, j) for j in w.topo.ends[s]))
+    yield "F-USED", s, iff(w.rises(f.seen.used(s)), disj(w.sections.coming_in(s, j) for j in w.topo.ends[s]))
     ahead = []
     for j in w.topo.ends[s]:
         t = w.topo.beyond(s, j)
         if t is not None:
-            ahead.append(w.coming_in(t, j))
-    gone = conj((neg(f.passed(s)), f.used(s), w.occupied(s), disj(ahead)))
-    yield "F-PASSED", s, iff(w.rises(f.passed(s)), gone)
-    over = [r for r in w.sym.routes if any(x == s for x, _ in r.ways)]
-    called = disj(w.set_now(r) for r in over if r.call_on)
-    lost = conj((neg(f.stale(s)), disj((conj((neg(w.valid), f.any_lock(s))), called))))
-    yield "F-STALE", s, iff(w.rises(f.stale(s)), lost)
+            ahead.append(w.sections.coming_in(t, j))
+    gone = conj((neg(f.seen.passed(s)), f.seen.used(s), w.sections.occupied(s), disj(ahead)))
+    yield "F-PASSED", s, iff(w.rises(f.seen.passed(s)), gone)
+    over = [r for r in w.sym.routes if any(x == s for x, _ in r.path.ways)]
+    called = disj(w.signals.set_now(r) for r in over if r.call_on)
+    lost = conj((neg(f.seen.stale(s)), disj((conj((neg(w.valid), f.locking.any_lock(s))), called))))
+    yield "F-STALE", s, iff(w.rises(f.seen.stale(s)), lost)
     firm = [w.rises(var(r.locked)) for r in over]
     firm += [
-        conj((w.rises(var(r.locked)), f.any_lock(s))) for r in w.sym.routes if r.berth is not None and r.berth[0] == s
+        conj((w.rises(var(r.locked)), f.locking.any_lock(s)))
+        for r in w.sym.routes
+        if r.path.berth is not None and r.path.berth[0] == s
     ]
-    yield "F-FIRM", s, iff(w.rises(f.firm(s)), conj((neg(f.firm(s)), disj(firm))))
-    kept = [f.used(s), f.passed(s), f.stale(s), f.firm(s)]
-    if f.shunts:
-        mode = f.train(s)
-        trains = disj(w.set_now(r) for r in over if not r.shunt)
+    yield "F-FIRM", s, iff(w.rises(f.locking.firm(s)), conj((neg(f.locking.firm(s)), disj(firm))))
+    kept = [f.seen.used(s), f.seen.passed(s), f.seen.stale(s), f.locking.firm(s)]
+    if f.track.shunts:
+        mode = f.locking.train(s)
+        trains = disj(w.signals.set_now(r) for r in over if not r.shunt)
         yield "F-MODE", s, iff(w.rises(mode), conj((neg(mode), trains)))
-        if w.ends_shunts(s):
-            here = conj((w.wholly_in(s), *_ends_here(w, s)))
+        if w.sections.ends_shunts(s):
+            here = conj((w.sections.wholly_in(s), *_ends_here(w, s)))
             yield "F-MODE", f"{s} arrived", implies(here, neg(after(mode)))
-            yield "F-MODE", f"{s} stays", implies(conj((w.ends(mode), after(f.locked(s)))), here)
+            yield "F-MODE", f"{s} stays", implies(conj((w.ends(mode), after(f.locking.locked(s)))), here)
         else:
             kept.append(mode)
     for x in kept:
-        yield "F-RELEASE", f"{s} {x}", implies(conj((x, after(f.locked(s)))), after(x))
-        yield "F-RELEASE", f"{s} {x} forgotten", implies(w.ends(f.locked(s)), neg(after(x)))
+        yield "F-RELEASE", f"{s} {x}", implies(conj((x, after(f.locking.locked(s)))), after(x))
+        yield "F-RELEASE", f"{s} {x} forgotten", implies(w.ends(f.locking.locked(s)), neg(after(x)))
 
 
 def _ends_here(w: Words, s: SectionId) -> Iterator[Expr]:
     """The train does not go on into the next section."""
     for j in w.topo.ends[s]:
         t = w.topo.beyond(s, j)
-        if t is not None and not w.main_at(t, j):
-            yield neg(conj((w.f.locked_out(s, j), w.f.locked_in(t, j), w.on(t, j, s))))
+        if t is not None and not w.sections.main_at(t, j):
+            yield neg(conj((w.f.locking.locked_out(s, j), w.f.locking.locked_in(t, j), w.sections.on(t, j, s))))
     for r in w.sym.routes:
-        if r.identifier and w.sym.approach_of[r.entry] == s:
+        if r.path.identifier and w.sym.cancellation.approach_of[r.entry] == s:
             yield neg(var(r.proceed))
 
 
 def _releasing(w: Words, s: SectionId) -> Iterator[Expr]:
     """Why a section is released."""
     f, sym = w.f, w.sym
-    long, rear, closed = w.long(s), w.rear_released(s), w.closed(s)
-    yield conj((w.valid, f.used(s), long, closed, rear, disj((f.passed(s), *_left(w, s)))))  # R9
+    long, rear, closed = w.sections.long(s), w.sections.rear_released(s), w.sections.closed(s)
+    yield conj((w.valid, f.seen.used(s), long, closed, rear, disj((f.seen.passed(s), *_left(w, s)))))  # R9
     inside = []
-    hand = disj((var(sym.release[s]), conj((var(sym.release_all), f.stale(s)))))
-    by_hand = [w.valid, long, closed, rear, hand, f.any_lock(s)]
+    hand = disj((var(sym.sections.release[s]), conj((var(sym.sections.release_all), f.seen.stale(s)))))
+    by_hand = [w.valid, long, closed, rear, hand, f.locking.any_lock(s)]
     for j in w.topo.ends[s]:
-        locked, g = f.locked_in(s, j), w.signal_at(s, j)
-        if not w.main_at(s, j) and w.topo.beyond(s, j) is not None:
-            inside.append(conj((locked, TRUE if g is None else f.train(s))))
+        locked, g = f.locking.locked_in(s, j), w.sections.signal_at(s, j)
+        if not w.sections.main_at(s, j) and w.topo.beyond(s, j) is not None:
+            inside.append(conj((locked, TRUE if g is None else f.locking.train(s))))
         if g is not None and locked is not FALSE:
-            yield w.given_up(g)
-            by_hand.append(disj((neg(locked), conj((neg(w.active(g)), w.safe(g))))))
-    yield conj((w.valid, long, neg(f.used(s)), disj(inside), rear))  # withdrawn, R8
+            yield w.signals.given_up(g)
+            by_hand.append(disj((neg(locked), conj((neg(w.signals.active(g)), w.signals.safe(g))))))
+    yield conj((w.valid, long, neg(f.seen.used(s)), disj(inside), rear))  # withdrawn, R8
     yield conj(by_hand)
-    operator = disj((var(sym.release[s]), var(sym.release_all)))
-    vehicles = rear if w.ends_shunts(s) else TRUE
-    yield conj((w.valid, long, f.restart(s), var(sym.restart_timer), operator, vehicles))  # R16
+    operator = disj((var(sym.sections.release[s]), var(sym.sections.release_all)))
+    vehicles = rear if w.sections.ends_shunts(s) else TRUE
+    yield conj((w.valid, long, f.locking.restart(s), var(sym.start.restart_timer), operator, vehicles))  # R16
 
 
 def _left(w: Words, s: SectionId) -> Iterator[Expr]:
     """A train has left over a boundary, or gone among standing vehicles, and none is about to follow it (R9)."""
-    for n, lock in w.f.locks(s):
-        entry, exit_ = w.f.way(s, n)
-        g = w.signal_at(s, entry)
-        alone = TRUE if g is None else w.safe(g)
+    for n, lock in w.f.locking.of(s):
+        entry, exit_ = w.f.track.way(s, n)
+        g = w.sections.signal_at(s, entry)
+        alone = TRUE if g is None else w.signals.safe(g)
         if exit_ in w.layout.boundary_at:
             yield conj((lock, alone))
-        yield conj((w.into_berth(s, n), w.occupied(w.topo.beyond(s, exit_)), alone))
+        yield conj((w.sections.into_berth(s, n), w.sections.occupied(w.topo.beyond(s, exit_)), alone))

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from functools import cached_property
 from itertools import pairwise
 
-from interlock.logic.controller import RouteSymbols
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
+from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint
 from interlock.model.measured import Beyond
@@ -18,126 +18,57 @@ from interlock.proof.claims import Facts
 Way = tuple[SectionId, int]
 
 
-class Words:
-    """Short names for what functions speak of."""
+class SectionWords:
+    """Sections: what is reported of each, what comes in, and when it is released."""
 
-    def __init__(self, f: Facts) -> None:
-        self.f, self.sym, self.topo, self.layout = f, f.sym, f.topo, f.layout
-        self.after = f.system.after
-        self.valid = var(f.sym.valid)
-
-    def rises(self, x: Expr) -> Expr:
-        """It begins to hold with this scan."""
-        return conj((self.after(x), neg(x)))
-
-    def ends(self, x: Expr) -> Expr:
-        """It holds until this scan."""
-        return conj((x, neg(self.after(x))))
-
-    def occupied(self, s: str | None) -> Expr:
-        """Counts as occupied: not validly reported clear, or without detection (R3)."""
-        return TRUE if s is None else neg(conj((self.valid, self.f.clear(s))))
-
-    def long(self, s: str) -> Expr:
-        """Steadily clear: without a break for the release delay (R15); never, without detection."""
-        name = self.sym.release_timer.get(SectionId(s))
-        return FALSE if name is None or s in self.layout.undetected else var(name)
-
-    def detected(self, m: MachineId, x: Position) -> Expr:
-        """Detected there by valid and unambiguous contacts (R10)."""
-        return conj((self.valid, var(self.sym.detected[m, x]), neg(var(self.sym.detected[m, x.other]))))
-
-    def commanded(self, m: MachineId, x: Position) -> Expr:
-        """Commanded to a position."""
-        return var(self.sym.command[m, x])
-
-    def anew(self, m: MachineId) -> Expr:
-        """Commanded with this scan to where it was not commanded."""
-        return disj(self.rises(self.commanded(m, x)) for x in Position)
-
-    # --- routes and signals ------------------------------------------------------------------------
-
-    def set_now(self, r: RouteSymbols) -> Expr:
-        """The route is set in this scan."""
-        return self.rises(var(r.active))
-
-    def active(self, g: SignalId) -> Expr:
-        """A route from the signal is set and not yet used."""
-        return disj(var(r.active) for r in self.sym.routes_from.get(g, ()))
-
-    def passing(self, g: SignalId) -> Expr:
-        """The signal is still open for a movement that has begun to pass it."""
-        return disj(self.sym.passing(g, shunt) for shunt in (False, True))
-
-    def seen(self, g: SignalId) -> Expr:
-        """The signal has been open for the route that is set."""
-        return disj(var(r.shown) for r in self.sym.routes_from.get(g, ()))
-
-    def nobody(self, g: SignalId) -> Expr:
-        """No train can be on its way to the signal (R8)."""
-        return neg(self._coming(self.f.system.measured.approaches[g]))
-
-    def _coming(self, x: Approach) -> Expr:
-        if x.section is None or x.unseen:
-            return TRUE
-        lock = self.sym.lock
-        further = (conj((var(lock[x.section, n]), self._coming(y))) for n, y in x.further if (x.section, n) in lock)
-        return disj((neg(self.long(x.section)), *further))
-
-    def safe(self, g: SignalId) -> Expr:
-        """No train can be about to pass the signal: none is on its way or starts there, or the delay is over (R8)."""
-        if g not in self.sym.approach_timer:
-            return TRUE
-        return disj((self.nobody(g), var(self.sym.approach_timer[g])))
-
-    def first(self, g: SignalId) -> SectionId:
-        """The section just beyond a signal."""
-        return self.layout.section_of(self.layout.signal[g].into)
-
-    def given_up(self, g: SignalId) -> Expr:
-        """The cancelled route may be given up (R8)."""
-        if g not in self.sym.cancelling:
-            return FALSE
-        permitted = disj((self.safe(g), neg(self.seen(g))))
-        return conj((var(self.sym.cancelling[g]), self.active(g), self.valid, self.long(self.first(g)), permitted))
-
-    # --- sections ----------------------------------------------------------------------------------
-
-    @cached_property
-    def nodes(self) -> Mapping[SectionId, Sequence[NodeId]]:
-        """The ends of each section."""
-        return self.topo.ends
+    def __init__(self, w: Words) -> None:
+        self._w = w
 
     def signal_at(self, s: SectionId, j: NodeId) -> SignalId | None:
         """The signal that governs entry into a section at an end."""
-        found = self.topo.signal_into.get((j, s))
+        found = self._w.topo.signal_into.get((j, s))
         return None if found is None else SignalId(str(found))
 
     def main_at(self, s: SectionId, j: NodeId) -> bool:
         """A signal for trains governs entry into a section at an end."""
-        return (j, s) in self.topo.main_into
+        return (j, s) in self._w.topo.main_into
 
     def rear(self, s: SectionId, j: NodeId) -> str | None:
         """The section that a train comes from: the neighbour, or the approach section of a boundary."""
-        boundary = self.layout.boundary_at.get(j)
-        return boundary.approach if boundary is not None else self.topo.beyond(s, j)
+        boundary = self._w.layout.boundary_at.get(j)
+        return boundary.approach if boundary is not None else self._w.topo.beyond(s, j)
 
     def ends_shunts(self, s: SectionId | None) -> bool:
         """Shunting movements end there, among standing vehicles."""
-        return s is not None and s in self.f.ends_of_shunts
+        return s is not None and s in self._w.f.track.ends_of_shunts
+
+    def occupied(self, s: str | None) -> Expr:
+        """Counts as occupied: not validly reported clear, or without detection (R3)."""
+        return TRUE if s is None else neg(conj((self._w.valid, self._w.f.seen.clear(s))))
+
+    def long(self, s: str) -> Expr:
+        """Steadily clear: without a break for the release delay (R15); never, without detection."""
+        name = self._w.sym.sections.release_timer.get(SectionId(s))
+        return FALSE if name is None or s in self._w.layout.undetected else var(name)
 
     def on(self, s: SectionId, j: NodeId, rear: SectionId) -> Expr:
         """Locks go on over a joint: past a shunt signal only those of trains."""
-        return TRUE if self.signal_at(s, j) is None else conj((self.f.train(s), self.f.train(rear)))
+        return (
+            TRUE if self.signal_at(s, j) is None else conj((self._w.f.locking.train(s), self._w.f.locking.train(rear)))
+        )
 
     def rear_released(self, s: SectionId) -> Expr:
         """No lock in rear leads into the section, and no shunting movement is set into it in this scan (R9)."""
-        out = [neg(self.set_now(r)) for r in self.sym.routes if r.berth is not None and r.berth[0] == s]
-        for j in self.nodes[s]:
-            rear = self.topo.beyond(s, j)
+        out = [
+            neg(self._w.signals.set_now(r))
+            for r in self._w.sym.routes
+            if r.path.berth is not None and r.path.berth[0] == s
+        ]
+        for j in self._w.topo.ends[s]:
+            rear = self._w.topo.beyond(s, j)
             if rear is None or self.main_at(s, j):
                 continue
-            locked, leads = self.f.locked_in(s, j), self.f.locked_out(rear, j)
+            locked, leads = self._w.f.locking.locked_in(s, j), self._w.f.locking.locked_out(rear, j)
             if locked is FALSE or leads is FALSE:
                 continue
             if self.ends_shunts(s) and self.signal_at(s, j) is None:
@@ -147,81 +78,163 @@ class Words:
 
     def wholly_in(self, s: SectionId) -> Expr:
         """A train has come in, and nothing stands in rear of it that may still come in (R2, R4)."""
-        out = [self.valid, self.f.used(s), self.rear_released(s)]
-        for j in self.nodes[s]:
+        out = [self._w.valid, self._w.f.seen.used(s), self.rear_released(s)]
+        for j in self._w.topo.ends[s]:
             if self.main_at(s, j):
-                out.append(neg(conj((self.f.locked_in(s, j), self.occupied(self.rear(s, j))))))
+                out.append(neg(conj((self._w.f.locking.locked_in(s, j), self.occupied(self.rear(s, j))))))
         return conj(out)
 
     def coming_in(self, s: SectionId, j: NodeId) -> Expr:
         """The three-point check sees a train come into a section at an end (R9)."""
-        f = self.f
-        locked = f.locked_in(s, j)
+        f = self._w.f
+        locked = f.locking.locked_in(s, j)
         if locked is FALSE:
             return FALSE
         if self.ends_shunts(s) and self.signal_at(s, j) is None:
-            locked = f.any_lock(s)
+            locked = f.locking.any_lock(s)
         rear = self.rear(s, j)
-        out = [self.valid, f.firm(s), neg(f.stale(s)), neg(f.used(s)), locked]
+        out = [self._w.valid, f.locking.firm(s), neg(f.seen.stale(s)), neg(f.seen.used(s)), locked]
         out += [self.occupied(s), self.occupied(rear)]
-        inside = self.topo.beyond(s, j)
+        inside = self._w.topo.beyond(s, j)
         if inside is not None and not self.main_at(s, j):
-            own = [neg(f.train(s))] if self.signal_at(s, j) is not None else []
+            own = [neg(f.locking.train(s))] if self.signal_at(s, j) is not None else []
             own += self._overrunning(inside, j, s)
-            out.append(disj((*own, f.used(inside))))
-            out.append(disj((*own, f.locked_out(inside, j))))
+            out.append(disj((*own, f.seen.used(inside))))
+            out.append(disj((*own, f.locking.locked_out(inside, j))))
         return conj(out)
 
     def _overrunning(self, rear: SectionId, j: NodeId, s: SectionId) -> list[Expr]:
         """The overlaps over a joint, within which a train that has overrun a signal runs on."""
         found = []
-        for option, ways in self.sym.overlap_ways.items():
+        for option, ways in self._w.sym.overlaps.ways.items():
             for a, b in pairwise(ways):
-                if a[0] == rear and b[0] == s and self.f.way(*a)[1] == j:
-                    found.append(var(self.sym.overlap[option]))
+                if a[0] == rear and b[0] == s and self._w.f.track.way(*a)[1] == j:
+                    found.append(var(self._w.sym.overlaps.held[option]))
         return found
 
     def into_berth(self, s: SectionId, n: int) -> Expr:
         """A way is locked for a shunting movement that ends in the section ahead."""
-        exit_ = self.f.way(s, n)[1]
-        ahead = self.topo.beyond(s, exit_)
+        exit_ = self._w.f.track.way(s, n)[1]
+        ahead = self._w.topo.beyond(s, exit_)
         if ahead is None or not self.ends_shunts(ahead) or self.signal_at(ahead, exit_) is not None:
             return FALSE
-        return conj((self.f.lock(s, n), neg(self.f.train(s))))
+        return conj((self._w.f.locking.lock(s, n), neg(self._w.f.locking.train(s))))
 
     def outward(self, s: SectionId, j: NodeId) -> Expr:
         """What came in at an end has nobody to release the section behind it: it leaves over a boundary, or goes among
         standing vehicles."""
         out = []
-        for n, lock in self.f.locks(s):
-            entry, exit_ = self.f.way(s, n)
+        for n, lock in self._w.f.locking.of(s):
+            entry, exit_ = self._w.f.track.way(s, n)
             if entry == j:
-                out.append(lock if exit_ in self.layout.boundary_at else self.into_berth(s, n))
+                out.append(lock if exit_ in self._w.layout.boundary_at else self.into_berth(s, n))
         return disj(out)
 
     def closed(self, s: SectionId) -> Expr:
         """No signal into the section is open for a movement that passes it."""
-        signals = [g for j in self.nodes[s] if (g := self.signal_at(s, j)) is not None]
-        return neg(disj(map(self.passing, signals)))
+        signals = [g for j in self._w.topo.ends[s] if (g := self.signal_at(s, j)) is not None]
+        return neg(disj(map(self._w.signals.passing, signals)))
 
-    # --- points ------------------------------------------------------------------------------------
+
+class SignalWords:
+    """Signals and the routes from them."""
+
+    def __init__(self, w: Words) -> None:
+        self._w = w
+
+    def set_now(self, r: RouteSymbols) -> Expr:
+        """The route is set in this scan."""
+        return self._w.rises(var(r.active))
+
+    def active(self, g: SignalId) -> Expr:
+        """A route from the signal is set and not yet used."""
+        return disj(var(r.active) for r in self._w.sym.routes.of_signal.get(g, ()))
+
+    def passing(self, g: SignalId) -> Expr:
+        """The signal is still open for a movement that has begun to pass it."""
+        return disj(self._w.sym.routes.passing(g, shunt) for shunt in (False, True))
+
+    def seen(self, g: SignalId) -> Expr:
+        """The signal has been open for the route that is set."""
+        return disj(var(r.shown) for r in self._w.sym.routes.of_signal.get(g, ()))
+
+    def nobody(self, g: SignalId) -> Expr:
+        """No train can be on its way to the signal (R8)."""
+        return neg(self._coming(self._w.f.system.measured.approaches[g]))
+
+    def _coming(self, x: Approach) -> Expr:
+        if x.section is None or x.unseen:
+            return TRUE
+        lock = self._w.sym.sections.lock
+        further = (conj((var(lock[x.section, n]), self._coming(y))) for n, y in x.further if (x.section, n) in lock)
+        return disj((neg(self._w.sections.long(x.section)), *further))
+
+    def safe(self, g: SignalId) -> Expr:
+        """No train can be about to pass the signal: none is on its way or starts there, or the delay is over (R8)."""
+        if g not in self._w.sym.cancellation.approach_timer:
+            return TRUE
+        return disj((self.nobody(g), var(self._w.sym.cancellation.approach_timer[g])))
+
+    def first(self, g: SignalId) -> SectionId:
+        """The section just beyond a signal."""
+        return self._w.layout.section_of(self._w.layout.signal[g].into)
+
+    def given_up(self, g: SignalId) -> Expr:
+        """The cancelled route may be given up (R8)."""
+        if g not in self._w.sym.cancellation.cancelling:
+            return FALSE
+        permitted = disj((self.safe(g), neg(self.seen(g))))
+        return conj(
+            (
+                var(self._w.sym.cancellation.cancelling[g]),
+                self.active(g),
+                self._w.valid,
+                self._w.sections.long(self.first(g)),
+                permitted,
+            )
+        )
+
+
+class PointWords:
+    """Point machines and devices: where they lie, and when they may move."""
+
+    def __init__(self, w: Words) -> None:
+        self._w = w
+
+    def detected(self, m: MachineId, x: Position) -> Expr:
+        """Detected there by valid and unambiguous contacts (R10)."""
+        return conj(
+            (
+                self._w.valid,
+                var(self._w.sym.machines.detected[m, x]),
+                neg(var(self._w.sym.machines.detected[m, x.other])),
+            )
+        )
+
+    def commanded(self, m: MachineId, x: Position) -> Expr:
+        """Commanded to a position."""
+        return var(self._w.sym.machines.command[m, x])
+
+    def anew(self, m: MachineId) -> Expr:
+        """Commanded with this scan to where it was not commanded."""
+        return disj(self._w.rises(self.commanded(m, x)) for x in Position)
 
     def powered(self, m: MachineId) -> bool:
         """Whether the controller drives the machine, so that it may be trailed."""
-        return m in self.sym.trailed
+        return m in self._w.sym.machines.trailed
 
     def holding(self, way: Way) -> Expr:
         """A way is held, by a route or as overlap."""
-        over = [var(self.sym.overlap[o]) for o, ways in self.sym.overlap_ways.items() if way in ways]
-        return disj((self.f.lock(*way), *over))
+        over = [var(self._w.sym.overlaps.held[o]) for o, ways in self._w.sym.overlaps.ways.items() if way in ways]
+        return disj((self._w.f.locking.lock(*way), *over))
 
     @cached_property
     def _flanks(self) -> Mapping[MachineId, list[Way]]:
         """The ways that demand a machine which lies in none of their section's points: as flank protection."""
         found: dict[MachineId, list[Way]] = {}
-        for way, those in self.sym.demands.items():
+        for way, those in self._w.sym.ways.demands.items():
             for m, _ in those:
-                if way[0] not in self.layout.sections_of_machine[m]:
+                if way[0] not in self._w.layout.sections_of_machine[m]:
                     found.setdefault(m, []).append(way)
         return found
 
@@ -231,17 +244,19 @@ class Words:
 
     def movable(self, m: MachineId) -> Expr:
         """Nothing is locked or occupied over the machine, and nobody needs it as flank protection (R10)."""
-        free = [self.valid]
-        for s in self.layout.sections_of_machine[m]:
-            free += [neg(self.f.held(s)), self.long(s)]
+        free = [self._w.valid]
+        for s in self._w.layout.sections_of_machine[m]:
+            free += [neg(self._w.f.locking.held(s)), self._w.sections.long(s)]
         free += [
-            neg(var(r.added)) for r in self.sym.routes if r.added is not None and any(m == n for n, _ in r.demands)
+            neg(var(r.added))
+            for r in self._w.sym.routes
+            if r.added is not None and any(m == n for n, _ in r.path.demands)
         ]
         return conj((*free, *(neg(self.holding(way)) for way in self.flanks(m))))
 
     def closing(self, m: MachineId, x: Position) -> bool:
         """To close a crossing or bridge is always permitted (R13)."""
-        return m in self.layout.device and x is Position.REVERSE
+        return m in self._w.layout.device and x is Position.REVERSE
 
     def obtainable(self, m: MachineId, x: Position) -> Expr:
         """The machine can be had in a position (R10)."""
@@ -250,65 +265,95 @@ class Words:
         lies = conj((self.detected(m, x), *(neg(self.commanded(m, y)) for y in Position)))
         return disj((self.commanded(m, x), self.movable(m), lies))
 
-    # --- ways --------------------------------------------------------------------------------------
+
+class WayWords:
+    """Ways through sections: whether each lies and is clear."""
+
+    def __init__(self, w: Words) -> None:
+        self._w = w
 
     def way(self, s: SectionId, n: int) -> Traversal:
         """A way through a section."""
-        return self.topo.traversals[s][n - 1]
+        return self._w.topo.traversals[s][n - 1]
 
     def blocked(self, s: SectionId) -> Expr:
         """Somebody has blocked the section."""
-        return var(self.sym.blocked[s]) if s in self.sym.blocked else FALSE
+        return var(self._w.sym.sections.blocked[s]) if s in self._w.sym.sections.blocked else FALSE
 
     def trouble(self, s: SectionId, n: int, wide: bool = True) -> Expr:
         """Why a way can neither be had nor be shown: a trailed point, something foul, the flank space (`wide`: wherever
         something in it might count)."""
-        f, t = self.f, self.way(s, n)
-        out = [var(self.sym.trailed[m]) for m, _ in self.sym.demands[s, n] if self.powered(m)]
-        out += [neg(self._not_foul(fj)) for fj in f.fouls if fj.fouls(t)]
+        f, t = self._w.f, self.way(s, n)
+        out = [
+            var(self._w.sym.machines.trailed[m]) for m, _ in self._w.sym.ways.demands[s, n] if self._w.points.powered(m)
+        ]
+        out += [neg(self._not_foul(fj)) for fj in f.track.fouls if fj.fouls(t)]
         return disj((*out, self._space(t) if wide else FALSE))
 
     def _not_foul(self, fj: FoulJoint) -> Expr:
-        clear = self.long(fj.neighbour)
-        return clear if fj.when is None else disj((clear, self.detected(fj.when[0], fj.when[1].other)))
+        clear = self._w.sections.long(fj.neighbour)
+        return clear if fj.when is None else disj((clear, self._w.points.detected(fj.when[0], fj.when[1].other)))
 
     def _space(self, t: Traversal) -> Expr:
         """Something stands in the flank space, or a lamp that protects it is out: anywhere that may count (R5)."""
-        rules, out = self.layout.principles, []
+        rules, out = self._w.layout.principles, []
         if not rules.flank_space and not rules.flank_lamp:
             return FALSE
         for pid, x in t.points:
-            p = self.layout.point[pid]
-            out.append(self._anything(t.section, self.f.beyond[p.node, p.leg(x.other)]))
+            p = self._w.layout.point[pid]
+            out.append(self._anything(t.section, self._w.f.track.beyond[p.node, p.leg(x.other)]))
         for cid, arm in t.crossings:
-            c = self.layout.crossing[cid]
-            out += [self._anything(t.section, self.f.beyond[c.node, edge]) for edge in c.arms[1 - arm]]
+            c = self._w.layout.crossing[cid]
+            out += [self._anything(t.section, self._w.f.track.beyond[c.node, edge]) for edge in c.arms[1 - arm]]
         return disj(out)
 
     def _anything(self, own: SectionId, beyond: Beyond) -> Expr:
         s = beyond.section
-        out = [neg(self.long(s))] if s != own and s not in self.layout.undetected else []
-        if beyond.signal is not None and beyond.signal in self.sym.stop_lamp:
-            out.append(neg(var(self.sym.stop_lamp[beyond.signal])))
+        out = [neg(self._w.sections.long(s))] if s != own and s not in self._w.layout.undetected else []
+        if beyond.signal is not None and beyond.signal in self._w.sym.lamp_proof.stop:
+            out.append(neg(var(self._w.sym.lamp_proof.stop[beyond.signal])))
         return disj((*out, *(self._anything(own, x) for x in beyond.onward)))
 
     def lies(self, s: SectionId, n: int, wide: bool = True) -> Expr:
         """The points and devices of a way are detected, and nothing is in its way from beside (R3)."""
-        there = (self.detected(m, x) for m, x in self.sym.demands[s, n])
+        there = (self._w.points.detected(m, x) for m, x in self._w.sym.ways.demands[s, n])
         return conj((*there, neg(self.trouble(s, n, wide))))
 
     def overlap_lies(self, r: RouteSymbols, wide: bool = True) -> Expr:
         """The overlap that the route needs lies and is clear: its own, or the one to which it has swung (R4)."""
-        if r.overlap is None:
+        if r.path.overlap is None:
             return TRUE
-        own = r.overlap
-        swings = own[0] in self.sym.swings
-        options = [o for o in self.sym.overlap if o[0] == own[0]] if swings else [own]
+        own = r.path.overlap
+        swings = own[0] in self._w.sym.overlaps.swings
+        options = [o for o in self._w.sym.overlaps.held if o[0] == own[0]] if swings else [own]
 
         def clear(o: tuple[SignalId, int]) -> Expr:
-            ways = self.sym.overlap_ways[o]
-            return conj(x for s, n in ways for x in (self.long(s), self.lies(s, n, wide)))
+            ways = self._w.sym.overlaps.ways[o]
+            return conj(x for s, n in ways for x in (self._w.sections.long(s), self.lies(s, n, wide)))
 
         if not swings:
             return clear(own)
-        return disj(conj((var(self.sym.overlap[o]), clear(o))) for o in options)
+        return disj(conj((var(self._w.sym.overlaps.held[o]), clear(o))) for o in options)
+
+
+class Words:
+    """Short names for what functions speak of."""
+
+    def __init__(self, f: Facts) -> None:
+        self.f, self.sym, self.topo, self.layout = f, f.sym, f.topo, f.layout
+        self.after = f.system.after
+        self.valid = var(f.sym.valid)
+        self.sections, self.signals, self.points, self.ways = (
+            SectionWords(self),
+            SignalWords(self),
+            PointWords(self),
+            WayWords(self),
+        )
+
+    def rises(self, x: Expr) -> Expr:
+        """It begins to hold with this scan."""
+        return conj((self.after(x), neg(x)))
+
+    def ends(self, x: Expr) -> Expr:
+        """It holds until this scan."""
+        return conj((x, neg(self.after(x))))

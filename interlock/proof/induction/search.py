@@ -130,9 +130,9 @@ def _thin(system: System, steps: _Unrolled, claims: list[Claim], solver: MiniSat
     valid = system.symbols.valid
     healthy = {
         valid,
-        *system.symbols.clear.values(),
-        *system.symbols.healthy.values(),
-        *system.symbols.detected.values(),
+        *system.symbols.sections.clear.values(),
+        *system.symbols.sections.healthy.values(),
+        *system.symbols.machines.detected.values(),
     }  # else a fault is told
     run = _Thinned(solver, steps.bad + (depth - 1) * steps.size)
     for k in range(depth):

@@ -108,10 +108,13 @@ def _points(system: System, state: dict[str, int]) -> str:
 
 def _requests(system: System, inputs: dict[str, int]) -> list[str]:
     out = []
-    for who, name in (("the operator", system.symbols.request), ("somebody on the spot", system.symbols.local_request)):
+    for who, name in (
+        ("the operator", system.symbols.requests.request),
+        ("somebody on the spot", system.symbols.requests.local_request),
+    ):
         request = inputs.get(name, 0) if name else 0
         out += [f"{who} asks for route {r.id}" for r in system.symbols.routes if r.number == request]
-        swings = [g for g, number in system.symbols.swing_request.items() if number == request]
+        swings = [g for g, number in system.symbols.overlaps.swing_request.items() if number == request]
         out += [f"{who} asks for another overlap of {g}" for g in swings]
     for i in system.controller.inputs:
         if i.note.startswith("operator:") and not i.size and inputs.get(i.name):
@@ -126,7 +129,7 @@ def _changes(system: System, old: dict[str, int], new: dict[str, int]) -> list[s
     for r in system.symbols.routes:
         now, before = (any(x[n] for n in r.open_while) for x in (new, old))
         if now and not before:
-            what = "its identifier light" if r.identifier else "proceed"
+            what = "its identifier light" if r.path.identifier else "proceed"
             out.append(f"{called('signal', r.entry)} shows {what} for route {r.id}")
         if before and not now:
             out.append(f"{called('signal', r.entry)} returns to stop")
@@ -135,10 +138,10 @@ def _changes(system: System, old: dict[str, int], new: dict[str, int]) -> list[s
             out.append(f"the direction at {b} is ours")
         if new[token.give] and not old[token.give]:
             out.append(f"the direction at {b} is given to the neighbour")
-    for (m, x), name in system.symbols.command.items():
+    for (m, x), name in system.symbols.machines.command.items():
         if new[name] and not old[name]:
             out.append(f"machine {m} is commanded {system.layout.word(m, x)}")
-    for s, name in system.symbols.clear.items():
+    for s, name in system.symbols.sections.clear.items():
         del name
         if names.STANDS(s) in new and new[names.IMAGE(s)] and not new[names.STANDS(s)] and not old[names.IMAGE(s)]:
             out.append(f"{s} is falsely reported occupied")

@@ -20,17 +20,17 @@ def views(system: System) -> dict[str, list[list[str]]]:
     for s in layout.sections:
         if names.STANDS(s.id) in system.state:
             out[names.STANDS(s.id)] = [["section", s.id, "occupied"]]
-    for (s_, n), name in sym.lock.items():
+    for (s_, n), name in sym.sections.lock.items():
         out[name] = [["edge", e, "locked"] for e in system.topo.traversals[s_][n - 1].edges]
-    for option, name in sym.overlap.items():
-        ways = sym.overlap_ways[option]
+    for option, name in sym.overlaps.held.items():
+        ways = sym.overlaps.ways[option]
         out[name] = [["edge", e, "overlap"] for s_, n in ways for e in system.topo.traversals[s_][n - 1].edges]
-    for s_, name in sym.restart.items():
+    for s_, name in sym.sections.restart.items():
         out[name] = [["section", s_, "restart"]]
     for r in sym.routes:
-        shows = "identifier" if r.identifier else "proceed"
+        shows = "identifier" if r.path.identifier else "proceed"
         out |= {name: [["signal", r.entry, shows]] for name in r.open_while}
-    for (m, x), _ in sym.command.items():
+    for (m, x), _ in sym.machines.command.items():
         ends = [["point", str(p.id), str(x)] for p in layout.ends_of_machine.get(m, ())]
         out[names.LIES(m, x)] = ends or [["device", str(m), str(x)]]
     return {n: v for n, v in out.items() if n in set(system.state)}

@@ -65,7 +65,7 @@ def calls(layout: Layout) -> Iterator[tuple[str, Layout]]:
 def speeds_dark(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     """A speed indicator is never lit."""
     c: Controller = lower(layout, table)
-    for (g, kmh), name in c.symbols.speed_shown.items():
+    for (g, kmh), name in c.symbols.aspects.speed.items():
         dark = tuple(replace(o, expr=FALSE) if o.name == name else o for o in c.outputs)
         yield f"{kmh} km/h at {g}", c.with_outputs(dark)
 

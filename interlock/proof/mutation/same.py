@@ -161,7 +161,7 @@ def _at_power_up(side: Side) -> list[Expr]:
     """What is known in each scan before the restart delay is over."""
     kept = {x.name for x in side.controller.state} | {x.name for x in side.controller.outputs}
     values = [x for x in side.lines.start if (y := x.args[0] if x.op is NOT else x).op is VAR and y.name in kept]
-    return [*values, neg(var(side.controller.symbols.restart_timer)), *_on_delays(side.controller)]
+    return [*values, neg(var(side.controller.symbols.start.restart_timer)), *_on_delays(side.controller)]
 
 
 __all__ = ["Side", "same"]

@@ -179,7 +179,7 @@ def _call_on_again(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]
     for r in c.symbols.routes:
         if r.call_on:
             old = next(e for e in c.next if e.name == r.want)
-            asked = conj((c.symbols.asked(r.number), var(r.locked)))
+            asked = conj((c.symbols.requests.asked(r.number), var(r.locked)))
             terms = (replace(old.terms[0], expr=disj((old.terms[0].expr, asked))), *old.terms[1:])
             yield r.id, _with(c, old, replace(old, terms=terms))
 
@@ -241,8 +241,8 @@ SWINGS = "SW"
 
 def _swung_at_once(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     c = lower(layout, table)
-    for g in c.symbols.swings:
-        old = next(e for e in c.next if e.name == c.symbols.overlap_firm[g])
+    for g in c.symbols.overlaps.swings:
+        old = next(e for e in c.next if e.name == c.symbols.overlaps.firm[g])
         always = Substitution({names.OVERLAP_LIES(g): TRUE})
         first = replace(old.terms[0], expr=always(old.terms[0].expr))
         yield g, _with(c, old, replace(old, terms=(first, *old.terms[1:])))
@@ -261,12 +261,12 @@ def _outputs(change: Callable[[Controller], Iterator[tuple[str, str, Expr]]]) ->
 
 
 def _dark(c: Controller) -> Iterator[tuple[str, str, Expr]]:
-    for g, name in c.symbols.stop_aspect.items():
+    for g, name in c.symbols.aspects.stop.items():
         yield f"stop lamp of {g}", name, FALSE
 
 
 def _undriven(c: Controller) -> Iterator[tuple[str, str, Expr]]:
-    for (m, x), name in c.symbols.drive.items():
+    for (m, x), name in c.symbols.machines.drive.items():
         yield f"{m} {x}", name, FALSE
 
 
@@ -286,7 +286,7 @@ def _short(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
 def _held_number(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     """A number that is held asks in every scan."""
     c = lower(layout, table)
-    for x, fresh in c.symbols.fresh.items():
+    for x, fresh in c.symbols.requests.fresh.items():
         e = next(e for e in c.next if e.name == fresh)
         always = replace(e, join=Join.ALL, terms=(Term(TRUE, "always"),))
         yield x, _with(c, e, always)
@@ -295,7 +295,7 @@ def _held_number(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
 def _overlap_flank_not_held(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     """A machine is held as flank protection of locked ways, not of overlaps."""
     c = lower(layout, table)
-    put = Substitution(dict.fromkeys(c.symbols.overlap.values(), FALSE))
+    put = Substitution(dict.fromkeys(c.symbols.overlaps.held.values(), FALSE))
     for e in c.equations:
         terms = tuple(replace(t, expr=put(t.expr)) if t.kind == "flank not held" else t for t in e.terms)
         if e.name.family is names.MOVABLE and any(a.expr is not b.expr for a, b in zip(terms, e.terms, strict=True)):
@@ -536,7 +536,7 @@ def judge(layout: Layout, kind: str, place: str, controller: Controller, limits:
     wanted = claims(Facts(system))
     open_ = open_claims(system, kept, wanted, limits)
     initial = {s.name: s.initial for s in controller.state}
-    at_restart = [n for n in system.symbols.restart.values() if not initial[n]]
+    at_restart = [n for n in system.symbols.sections.restart.values() if not initial[n]]
     failing = [*open_, *(["P-START"] if at_restart else [])]
     if not failing:
         return Outcome(kind, place, Fate.REDUNDANT, (), ())

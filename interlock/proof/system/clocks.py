@@ -44,9 +44,9 @@ def ties(controller: Controller, plant: Plant, needs: Needs) -> tuple[Tie, ...]:
     """The timers that stand for a clock of the world."""
     sym, timers = controller.symbols, {t.name: t for t in controller.timers}
     found = []
-    for g, name in sym.approach_timer.items():
+    for g, name in sym.cancellation.approach_timer.items():
         found.append((name, STOP_LONG(g), approach_need(controller, needs, g)))
-    found += [(name, STAND_LONG(g), needs.stand[g]) for g, name in sym.overlap_timer.items()]
+    found += [(name, STAND_LONG(g), needs.stand[g]) for g, name in sym.overlaps.timer.items()]
     found += [(x.timer, AGREED_LONG(b), needs.agreed) for b, x in sym.token.items()]
     return tuple(
         Tie(timers[name], clock, need) for name, clock, need in found if name in timers and clock in plant.clocks
@@ -55,7 +55,7 @@ def ties(controller: Controller, plant: Plant, needs: Needs) -> tuple[Tie, ...]:
 
 def approach_need(controller: Controller, needs: Needs, g: SignalId) -> int:
     """How long stop must be shown at a signal until nobody passes it any more: trains, if any are sent from there."""
-    kinds = {r.shunt for r in controller.symbols.routes_from.get(g, ())}
+    kinds = {r.shunt for r in controller.symbols.routes.of_signal.get(g, ())}
     return max([*([needs.stop[g]] if False in kinds else []), *([needs.shunt] if True in kinds else [])], default=0)
 
 

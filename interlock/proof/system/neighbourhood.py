@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from interlock.logic import names
-from interlock.logic.controller import Controller, Symbols
+from interlock.logic.controller import Controller
 from interlock.logic.expr import Expr, variables
 from interlock.logic.names import Form, Kind, Name, Owner
+from interlock.logic.symbols import Symbols
 from interlock.model.elements import SectionId, SignalId
 from interlock.model.traversal import Topology
 
@@ -58,7 +59,7 @@ def places(topo: Topology, sym: Symbols, known: Iterable[Name]) -> dict[Name, tu
     """The sections of the variables of sections and routes, before and after a step, by their numbers."""
     order: dict[str, int] = {str(s): n for s, n in walked(topo).items()}
     kept = {r.number: (r.active, r.locked, r.want, r.proceed, r.shown, names.SHUT(r.number)) for r in sym.routes}
-    over = {name: tuple(order[s] for s, _ in r.ways) for r in sym.routes for name in kept[r.number]}
+    over = {name: tuple(order[s] for s, _ in r.path.ways) for r in sym.routes for name in kept[r.number]}
     found: dict[Name, tuple[int, ...]] = {}
     for name in known:
         state = name.base if name.primed else name
@@ -89,7 +90,7 @@ def homes(
     does, and an input to the only element that reads it.
     """
     computed = {e.name for e in (*controller.equations, *controller.next)}
-    before = controller.symbols.approach_of
+    before = controller.symbols.cancellation.approach_of
     found: dict[Name, Owner] = {}
     for name in known:
         state = name.base if name.primed else name

@@ -49,7 +49,7 @@ def kept_values(
         known = dict(kept)
         rounds.append(known)
         put = Substitution(known)
-        known[controller.symbols.restart_timer] = FALSE
+        known[controller.symbols.start.restart_timer] = FALSE
         for step in controller.steps:
             if not isinstance(step, Timer):
                 _note(known, step.name, put(step.expr))

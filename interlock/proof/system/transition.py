@@ -27,14 +27,14 @@ def wiring(controller: Controller, layout: Layout) -> Wiring:
     """How the plant sees a controller."""
     s = controller.symbols
     return Wiring(
-        proceed={g.id: s.signal(g.id) for g in layout.signals},
-        call={g.id: s.signal(g.id, shunt=True) for g in layout.signals},
-        command={k: var(v) for k, v in s.drive.items()},
+        proceed={g.id: s.aspects.signal(g.id) for g in layout.signals},
+        call={g.id: s.aspects.signal(g.id, shunt=True) for g in layout.signals},
+        command={k: var(v) for k, v in s.machines.drive.items()},
         valid=s.valid,
-        clear=s.clear,
-        healthy=s.healthy,
-        detected=s.detected,
-        stop={g: var(name) for g, name in s.stop_aspect.items()},
+        clear=s.sections.clear,
+        healthy=s.sections.healthy,
+        detected=s.machines.detected,
+        stop={g: var(name) for g, name in s.aspects.stop.items()},
         token={
             b: TokenWires(x.gives, x.keeps, x.has, x.clear, x.tells["has"], x.tells["gives"], x.manual)
             for b, x in s.token.items()
@@ -184,18 +184,18 @@ class System:
         out = {}
         for r in self.symbols.routes:
             closes = conj((var(r.proceed), neg(var(r.proceed.next))))
-            asked = self.symbols.asked_for(r)
+            asked = self.symbols.requests.asked_for(r)
             out[names.SHUT(r.number)] = conj(
                 (disj((var(names.SHUT(r.number)), closes)), var(r.active.next), neg(asked))
             )
         for s in self.topo.sections:
             came_in = disj(self.plant.events.get(names.HEAD(j, self._beyond(s, j)), FALSE) for j in self.topo.ends[s])
-            out[names.BEEN(s)] = conj((disj((var(names.BEEN(s)), came_in)), var(self.symbols.firm[s].next)))
+            out[names.BEEN(s)] = conj((disj((var(names.BEEN(s)), came_in)), var(self.symbols.sections.firm[s].next)))
         return out
 
     def called_in(self, s: SectionId, j: NodeId) -> Expr:
         """A section is locked for a train that comes in at j and has not come yet."""
-        ways = self.symbols.locks_of.get(s, [])
+        ways = self.symbols.sections.locks_of.get(s, [])
         locked = disj(var(name) for n, name in ways if self.topo.traversals[s][n - 1].entry == j)
         return conj((locked, neg(var(names.BEEN(s)))))
 
@@ -251,7 +251,7 @@ class System:
     @property
     def requests(self) -> tuple[Name, ...]:
         """The inputs that have the numbers of routes for values."""
-        return tuple(x for x in (self.symbols.request, self.symbols.local_request) if x is not None)
+        return tuple(x for x in (self.symbols.requests.request, self.symbols.requests.local_request) if x is not None)
 
     @cached_property
     def homes(self) -> Mapping[Name, Owner]:
@@ -265,13 +265,13 @@ class System:
         found: dict[tuple[Kind, str], tuple[SectionId, ...]] = {}
         found |= {(Kind.MACHINE, m): self.layout.sections_of_machine[m] for m in self.layout.machines}
         found |= {(Kind.SIGNAL, g.id): (self.layout.section_of(g.into),) for g in self.layout.signals}
-        found |= {(Kind.OVERLAP, g): (ways[0][0],) for (g, _), ways in self.symbols.overlap_ways.items()}
+        found |= {(Kind.OVERLAP, g): (ways[0][0],) for (g, _), ways in self.symbols.overlaps.ways.items()}
         return {Owner.of(*x): tuple(Owner.of(Kind.SECTION, s) for s in those) for x, those in found.items()}
 
     @cached_property
     def lamps(self) -> frozenset[Name]:
         """What signals show."""
-        return frozenset(self.symbols.lamps)
+        return frozenset(self.symbols.aspects.lamps)
 
     @property
     def waits_for(self) -> Mapping[Name, Name]:

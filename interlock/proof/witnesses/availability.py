@@ -20,7 +20,7 @@ from functools import partial
 from itertools import pairwise
 
 from interlock.logic import names
-from interlock.logic.controller import RouteSymbols
+from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import RouteId, SectionId
 from interlock.proof.induction.search import Frame
 from interlock.proof.induction.story import Story, narrated
@@ -120,13 +120,13 @@ def availability(system: System, table: InterlockingTable) -> Availability:
         unmet = [i for i, x in enumerate(results) if x.failed is not None and not trial.meet(x.failed)]
         for i, x in zip(unmet, trial.results([otherwise(*pairs[i]) for i in unmet]), strict=True):
             results[i] = replace(x, apart=results[i].apart or results[i].failure)
-    count = len(system.symbols.whole)
+    count = len(system.symbols.routes.whole)
     return Availability(trial.opened(), tuple(results), count * (count - 1) // 2 - len(pairs))
 
 
 def compatible(system: System, table: InterlockingTable) -> Iterator[tuple[RouteSymbols, RouteSymbols]]:
     """Every two routes that are not hostile."""
-    routes = system.symbols.whole
+    routes = system.symbols.routes.whole
     for i, a in enumerate(routes):
         hostile = set(table.route[a.id].hostile.routes)
         yield from ((a, b) for b in routes[i + 1 :] if b.id not in hostile)
@@ -162,13 +162,13 @@ class Trial:
         self._lanes = Lanes(self.railway.controller, self.railway.plant)
         self._comes = self._find_trains()
         self._unmet: set[PairRun] = set()
-        self._needs = {r.id: _needs_clear(system, self.railway, r) for r in system.symbols.whole}
+        self._needs = {r.id: _needs_clear(system, self.railway, r) for r in system.symbols.routes.whole}
 
     def _find_trains(self) -> dict[RouteId, list[tuple[RouteSymbols, ...]]]:
         """For each route the ways in which its train can come before the signal, each as the routes over which it
         comes; none of them for one that stands there since the restart.  Standing first, then over one route, then over
         as few as it takes."""
-        routes = self.system.symbols.whole
+        routes = self.system.symbols.routes.whole
         found: dict[RouteId, list[tuple[RouteSymbols, ...]]] = {r.id: [] for r in routes}
         tried = _attempt(self.railway, self._lanes, [(r, "", ()) for r in routes])
         for r, (failure, _) in zip(routes, tried, strict=True):
@@ -251,7 +251,7 @@ class Trial:
         z = self.railway.layout.zones[zone]
         trains = 0
         for r in (a, b):
-            over = [_before(self.railway, r), *(s for s, _ in r.ways)]
+            over = [_before(self.railway, r), *(s for s, _ in r.path.ways)]
             trains += over[0] in z.sections
             trains += sum(y in z.sections and (r.call_on or x not in z.sections) for x, y in pairwise(over))
             trains += sum(s in z.sections for s, _ in self._overlap(r))
@@ -259,8 +259,8 @@ class Trial:
 
     def _overlap(self, r: RouteSymbols) -> tuple[tuple[SectionId, int], ...]:
         """Of a route that leads past a signal the overlap of that signal, too."""
-        held = [x.overlap for x in self.system.symbols.routes if x.number == r.number or x.number == r.onward]
-        return tuple(way for o in held if o is not None for way in self.system.symbols.overlap_ways[o])
+        held = [x.path.overlap for x in self.system.symbols.routes if x.number == r.number or x.number == r.path.onward]
+        return tuple(way for o in held if o is not None for way in self.system.symbols.overlaps.ways[o])
 
     def _standing(self, *routes: RouteSymbols) -> dict[str, int] | None:
         """Trains before some signals, points lying under them as they stand; None if they would lie both ways."""
@@ -321,7 +321,7 @@ class Trial:
 
     def _straight_on(self, a: RouteSymbols, b: RouteSymbols) -> bool:
         """A train that has run one route stands before the signal of the other without turning about."""
-        section, number = a.ways[-1]
+        section, number = a.path.ways[-1]
         return self.railway.topo.traversals[section][number - 1].exit == self.railway.layout.signal[b.entry].node
 
     def _once(self, runs: Sequence[PairRun]) -> list[_Failure | None]:
@@ -388,7 +388,7 @@ class Trial:
     def opened(self) -> tuple[Opened, ...]:
         """For each route its bound, and what runs show: with every machine in place, and with the others moved."""
         railway, system = self.railway, self.system
-        routes = [r for r in system.symbols.whole if () in self._comes[r.id] and not r.call_on]
+        routes = [r for r in system.symbols.routes.whole if () in self._comes[r.id] and not r.call_on]
         seen: dict[RouteId, list[int]] = {r.id: [] for r in routes}
         why: dict[RouteId, str] = {}
         for move in (False, True):
@@ -410,7 +410,7 @@ class Trial:
                 (seen[r.id][0], seen[r.id][1]) if r.id in seen else None,
                 why.get(r.id) or (None if self._comes[r.id] else "no train can take it"),
             )
-            for r in system.symbols.whole
+            for r in system.symbols.routes.whole
         )
 
 
@@ -425,15 +425,18 @@ def _goes_on(railway: Railway, a: RouteSymbols, b: RouteSymbols) -> bool:
     """Whether a train at the end of one route stands before the other's signal, turned about or not."""
     if _leaves(railway, a) or _end(railway, a)[0] != _before(railway, b):
         return False
-    section, number = a.ways[-1] if a.berth is None else a.berth
+    section, number = a.path.ways[-1] if a.path.berth is None else a.path.berth
     t = railway.topo.traversals[section][number - 1]
     return railway.layout.signal[b.entry].node in (t.entry, t.exit)
 
 
 def _needs_clear(system: System, railway: Railway, r: RouteSymbols) -> frozenset[str]:
     """The sections in which nothing can stand while a route is set: path, berth, overlap, foul of them, line beyond."""
-    over = () if r.overlap is None else system.symbols.overlap_ways[r.overlap]
-    ways = [system.topo.traversals[s][n - 1] for s, n in (*r.ways, *over, *([r.berth] if r.berth is not None else []))]
+    over = () if r.path.overlap is None else system.symbols.overlaps.ways[r.path.overlap]
+    ways = [
+        system.topo.traversals[s][n - 1]
+        for s, n in (*r.path.ways, *over, *([r.path.berth] if r.path.berth is not None else []))
+    ]
     found: set[str] = {t.section for t in ways}
     found |= {f.neighbour for f in system.measured.fouls for t in ways if f.fouls(t)}
     if _leaves(railway, r):

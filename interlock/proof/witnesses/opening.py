@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from math import ceil
 
 from interlock.logic import names
-from interlock.logic.controller import RouteSymbols, Symbols
 from interlock.logic.expr import variables
+from interlock.logic.symbols import RouteSymbols, Symbols
 from interlock.model.elements import MachineId, Position
 from interlock.proof.system.transition import System
 
@@ -56,7 +56,7 @@ def opening(system: System, r: RouteSymbols) -> Opening:
             turns = len(needed | along(system, r))
             scans += 2 * turns - 1
             seconds += (turns - 1) * rules.point_start_gap_s
-    exit_ = system.topo.traversals[r.ways[-1][0]][r.ways[-1][1] - 1].exit
+    exit_ = system.topo.traversals[r.path.ways[-1][0]][r.path.ways[-1][1] - 1].exit
     token = exit_ in system.symbols.token and not r.shunt
     return Opening(r.id, machines, OPEN, scans, seconds, rules.token_delay_s if token else 0.0)
 
@@ -64,10 +64,10 @@ def opening(system: System, r: RouteSymbols) -> Opening:
 def demanded(symbols: Symbols, r: RouteSymbols, overlap: bool = True) -> Iterator[tuple[MachineId, Position]]:
     """The machines of a route with the positions in which it needs them: for its path, its flanks, what the author
     adds, and its overlap."""
-    over = symbols.overlap_ways[r.overlap] if overlap and r.overlap is not None else ()
-    for way in (*r.ways, *over):
-        yield from symbols.demands[way]
-    yield from r.demands
+    over = symbols.overlaps.ways[r.path.overlap] if overlap and r.path.overlap is not None else ()
+    for way in (*r.path.ways, *over):
+        yield from symbols.ways.demands[way]
+    yield from r.path.demands
 
 
 def machines_of(system: System, r: RouteSymbols) -> set[MachineId]:
@@ -77,7 +77,7 @@ def machines_of(system: System, r: RouteSymbols) -> set[MachineId]:
 
 def along(system: System, r: RouteSymbols) -> set[MachineId]:
     """The machines beside its path that a route drives along, if they are free to move."""
-    granted = {names.GRANTED(n) for n in (r.number, r.onward) if n is not None}
+    granted = {names.GRANTED(n) for n in (r.number, r.path.onward) if n is not None}
     found = set()
     for e in system.controller.equations:
         if e.name.family is names.DEMANDED:

@@ -13,8 +13,8 @@ from collections.abc import Callable, Generator, Iterator
 from functools import partial
 
 from interlock.logic import names
-from interlock.logic.controller import RouteSymbols
 from interlock.logic.plant import lies
+from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import Position, RouteId
 from interlock.proof.system.transition import System
 from interlock.proof.witnesses.routes import (
@@ -64,7 +64,7 @@ Starts = list[tuple[RouteSymbols, dict[str, int]]]
 
 def _opening(railway: Railway, lanes: Lanes) -> Starts:
     """The routes whose signal a train can be shown from a stand."""
-    routes = [r for r in railway.symbols.whole if not r.call_on]
+    routes = [r for r in railway.symbols.routes.whole if not r.call_on]
     starts = [(r, s) for r in routes if isinstance(s := _start(railway, r, ""), dict)]
     runs = [partial(_after_restart, railway, r, _opened) for r, _ in starts]
     tried = lanes.run([s for _, s in starts], runs)
@@ -91,7 +91,7 @@ def _after_restart(railway: Railway, r: RouteSymbols, operation: Operation, lane
 
 
 def _asked(railway: Railway, r: RouteSymbols, **inputs: int) -> Wish:
-    return Wish((), {railway.symbols.request: r.number, **inputs})
+    return Wish((), {railway.symbols.requests.request: r.number, **inputs})
 
 
 def _opened(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
@@ -99,7 +99,7 @@ def _opened(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
     yield NOTHING
     if not (yield from _until(lane, r.active, _asked(railway, r), 2)):
         return "it cannot be set"
-    token = railway.symbols.token.get(railway.topo.traversals[r.ways[-1][0]][r.ways[-1][1] - 1].exit)
+    token = railway.symbols.token.get(railway.topo.traversals[r.path.ways[-1][0]][r.path.ways[-1][1] - 1].exit)
     if token is not None and not r.shunt and not lane.is_on(token.have):
         yield from _until(lane, token.have, Wish((), {token.manual: 1}), MAX_STEPS)
     return None if (yield from _until(lane, r.proceed)) else "its signal does not open"
@@ -108,15 +108,15 @@ def _opened(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
 def _refused(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
     """A section that is blocked, or reported occupied, refuses the route; then it is set."""
     sym = railway.symbols
-    for s, _ in r.ways:
-        for name, value in ((sym.blocked.get(s), 1), (sym.clear.get(s), 0)):
+    for s, _ in r.path.ways:
+        for name, value in ((sym.sections.blocked.get(s), 1), (sym.sections.clear.get(s), 0)):
             if name is not None:
                 yield Wish((), {name: value})
                 yield _asked(railway, r, **{name: value})
                 yield Wish((), {name: value})
                 if lane.is_on(r.active):
                     return f"it is set although {name} is {value}"
-                if name == sym.clear.get(s):
+                if name == sym.sections.clear.get(s):
                     yield from _steadily_clear(railway, lane)
     return (yield from _opened(railway, r, lane))
 
@@ -132,7 +132,7 @@ def _reopened(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
     failure = yield from _opened(railway, r, lane)
     if failure is not None:
         return failure
-    lost = railway.symbols.blocked[r.ways[0][0]]
+    lost = railway.symbols.sections.blocked[r.path.ways[0][0]]
     yield Wish((), {lost: 1})
     for _ in range(3):
         yield NOTHING
@@ -146,23 +146,26 @@ def _trailed(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
     failure = yield from _opened(railway, r, lane)
     sym = railway.symbols
     demands = [
-        (m, x) for way in r.ways for m, x in sym.demands[way] if m in sym.trailed and lane.is_on(sym.command[m, x])
+        (m, x)
+        for way in r.path.ways
+        for m, x in sym.ways.demands[way]
+        if m in sym.machines.trailed and lane.is_on(sym.machines.command[m, x])
     ]
     if failure is not None or not demands:
         return failure
     m, x = demands[0]
-    yield Wish((), {sym.detected[m, x]: 0})
+    yield Wish((), {sym.machines.detected[m, x]: 0})
     yield NOTHING
-    if not lane.is_on(sym.trailed[m]):
+    if not lane.is_on(sym.machines.trailed[m]):
         return f"{m} does not count as trailed"
     yield _asked(railway, r)
     yield NOTHING
     if lane.is_on(r.proceed):
         return f"it opens over the trailed {m}"
-    look = sym.looked_at[m]
+    look = sym.machines.looked_at[m]
     yield Wish((), {look: 1})
     yield NOTHING
-    if lane.is_on(sym.trailed[m]):
+    if lane.is_on(sym.machines.trailed[m]):
         return f"{m} counts as trailed after somebody has looked at it"
     return None if (yield from _until(lane, r.proceed, _asked(railway, r), 2)) else "it does not open again"
 
@@ -172,7 +175,7 @@ def _cancelled(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
     failure = yield from _opened(railway, r, lane)
     if failure is not None:
         return failure
-    yield Wish((), {railway.symbols.cancel[r.entry]: 1})
+    yield Wish((), {railway.symbols.cancellation.cancel[r.entry]: 1})
     yield NOTHING
     if lane.is_on(r.proceed):
         return "its signal does not close"
@@ -188,8 +191,8 @@ def _by_hand(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
     signal = layout.signal[r.entry]
     if not (yield from _until(lane, names.accepted(r.entry, r.shunt), Wish((names.accepts(r.entry, r.shunt),)))):
         return "no train can accept the signal"
-    place, joint = _rear(layout, topo, signal.node, r.ways[0][0]), signal.node
-    ways = r.ways if r.berth is None else (*r.ways, r.berth)
+    place, joint = _rear(layout, topo, signal.node, r.path.ways[0][0]), signal.node
+    ways = r.path.ways if r.path.berth is None else (*r.path.ways, r.path.berth)
     for section, number in ways:
         if not (yield from _until(lane, names.STANDS(section), Wish((names.HEAD(joint, place),)))):
             return f"the train cannot enter {section}"
@@ -197,8 +200,8 @@ def _by_hand(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
         if not (yield from _until_off(lane, names.ACROSS(joint, place), names.TAIL(joint, place))):
             return f"the train's tail does not leave {place}"
         place, joint = section, topo.traversals[section][number - 1].exit
-    hands: dict[str, int] = {name: 1 for s, name in sym.release.items() if s != place}
-    yield Wish((), {sym.cancel[r.entry]: 1})
+    hands: dict[str, int] = {name: 1 for s, name in sym.sections.release.items() if s != place}
+    yield Wish((), {sym.cancellation.cancel[r.entry]: 1})
     return (yield from _free(railway, r, lane, Wish((), hands), place))
 
 
@@ -206,7 +209,7 @@ def _free(railway: Railway, r: RouteSymbols, lane: Lane, wish: Wish, place: str 
     """Nothing of the route stays locked but where the train is."""
     keep = {place, *railway.layout.undetected}
     for _ in range(MAX_STEPS):
-        locked = [s for s, _ in r.ways if s in lane.held() and s not in keep]
+        locked = [s for s, _ in r.path.ways if s in lane.held() and s not in keep]
         if not locked:
             return None
         yield wish
@@ -216,16 +219,16 @@ def _free(railway: Railway, r: RouteSymbols, lane: Lane, wish: Wish, place: str 
 def _turned(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
     """Every point of the route is turned by hand and back before it is set; not both ways at once."""
     sym = railway.symbols
-    for way in r.ways:
-        for m, x in sym.demands[way]:
-            if m not in sym.trailed:  # a device, or a point without a machine
+    for way in r.path.ways:
+        for m, x in sym.ways.demands[way]:
+            if m not in sym.machines.trailed:  # a device, or a point without a machine
                 continue
-            yield Wish((), {sym.by_hand[m, p]: 1 for p in Position})
+            yield Wish((), {sym.machines.by_hand[m, p]: 1 for p in Position})
             yield NOTHING
-            if lane.is_on(sym.command[m, x.other]):
+            if lane.is_on(sym.machines.command[m, x.other]):
                 return f"{m} moves when both positions are asked for"
             for p in (x.other, x):
-                if not (yield from _until(lane, lies(m, p).name, Wish((), {sym.by_hand[m, p]: 1}), MAX_STEPS)):
+                if not (yield from _until(lane, lies(m, p).name, Wish((), {sym.machines.by_hand[m, p]: 1}), MAX_STEPS)):
                     return f"{m} is not moved {p} by hand"
                 yield NOTHING
     return (yield from _opened(railway, r, lane))

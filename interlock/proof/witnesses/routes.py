@@ -13,9 +13,10 @@ from functools import partial
 from itertools import pairwise
 
 from interlock.logic import names
-from interlock.logic.controller import Controller, RouteSymbols, Symbols
+from interlock.logic.controller import Controller
 from interlock.logic.names import Name
 from interlock.logic.plant import Plant
+from interlock.logic.symbols import RouteSymbols, Symbols
 from interlock.model.elements import NodeId, Position, RouteId, SectionId
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology, topology
@@ -79,8 +80,8 @@ def witnesses(system: System) -> tuple[Witness, ...]:
     found = {w.route: w for w, _ in _tried(Railway(system.controller, system.plant, system.layout))}
     sym = system.symbols
     for r in sym.routes:
-        if r.identifier:  # it is set, driven and released with the routes that lead past its signal
-            by = [found[sym.number[n].id] for n in r.parts_of]
+        if r.path.identifier:  # it is set, driven and released with the routes that lead past its signal
+            by = [found[sym.routes.number[n].id] for n in r.path.parts_of]
             w = next((w for w in by if w.ok), by[0])
             found[r.id] = replace(w, route=r.id, text=f"{w.text}, with {w.route}")
     return tuple(found[r.id] for r in sym.routes)
@@ -100,10 +101,10 @@ def journeys(system: System) -> list[Trial]:
 
 def _tried(railway: Railway) -> list[tuple[Witness, list[Run]]]:
     """Each route's witness, and its runs."""
-    routes = railway.symbols.whole
+    routes = railway.symbols.routes.whole
     lanes = Lanes(railway.controller, railway.plant)
     first = _attempt(railway, lanes, [(r, "", ()) for r in routes])
-    again = [r for r, (failure, _) in zip(routes, first, strict=True) if failure is None and r.berth is not None]
+    again = [r for r, (failure, _) in zip(routes, first, strict=True) if failure is None and r.path.berth is not None]
     second = dict(
         zip((r.id for r in again), _attempt(railway, lanes, [(r, _berth(r), ()) for r in again]), strict=True)
     )
@@ -135,8 +136,8 @@ def _over_others(
     """For routes that no train can take from a stand since the restart: the routes over which one comes to them, as few
     as possible, with the route itself, and the number of scans."""
     ends: dict[str, list[RouteSymbols]] = {}
-    for x in railway.symbols.whole:
-        ends.setdefault((x.berth or x.ways[-1])[0], []).append(x)
+    for x in railway.symbols.routes.whole:
+        ends.setdefault((x.path.berth or x.path.ways[-1])[0], []).append(x)
     chains: list[tuple[RouteSymbols, ...]] = [(r,) for r in failed]
     found: dict[RouteId, tuple[tuple[RouteSymbols, ...], int]] = {}
     for _ in range(FEEDERS):
@@ -154,11 +155,11 @@ def _over_others(
 
 
 def _berth(r: RouteSymbols) -> str:
-    return r.berth[0] if r.berth is not None else ""
+    return r.path.berth[0] if r.path.berth is not None else ""
 
 
 def _before(railway: Railway, r: RouteSymbols) -> str:
-    return _rear(railway.layout, railway.topo, railway.layout.signal[r.entry].node, r.ways[0][0])
+    return _rear(railway.layout, railway.topo, railway.layout.signal[r.entry].node, r.path.ways[0][0])
 
 
 Run = tuple[RouteSymbols, str, tuple[RouteSymbols, ...]]
@@ -193,7 +194,11 @@ def _journey(railway: Railway, r: RouteSymbols, berth: str, onward: tuple[RouteS
 
 def _given_up(railway: Railway, lane: Lane, r: RouteSymbols) -> Generator[Wish, None, None]:
     """A train that stands at the end of its route needs its overlap no more (R4): it goes after the time of release."""
-    held = [v for (g, _), v in railway.symbols.overlap.items() if r.overlap is not None and g == r.overlap[0]]
+    held = [
+        v
+        for (g, _), v in railway.symbols.overlaps.held.items()
+        if r.path.overlap is not None and g == r.path.overlap[0]
+    ]
     for _ in range(MAX_STEPS):
         if not any(map(lane.is_on, held)):
             return
@@ -203,7 +208,7 @@ def _given_up(railway: Railway, lane: Lane, r: RouteSymbols) -> Generator[Wish, 
 def _closing(railway: Railway, section: str) -> list[str]:
     """The inputs by which an operator closes the crossings and bridges over a section."""
     over = [d.id for d in railway.layout.devices if section in d.over]
-    return [railway.symbols.by_hand[m, Position.REVERSE] for m in over]
+    return [railway.symbols.machines.by_hand[m, Position.REVERSE] for m in over]
 
 
 def _start(railway: Railway, r: RouteSymbols, berth: str) -> dict[str, int] | str:
@@ -227,14 +232,14 @@ def _run(railway: Railway, lane: Lane, r: RouteSymbols, turning: str = "") -> Dr
         turns = tuple(e for e in railway.plant.events if e.family is names.TURNS and e.at[:2] == (turning, signal.node))
         yield Wish(turns)
     if r.call_on and (failed := _failed_section(railway, r)):
-        return (yield from _disturbed(_drive(railway, lane, r, failed), {railway.symbols.clear[failed]: 0}))
+        return (yield from _disturbed(_drive(railway, lane, r, failed), {railway.symbols.sections.clear[failed]: 0}))
     return (yield from _drive(railway, lane, r))
 
 
 def _failed_section(railway: Railway, r: RouteSymbols) -> SectionId | None:
     """A section of a call-on route that may be reported occupied by mistake."""
     topo = railway.topo
-    return next((s for s, _ in r.ways[1:] if s not in topo.berths and s in railway.symbols.clear), None)
+    return next((s for s, _ in r.path.ways[1:] if s not in topo.berths and s in railway.symbols.sections.clear), None)
 
 
 def _disturbed(run: Driver, inputs: dict[str, int]) -> Driver:
@@ -264,7 +269,7 @@ def _drive(railway: Railway, lane: Lane, r: RouteSymbols, failed: SectionId | No
             for i in railway.controller.inputs
             if i.name == names.RELEASE_ALL or i.name.family is names.RELEASE_BY_HAND
         }
-        after = Wish((), {railway.symbols.cancel[r.entry]: 1, **by_hand})
+        after = Wish((), {railway.symbols.cancellation.cancel[r.entry]: 1, **by_hand})
     for _ in range(MAX_STEPS):
         locked = [s for s in lane.held() if s not in keep]
         if not locked:
@@ -278,9 +283,9 @@ def _drive(railway: Railway, lane: Lane, r: RouteSymbols, failed: SectionId | No
 
 def _set(railway: Railway, lane: Lane, r: RouteSymbols) -> Driver:
     """Ask for a route until its signal is open, and for the direction of the line beyond where that has a token."""
-    if not (yield from _until(lane, r.active, Wish((), {railway.symbols.request: r.number}), opening.SET)):
+    if not (yield from _until(lane, r.active, Wish((), {railway.symbols.requests.request: r.number}), opening.SET)):
         return "the request is refused: " + _not(lane, names.GRANTED(r.number))
-    token = railway.symbols.token.get(railway.topo.traversals[r.ways[-1][0]][r.ways[-1][1] - 1].exit)
+    token = railway.symbols.token.get(railway.topo.traversals[r.path.ways[-1][0]][r.path.ways[-1][1] - 1].exit)
     if token is not None and not r.shunt and not lane.is_on(token.have):
         yield from _until(lane, token.have, Wish((), {token.manual: 1}), MAX_STEPS)
     if not (yield from _until(lane, r.proceed)):
@@ -294,9 +299,9 @@ def _travel(railway: Railway, lane: Lane, r: RouteSymbols) -> Driver:
     signal = layout.signal[r.entry]
     if not (yield from _until(lane, names.accepted(r.entry, r.shunt), Wish((names.accepts(r.entry, r.shunt),)))):
         return "no train can accept the signal"
-    place, joint = _rear(layout, topo, signal.node, r.ways[0][0]), signal.node
-    for section, number in r.ways if r.berth is None else (*r.ways, r.berth):
-        passed = topo.main_into.get((joint, section)) if section != r.ways[0][0] else None
+    place, joint = _rear(layout, topo, signal.node, r.path.ways[0][0]), signal.node
+    for section, number in r.path.ways if r.path.berth is None else (*r.path.ways, r.path.berth):
+        passed = topo.main_into.get((joint, section)) if section != r.path.ways[0][0] else None
         if passed is not None and not (yield from _until(lane, names.accepted(passed), Wish((names.accepts(passed),)))):
             return f"no train can pass {passed}"
         if not (yield from _until(lane, names.STANDS(section), Wish((names.HEAD(joint, place),)))):
@@ -314,7 +319,7 @@ def _travel(railway: Railway, lane: Lane, r: RouteSymbols) -> Driver:
 
 def _end(railway: Railway, r: RouteSymbols) -> tuple[SectionId, NodeId]:
     """The last section of a route, and its end there."""
-    section, number = r.ways[-1] if r.berth is None else r.berth
+    section, number = r.path.ways[-1] if r.path.berth is None else r.path.berth
     return section, railway.topo.traversals[section][number - 1].exit
 
 
@@ -327,7 +332,7 @@ def _kept(railway: Railway, r: RouteSymbols, failed: SectionId | None) -> set[Se
     """Sections that stay locked behind the train: where it stands, and from one on that is reported occupied."""
     last = set() if _leaves(railway, r) else {_end(railway, r)[0]}
     if failed is not None:
-        last |= {s for s, _ in r.ways[[s for s, _ in r.ways].index(failed) :]}
+        last |= {s for s, _ in r.path.ways[[s for s, _ in r.path.ways].index(failed) :]}
     return last | set(railway.layout.undetected)
 
 

@@ -8,7 +8,7 @@ from enum import StrEnum
 from itertools import pairwise
 
 from interlock.logic import names
-from interlock.logic.controller import RouteSymbols
+from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import NodeId, Position, SectionId
 from interlock.proof.system.transition import System
 from interlock.proof.witnesses import opening
@@ -73,7 +73,7 @@ def lone_request(railway: Railway, run: PairRun, r: RouteSymbols, lane: Lane) ->
     failure = yield from _placed(railway, run, lane)
     if failure is not None:
         return failure
-    asking = _until(lane, r.active, Wish((), {railway.symbols.request: r.number}), opening.SET)
+    asking = _until(lane, r.active, Wish((), {railway.symbols.requests.request: r.number}), opening.SET)
     return (yield from _disturbed_for(railway, (run.first, run.second), _granted(lane, r, asking)))
 
 
@@ -124,7 +124,9 @@ def _used(system: System, railway: Railway, run: PairRun, lane: Lane) -> Driver:
         return failure
     there = (second,) if run.how is How.ONWARD else run.trains
     keep = set(railway.layout.undetected).union(*(_stays(railway, r, r not in there) for r in (first, second)))
-    left = [s for s, locks in railway.symbols.locked_by.items() if s not in keep and any(map(lane.is_on, locks))]
+    left = [
+        s for s, locks in railway.symbols.sections.locked_by.items() if s not in keep and any(map(lane.is_on, locks))
+    ]
     return f"{', '.join(left)} stay locked in the end" if left else None
 
 
@@ -147,7 +149,7 @@ def _driven(railway: Railway, run: PairRun, lane: Lane) -> Driver:
         return failure
     given_back = {How.ALONE: [second], How.GIVEN_BACK: [first, second]}.get(run.how, [])
     for r in given_back:
-        yield Wish((), {railway.symbols.cancel[r.entry]: 1})
+        yield Wish((), {railway.symbols.cancellation.cancel[r.entry]: 1})
     there = (second,) if run.how is How.ONWARD else run.trains
     keep = set().union(*(_stays(railway, r, r not in there) for r in (first, second)))
     return (yield from _freed(railway, lane, (first, second), keep))
@@ -166,7 +168,9 @@ def _broken(railway: Railway, r: RouteSymbols) -> SectionId | None:
 
 def _disturbed_for(railway: Railway, routes: Sequence[RouteSymbols], run: Driver) -> Driver:
     """A run in which sections are reported occupied by mistake: calling on is for that."""
-    broken: dict[str, int] = {railway.symbols.clear[s]: 0 for r in routes if (s := _broken(railway, r)) is not None}
+    broken: dict[str, int] = {
+        railway.symbols.sections.clear[s]: 0 for r in routes if (s := _broken(railway, r)) is not None
+    }
     while True:
         try:
             wish = next(run)
@@ -178,7 +182,7 @@ def _disturbed_for(railway: Railway, routes: Sequence[RouteSymbols], run: Driver
 
 def _opens(railway: Railway, lane: Lane, r: RouteSymbols, steps: int) -> Driver:
     """Asked for, the route is set at once, and its signal opens within some scans."""
-    if not (yield from _until(lane, r.active, Wish((), {railway.symbols.request: r.number}), opening.SET)):
+    if not (yield from _until(lane, r.active, Wish((), {railway.symbols.requests.request: r.number}), opening.SET)):
         return REFUSED + _not(lane, names.GRANTED(r.number))
     token = railway.symbols.token.get(_exit(railway, r))
     if token is not None and not r.shunt and not lane.is_on(token.have):
@@ -190,7 +194,7 @@ def _opens(railway: Railway, lane: Lane, r: RouteSymbols, steps: int) -> Driver:
 
 
 def _exit(railway: Railway, r: RouteSymbols) -> NodeId:
-    section, number = r.ways[-1]
+    section, number = r.path.ways[-1]
     return railway.topo.traversals[section][number - 1].exit
 
 
@@ -233,7 +237,7 @@ def _watched(lane: Lane, run: Driver, running: Sequence[RouteSymbols], waiting: 
             failure: str | None = end.value
             return failure
         yield wish
-        outside = [r for r in outside if not lane.is_on(names.STANDS(r.ways[0][0]))]
+        outside = [r for r in outside if not lane.is_on(names.STANDS(r.path.ways[0][0]))]
         for r in (*outside, *waiting):
             if not _is_open(lane, r):
                 why = _not(lane, names.CONDITIONS(r.number))
@@ -278,11 +282,18 @@ def _freed(railway: Railway, lane: Lane, routes: Sequence[RouteSymbols], keep: s
     inputs: dict[str, int] = {}
     for r in routes:
         if r.call_on:
-            over = [SectionId(_before(railway, r)), *(s for s, _ in r.ways)]
-            inputs |= {sym.cancel[r.entry]: 1, **{sym.release[s]: 1 for s in over if s in sym.release}}
-    ways = [*(way for r in routes for way in r.ways), *(r.berth for r in routes if r.berth is not None)]
+            over = [SectionId(_before(railway, r)), *(s for s, _ in r.path.ways)]
+            inputs |= {
+                sym.cancellation.cancel[r.entry]: 1,
+                **{sym.sections.release[s]: 1 for s in over if s in sym.sections.release},
+            }
+    ways = [*(way for r in routes for way in r.path.ways), *(r.path.berth for r in routes if r.path.berth is not None)]
     mine = {s for s, _ in ways} | {SectionId(_before(railway, r)) for r in routes}
-    locks = [(s, sym.locked_by[s]) for s in sorted(mine - keep - set(railway.layout.undetected)) if s in sym.locked_by]
+    locks = [
+        (s, sym.sections.locked_by[s])
+        for s in sorted(mine - keep - set(railway.layout.undetected))
+        if s in sym.sections.locked_by
+    ]
     for _ in range(MAX_STEPS):
         left = [s for s, names in locks if any(map(lane.is_on, names))]
         if not left:

@@ -100,7 +100,7 @@ class _Form:
         return topology(self.layout)
 
     @cached_property
-    def reading(self) -> Reading:
+    def _reading(self) -> Reading:
         """What all forms read."""
         return Reading(self.layout, self.table)
 
@@ -114,18 +114,18 @@ class _Form:
         return r.kind is RouteKind.MAIN or (r.kind is RouteKind.SHUNT and r.variant == 1)
 
     @cached_property
-    def tracks(self) -> frozenset[SectionId]:
+    def _tracks(self) -> frozenset[SectionId]:
         """Station tracks (股道): where train routes end, or begin inside the station."""
         ends = {
             r.traversals[-1][0]
             for r in self.table.routes
-            if r.kind is RouteKind.MAIN and self.receiving(r) and self.is_plain(r.traversals[-1][0])
+            if r.kind is RouteKind.MAIN and self._receiving(r) and self._is_plain(r.traversals[-1][0])
         }
-        starts = {self.behind(r) for r in self.table.routes if r.kind is RouteKind.MAIN}
-        return frozenset(ends | {s for s in starts if s is not None and self.is_plain(s)})
+        starts = {self._behind(r) for r in self.table.routes if r.kind is RouteKind.MAIN}
+        return frozenset(ends | {s for s in starts if s is not None and self._is_plain(s)})
 
     @cached_property
-    def of_signal(self) -> dict[tuple[SignalId, RouteKind], list[RouteRow]]:
+    def _of_signal(self) -> dict[tuple[SignalId, RouteKind], list[RouteRow]]:
         """Every route of a signal's function."""
         out: dict[tuple[SignalId, RouteKind], list[RouteRow]] = {}
         for r in self.table.routes:
@@ -134,40 +134,40 @@ class _Form:
 
     # --- small questions -----------------------------------------------------------------------
 
-    def way(self, key: tuple[SectionId, int]) -> Traversal:
+    def _way(self, key: tuple[SectionId, int]) -> Traversal:
         return self.topo.traversals[key[0]][key[1] - 1]
 
-    def is_plain(self, s: SectionId) -> bool:
+    def _is_plain(self, s: SectionId) -> bool:
         return not any(t.points or t.crossings for t in self.topo.traversals[s])
 
-    def behind(self, r: RouteRow) -> SectionId | None:
+    def _behind(self, r: RouteRow) -> SectionId | None:
         """The section in rear of the route's signal, inside the layout."""
         return self.topo.beyond(r.traversals[0][0], r.entry_node)
 
-    def receiving(self, r: RouteRow) -> bool:
+    def _receiving(self, r: RouteRow) -> bool:
         return r.entry_node in self.layout.boundary_at
 
-    def departing(self, r: RouteRow) -> bool:
-        return r.exit_kind is ExitKind.BOUNDARY and not self.receiving(r)
+    def _departing(self, r: RouteRow) -> bool:
+        return r.exit_kind is ExitKind.BOUNDARY and not self._receiving(r)
 
-    def opposing(self, s: SectionId, node: NodeId) -> SignalId | None:
+    def _opposing(self, s: SectionId, node: NodeId) -> SignalId | None:
         """The signal that governs leaving a section at the end over which the route came in."""
         rear = self.topo.beyond(s, node)
         return None if rear is None else self.topo.signal_into.get((node, rear))
 
-    def path(self, r: RouteRow) -> dict[MachineId, Position]:
+    def _path(self, r: RouteRow) -> dict[MachineId, Position]:
         return {p.machine: p.position for p in r.points if p.role is Role.PATH}
 
     # --- order ---------------------------------------------------------------------------------
 
     def _place(self, r: RouteRow) -> tuple[object, ...]:
         if r.kind is RouteKind.MAIN:
-            line = self.direction(r)
-            track = self.track_name(self.end(r)) if self.receiving(r) else self.target(r)[1:].removesuffix("股道")
-            return (0, line[:-2], not self.receiving(r), _order(r.entry), _order(track), r.variant)
-        return (1, "", False, _order(r.entry), _order(self.target(r)[1:].removesuffix("股道")), r.variant)
+            line = self._direction(r)
+            track = self._track_name(self._end(r)) if self._receiving(r) else self._target(r)[1:].removesuffix("股道")
+            return (0, line[:-2], not self._receiving(r), _order(r.entry), _order(track), r.variant)
+        return (1, "", False, _order(r.entry), _order(self._target(r)[1:].removesuffix("股道")), r.variant)
 
-    def end(self, r: RouteRow) -> SectionId:
+    def _end(self, r: RouteRow) -> SectionId:
         return r.traversals[-1][0]
 
     # --- columns -------------------------------------------------------------------------------
@@ -176,41 +176,41 @@ class _Form:
         """The fifteen cells."""
         if r.onward is not None:
             return self._past(r, self.table.route[r.onward], number)
-        facing = self.facing(r)
+        facing = self._facing(r)
         return (
-            self.direction(r),
-            self.target(r),
-            self.alternative(r),
-            "、".join(self.buttons(r)),
-            self.deciding(r),
+            self._direction(r),
+            self._target(r),
+            self._alternative(r),
+            "、".join(self._buttons(r)),
+            self._deciding(r),
             r.entry,
-            self.aspect(r),
-            self.indicator(r),
-            tuple(self.points(r)),
-            tuple(self.hostile(r)),
-            tuple(self.sections(r)),
+            self._aspect(r),
+            self._indicator(r),
+            tuple(self._points(r)),
+            tuple(self._hostile(r)),
+            tuple(self._sections(r)),
             facing[0],
             facing[1],
-            self.other(r),
+            self._other(r),
             number,
         )
 
     def _past(self, r: RouteRow, onward: RouteRow, number: str) -> tuple[Cell, ...]:
         """A route that leads past a signal: with the points and sections beyond it, in one row."""
         beyond = replace(onward, kind=RouteKind.MAIN)
-        facing, told = self.facing(beyond), [self.other(r), self.other(beyond), f"越过{r.exit}（标志灯）"]
+        facing, told = self._facing(beyond), [self._other(r), self._other(beyond), f"越过{r.exit}（标志灯）"]
         return (
-            self.direction(r),
+            self._direction(r),
             f"越过{r.exit}至{r.destination}",
-            self.alternative(r),
-            "、".join((*self.buttons(r), self.buttons(beyond)[-1])),
-            self.deciding(r),
+            self._alternative(r),
+            "、".join((*self._buttons(r), self._buttons(beyond)[-1])),
+            self._deciding(r),
             r.entry,
-            self.aspect(r),
-            self.indicator(beyond),
-            tuple(dict.fromkeys((*self.points(r), *self.points(beyond)))),
-            tuple(self.hostile(r)),
-            tuple(dict.fromkeys((*self.sections(r), *self.sections(beyond)))),
+            self._aspect(r),
+            self._indicator(beyond),
+            tuple(dict.fromkeys((*self._points(r), *self._points(beyond)))),
+            tuple(self._hostile(r)),
+            tuple(dict.fromkeys((*self._sections(r), *self._sections(beyond)))),
             facing[0],
             facing[1],
             "、".join(filter(None, told)),
@@ -223,93 +223,93 @@ class _Form:
         out = []
         for r, received in straight:
             for d, departs in straight:
-                if self.receiving(r) and r.exit_kind is ExitKind.SIGNAL and r.exit == d.entry and self.departing(d):
+                if self._receiving(r) and r.exit_kind is ExitKind.SIGNAL and r.exit == d.entry and self._departing(d):
                     out.append(self._through(r, d, received, departs))
         return out
 
     def _straight(self, r: RouteRow) -> bool:
         plain = r.kind is RouteKind.MAIN and r.variant == 1 and r.onward is None
-        return plain and Position.REVERSE not in self.path(r).values()
+        return plain and Position.REVERSE not in self._path(r).values()
 
     def _through(self, r: RouteRow, d: RouteRow, received: str, departs: str) -> tuple[str, ...]:
-        there, on = self.direction(r).removesuffix("接车"), self.direction(d).removesuffix("发车")
+        there, on = self._direction(r).removesuffix("接车"), self._direction(d).removesuffix("发车")
         cells = {
             "方向": f"{there}至{on}通过",
-            "进路": f"经{self.track_name(self.end(r))}股道",
+            "进路": f"经{self._track_name(self._end(r))}股道",
             "排列进路按下的按钮": f"{r.entry}TA、{self._end_of_train(d)}",
             "信号机名称": f"{r.entry}、{d.entry}",
-            "信号机显示": f"L、{self.aspect(d)}",
-            "表示器": self.indicator(d),
+            "信号机显示": f"L、{self._aspect(d)}",
+            "表示器": self._indicator(d),
             "其他联锁": f"进路 {received}、{departs} 的全部条件",
             "进路号码": f"{received}/{departs}",
         }
         return tuple(cells.get(h.zh, "") for h in HEADINGS)
 
-    def direction(self, r: RouteRow) -> str:
+    def _direction(self, r: RouteRow) -> str:
         """The line to or from which a train goes, and whether it is received (接车) or departs (发车)."""
         if r.kind is RouteKind.SHUNT:
             return "调车"
-        node = r.entry_node if self.receiving(r) else self.way(r.traversals[-1]).exit
+        node = r.entry_node if self._receiving(r) else self._way(r.traversals[-1]).exit
         name = self.layout.labels.get(node, node).split(" (")[0]
-        if self.receiving(r) and r.exit_kind is ExitKind.BOUNDARY and self.end(r) not in self.tracks:
+        if self._receiving(r) and r.exit_kind is ExitKind.BOUNDARY and self._end(r) not in self._tracks:
             return f"{name}通过"
-        return f"{name}{'接车' if self.receiving(r) else '发车'}"
+        return f"{name}{'接车' if self._receiving(r) else '发车'}"
 
-    def track_name(self, s: SectionId) -> str:
+    def _track_name(self, s: SectionId) -> str:
         """5G is track 5 (5股道)."""
         return s[:-1] if s.endswith("G") and len(s) > 1 else s
 
-    def target(self, r: RouteRow) -> str:
-        if self.departing(r):
-            start = self.behind(r)
-            return f"由{self.track_name(start)}股道" if start is not None else f"由{r.entry}"
+    def _target(self, r: RouteRow) -> str:
+        if self._departing(r):
+            start = self._behind(r)
+            return f"由{self._track_name(start)}股道" if start is not None else f"由{r.entry}"
         if r.kind is RouteKind.MAIN:
-            return f"至{self.track_name(self.end(r))}股道"
-        if r.exit_kind is ExitKind.SIGNAL and self.end(r) not in self.tracks:
+            return f"至{self._track_name(self._end(r))}股道"
+        if r.exit_kind is ExitKind.SIGNAL and self._end(r) not in self._tracks:
             return f"至{r.exit}"
-        facing = self.opposing(self.end(r), self.way(r.traversals[-1]).entry)
-        if self.end(r) in self.tracks or facing is None:
-            return f"至{self.track_name(self.end(r))}股道"
+        facing = self._opposing(self._end(r), self._way(r.traversals[-1]).entry)
+        if self._end(r) in self._tracks or facing is None:
+            return f"至{self._track_name(self._end(r))}股道"
         return f"向{facing}"
 
-    def alternatives(self, r: RouteRow) -> list[RouteRow]:
+    def _alternatives(self, r: RouteRow) -> list[RouteRow]:
         """All routes with the same ends, the basic one first."""
         same = {
             x.variant: x
-            for x in reversed(self.of_signal[r.entry, r.kind])
+            for x in reversed(self._of_signal[r.entry, r.kind])
             if (x.exit, x.destination) == (r.exit, r.destination)
         }
         return [same[k] for k in sorted(same)]
 
-    def alternative(self, r: RouteRow) -> str:
-        return str(r.variant) if r.kind is RouteKind.MAIN and len(self.alternatives(r)) > 1 else ""
+    def _alternative(self, r: RouteRow) -> str:
+        return str(r.variant) if r.kind is RouteKind.MAIN and len(self._alternatives(r)) > 1 else ""
 
-    def deciding(self, r: RouteRow) -> str:
+    def _deciding(self, r: RouteRow) -> str:
         """The points that tell the route from the others with the same ends, first come first."""
-        others = [x for x in self.alternatives(r) if x.variant != r.variant]
+        others = [x for x in self._alternatives(r) if x.variant != r.variant]
         if r.kind is RouteKind.SHUNT:
             return ""
         out = []
-        for m, x in self.path(r).items():
-            if any(self.path(o).get(m, x) is not x for o in others):
+        for m, x in self._path(r).items():
+            if any(self._path(o).get(m, x) is not x for o in others):
                 out.append(_lying(m, x))
-                others = [o for o in others if self.path(o).get(m, x) is x]
+                others = [o for o in others if self._path(o).get(m, x) is x]
         return "、".join(out)
 
-    def buttons(self, r: RouteRow) -> list[str]:
+    def _buttons(self, r: RouteRow) -> list[str]:
         """Start, what tells an alternative from the routes before it, and end."""
         if r.kind is RouteKind.MAIN:
             out = [f"{r.entry}LA", *self._between(r)]
             return [*out, self._end_of_train(r)]
-        last = self.way(r.traversals[-1])
+        last = self._way(r.traversals[-1])
         if r.berth is not None:
-            end = self.opposing(last.section, last.entry)
+            end = self._opposing(last.section, last.entry)
         else:
-            back = self.opposing_at_exit(last)
+            back = self._opposing_at_exit(last)
             end = back or (SignalId(r.exit) if r.exit_kind is ExitKind.SIGNAL else None)
         return [self._shunt_button(r.entry), self._shunt_button(end) if end is not None else f"{r.exit}A"]
 
-    def opposing_at_exit(self, last: Traversal) -> SignalId | None:
+    def _opposing_at_exit(self, last: Traversal) -> SignalId | None:
         """The signal back to back with the one at which the route ends."""
         return self.topo.signal_into.get((last.exit, last.section))
 
@@ -317,12 +317,12 @@ class _Form:
         return f"{g}DA" if self.layout.signal[g].kind is SignalKind.COMBINED else f"{g}A"
 
     def _end_of_train(self, r: RouteRow) -> str:
-        last = self.way(r.traversals[-1])
-        if self.departing(r):
+        last = self._way(r.traversals[-1])
+        if self._departing(r):
             boundary = self.layout.boundary_at[last.exit]
             back = self.topo.signal_into.get((last.exit, last.section))
             return boundary.button or (f"{back}LA" if back is not None else f"{last.exit}LA")
-        facing = self.opposing(last.section, last.entry)
+        facing = self._opposing(last.section, last.entry)
         if facing is None:
             return f"{r.exit}LA"
         return f"{facing}LA" if self.layout.signal[facing].main else self._shunt_button(facing)
@@ -331,7 +331,7 @@ class _Form:
         """For an alternative, a signal along it that no route of a lower number passes, or else a button of its own."""
         if r.variant == 1:
             return []
-        passed = [self._along(x) for x in self.alternatives(r)[: r.variant - 1]]
+        passed = [self._along(x) for x in self._alternatives(r)[: r.variant - 1]]
         for g in self._along(r):
             if all(g not in others for others in passed):
                 return [self._shunt_button(g)]
@@ -341,32 +341,32 @@ class _Form:
         """Shunt signals at the joints within the route, in order."""
         out: list[SignalId] = []
         for a, b in zip(r.traversals, r.traversals[1:], strict=False):
-            node = self.way(a).exit
+            node = self._way(a).exit
             for key in ((node, b[0]), (node, a[0])):
                 g = self.topo.shunt_into.get(key)
                 if g is not None and not self.layout.signal[g].main:
                     out.append(g)
         return out
 
-    def aspect(self, r: RouteRow) -> str:
+    def _aspect(self, r: RouteRow) -> str:
         """Shunt white; received U with all points normal, else UU; departing as the block permits."""
         if r.kind is RouteKind.SHUNT:
             return "B"
-        if self.departing(r):
-            block = self.layout.boundary_at[self.way(r.traversals[-1]).exit].block
+        if self._departing(r):
+            block = self.layout.boundary_at[self._way(r.traversals[-1]).exit].block
             return "L、U、LU" if block is BlockKind.AUTOMATIC else "L"
-        return "UU" if Position.REVERSE in self.path(r).values() else "U"
+        return "UU" if Position.REVERSE in self._path(r).values() else "U"
 
-    def indicator(self, r: RouteRow) -> str:
+    def _indicator(self, r: RouteRow) -> str:
         """A route indicator tells a branching direction of departure."""
-        return "B" if self.departing(r) and self.layout.boundary_at[self.way(r.traversals[-1]).exit].indicator else ""
+        return "B" if self._departing(r) and self.layout.boundary_at[self._way(r.traversals[-1]).exit].indicator else ""
 
-    def points(self, r: RouteRow) -> list[str]:
+    def _points(self, r: RouteRow) -> list[str]:
         """Points in the order of the path; protecting and driven ones with the section that asks for them."""
-        on_path, flank = self.path(r), [p for p in r.points if p.role in (Role.FLANK, Role.ADDED)]
+        on_path, flank = self._path(r), [p for p in r.points if p.role in (Role.FLANK, Role.ADDED)]
         out: dict[MachineId, str] = {}
         for key in r.traversals:
-            for q, _ in self.way(key).points:
+            for q, _ in self._way(key).points:
                 m = self.layout.point[q].machine
                 out.setdefault(m, _lying(m, on_path[m]))
             for p in flank:
@@ -377,7 +377,7 @@ class _Form:
                     out.setdefault(p.machine, f"{{{_lying(p.machine, p.position)}}}")
         return list(out.values())
 
-    def sections(self, r: RouteRow) -> list[str]:
+    def _sections(self, r: RouteRow) -> list[str]:
         """Sections to be clear, each foul section behind the one that it fouls."""
         named = {p.machine for p in (*r.points, *r.driven)}
         out: list[str] = []
@@ -393,28 +393,30 @@ class _Form:
         out += [c.name for c in r.space if not c.lamp]
         return list(dict.fromkeys(out))
 
-    def facing(self, r: RouteRow) -> tuple[str, str]:
+    def _facing(self, r: RouteRow) -> tuple[str, str]:
         """What routes from the other end of the track exclude: train routes, shunt routes."""
-        track = self.end(r)
-        if track not in self.tracks or self.departing(r):
+        track = self._end(r)
+        if track not in self._tracks or self._departing(r):
             return "", ""
-        exits = self.opposing(track, self.way(r.traversals[-1]).entry)
+        exits = self._opposing(track, self._way(r.traversals[-1]).entry)
         trains = track if exits is not None and self.layout.signal[exits].main else ""
         return (trains, track) if r.kind is RouteKind.MAIN else (trains, "")
 
-    def other(self, r: RouteRow) -> str:
+    def _other(self, r: RouteRow) -> str:
         """The block of the line on which a train departs (BS: 闭塞)."""
-        block = self.layout.boundary_at[self.way(r.traversals[-1]).exit].block if self.departing(r) else BlockKind.NONE
+        block = (
+            self.layout.boundary_at[self._way(r.traversals[-1]).exit].block if self._departing(r) else BlockKind.NONE
+        )
         parts = ["BS"] if block is BlockKind.SEMI_AUTOMATIC else []
-        return "、".join([*parts, *(c for c in r.requirements if not self.is_block(c))])
+        return "、".join([*parts, *(c for c in r.requirements if not self._is_block(c))])
 
-    def is_block(self, condition: str) -> bool:
+    def _is_block(self, condition: str) -> bool:
         """Whether a condition is the block beyond a boundary, which is printed as BS or not at all."""
         return any(c.id == condition and c.exits for c in self.layout.conditions)
 
     # --- hostile signals -----------------------------------------------------------------------
 
-    def hostile(self, r: RouteRow) -> list[str]:
+    def _hostile(self, r: RouteRow) -> list[str]:
         """Hostile signals; first those without condition, then each condition with its signals."""
         found: dict[str, list[tuple[SignalId, str]]] = {}
         for g in sorted(self.layout.signals, key=lambda s: _order(s.id)):
@@ -444,25 +446,25 @@ class _Form:
 
         It tells the signal's hostile routes from its other routes that the points of this one permit.
         """
-        routes = [t for t in self.of_signal.get((g, kind), []) if self._agree(r, t)]
+        routes = [t for t in self._of_signal.get((g, kind), []) if self._agree(r, t)]
         bad = [t for t in routes if self._conflicts(r, t)]
         if not bad:
             return None
         good = [t for t in routes if t not in bad]
         if not good:
             return ""
-        own = self.path(r)
-        first = list(self.path(bad[0]).items())
-        common = [need for need in first if all(need in self.path(t).items() for t in bad)]
+        own = self._path(r)
+        first = list(self._path(bad[0]).items())
+        common = [need for need in first if all(need in self._path(t).items() for t in bad)]
         ranked = sorted(common, key=lambda need: (need[0] not in own, first.index(need)))
         chosen: list[Need] = []
         for need in ranked:
-            if not any(need in self.path(t).items() for t in good):
+            if not any(need in self._path(t).items() for t in good):
                 return f"<{self._named(need, bad[0])}>"
         for need in ranked:
-            if any(need not in self.path(t).items() for t in good):
+            if any(need not in self._path(t).items() for t in good):
                 chosen.append(need)
-                good = [t for t in good if need in self.path(t).items()]
+                good = [t for t in good if need in self._path(t).items()]
             if not good:
                 return "<" + "、".join(self._named(n, bad[0]) for n in chosen) + ">"
         return ""
@@ -470,8 +472,8 @@ class _Form:
     def _named(self, need: Need, t: RouteRow) -> str:
         """A condition by the end of the machine at which a route parts from others, else the first that it passes."""
         machine, position = need
-        passed = [p for key in t.traversals for p, _ in self.way(key).points]
-        ends = [*(p for p, _ in self.reading.facing_ends(t)), *passed]
+        passed = [p for key in t.traversals for p, _ in self._way(key).points]
+        ends = [*(p for p, _ in self._reading.machines.facing_ends(t)), *passed]
         return _lying(next((p for p in ends if self.layout.point[p].machine == machine), machine), position)
 
     def _end_in(self, section: SectionId, machine: MachineId) -> PointId | MachineId:
@@ -490,8 +492,8 @@ class _Form:
             return False
         if r.kind is RouteKind.MAIN or t.kind is RouteKind.MAIN:
             return True
-        mine = {k[0]: self.way(k) for k in r.traversals}
-        return any(self._against(mine[k[0]], self.way(k)) for k in t.traversals if k[0] in shared)
+        mine = {k[0]: self._way(k) for k in r.traversals}
+        return any(self._against(mine[k[0]], self._way(k)) for k in t.traversals if k[0] in shared)
 
     @staticmethod
     def _against(x: Traversal, y: Traversal) -> bool:

@@ -30,15 +30,15 @@ def heading(mark: str, de: str, en: str, zh: str) -> Heading:
 
 def lage(x: Reading, m: MachineId, position: Position) -> str:
     """L or R where the layout states the hand of the points, else + or −; of a derailer, whether it lies on."""
-    if x.is_derailer(m):
+    if x.machines.is_derailer(m):
         return "aufgelegt" if position is Position.NORMAL else "abgelegt"
-    side = x.machine_side(m, position)
+    side = x.machines.machine_side(m, position)
     return SIGNS[position] if side is None else SIDES[side]
 
 
 def end_lage(x: Reading, p: PointId, position: Position) -> str:
     """The same of one point end."""
-    side = x.side(p, position)
+    side = x.machines.side(p, position)
     return SIGNS[position] if side is None else SIDES[side]
 
 
@@ -50,7 +50,7 @@ def lying(x: Reading, r: RouteRow, *roles: Role) -> str:
 
 
 def _is_w(x: Reading, p: PointDemand) -> bool:
-    return x.is_machine(p) and p.machine not in x.layout.by_hand
+    return x.machines.is_machine(p) and p.machine not in x.layout.by_hand
 
 
 def _name(r: RouteRow) -> str:
@@ -87,7 +87,7 @@ def _overlaps(x: Reading, r: RouteRow) -> tuple[str, ...]:
 
 
 def _deciding(x: Reading, r: RouteRow) -> str:
-    return ", ".join(f"{x.called(p)}{end_lage(x, p, position)}" for p, position in x.deciding(r))
+    return ", ".join(f"{x.machines.called(p)}{end_lage(x, p, position)}" for p, position in x.machines.deciding(r))
 
 
 def _devices(x: Reading, r: RouteRow, kind: DeviceKind) -> list[str]:
@@ -96,7 +96,7 @@ def _devices(x: Reading, r: RouteRow, kind: DeviceKind) -> list[str]:
 
 
 def _derailers(x: Reading, r: RouteRow) -> str:
-    found = (p for p in r.points if x.is_derailer(p.machine))
+    found = (p for p in r.points if x.machines.is_derailer(p.machine))
     return ", ".join(f"{p.machine} {lage(x, p.machine, p.position)}" for p in found)
 
 
@@ -213,7 +213,9 @@ def _with_flank(x: Reading, r: RouteRow) -> str:
     """The points of the path for which the route asks for flank protection."""
     found = (c for c in r.flank if all(p.kind is not ProviderKind.WAIVED for p in c.providers))
     names = (c.requester.rpartition(".") for c in found)
-    return ", ".join(dict.fromkeys(x.called(PointId(name)) for name, _, leg in names if leg in ("normal", "reverse")))
+    return ", ".join(
+        dict.fromkeys(x.machines.called(PointId(name)) for name, _, leg in names if leg in ("normal", "reverse"))
+    )
 
 
 def shunt_routes(layout: Layout, table: InterlockingTable) -> Sheet:

@@ -155,7 +155,7 @@ def _requester(x: Reading, c: FlankCell) -> tuple[str, str]:
     """Its name, and over which position the movement runs that asks."""
     name, _, leg = c.requester.rpartition(".")
     used = {"normal": Position.REVERSE, "reverse": Position.NORMAL}.get(leg)
-    return (c.requester, "") if used is None else (x.called(PointId(name)), end_lage(x, PointId(name), used))
+    return (c.requester, "") if used is None else (x.machines.called(PointId(name)), end_lage(x, PointId(name), used))
 
 
 Wanted = dict[MachineId, dict[Position, list[FlankCell]]]

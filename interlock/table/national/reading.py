@@ -36,6 +36,115 @@ class Opposing:
     berth: SectionId
 
 
+class MachineReading:
+    """Points and derailers of routes, as forms print them: on which side they lie, which a route passes facing."""
+
+    def __init__(self, layout: Layout, table: InterlockingTable) -> None:
+        self._layout, self._table, self._topo = layout, table, topology(layout)
+
+    def is_machine(self, p: PointDemand) -> bool:
+        """Whether a demand is of points, not of a derailer or another device."""
+        return p.machine not in self._layout.device and not self.is_derailer(p.machine)
+
+    def is_derailer(self, m: MachineId) -> bool:
+        """Whether a machine is a derailer."""
+        return any(p.derailer for p in self._layout.ends_of_machine.get(m, ()))
+
+    def derailers(self, r: RouteRow) -> str:
+        """The derailers of a route, on or off."""
+        found = (p for p in r.points if self.is_derailer(p.machine))
+        return ", ".join(f"{p.machine} {self._layout.word(p.machine, p.position)}" for p in found)
+
+    def points(self, r: RouteRow, position: Position, *roles: Role) -> str:
+        """Points of a route in a position."""
+        return ", ".join(
+            p.machine
+            for p in r.points
+            if p.position is position and p.role in (roles or tuple(Role)) and self.is_machine(p)
+        )
+
+    def side(self, p: PointId, x: Position) -> Hand | None:
+        """The side to which a point lies, seen from its toe; None where the layout does not state its hand."""
+        hand = self._layout.hand.get(p)
+        return hand if hand is None or x is Position.REVERSE else hand.other
+
+    def machine_side(self, m: MachineId, x: Position) -> Hand | None:
+        """The side to which all ends of a machine lie, where it is stated and they agree."""
+        sides = {self.side(p.id, x) for p in self._layout.ends_of_machine.get(m, ())}
+        return sides.pop() if len(sides) == 1 else None
+
+    @cached_property
+    def _by_entry(self) -> dict[str, list[RouteRow]]:
+        out: dict[str, list[RouteRow]] = {}
+        for r in self._table.routes:
+            out.setdefault(r.entry, []).append(r)
+        return out
+
+    def facing_ends(self, r: RouteRow) -> list[tuple[PointId, Position]]:
+        """The point ends that the route passes facing, in order."""
+        return [f for key in r.traversals for f in self._facing_in(self._topo.traversals[key[0]][key[1] - 1])]
+
+    def _facing_in(self, t: Traversal) -> list[tuple[PointId, Position]]:
+        out = []
+        node: NodeId = t.entry
+        for here, onward in zip(t.edges, t.edges[1:], strict=False):
+            node = self._layout.far(here, node)
+            p = self._layout.point_at.get(node)
+            if p is not None and here == p.toe:
+                out.append((p.id, Position.NORMAL if onward == p.normal else Position.REVERSE))
+        return out
+
+    def facing(self, r: RouteRow) -> list[tuple[str, Position]]:
+        """The points that the route passes facing, in order: they decide where it goes."""
+        return [(str(self._layout.point[p].machine), x) for p, x in self.facing_ends(r)]
+
+    def choices(self, r: RouteRow) -> list[tuple[PointId, Position]]:
+        """The points that a route passes facing where another route from its signal, of its kind, goes the other way,
+        in order: there the operator's choice decides."""
+        others = [dict(self.facing_ends(t)) for t in self._by_entry[r.entry] if t.kind is r.kind and t is not r]
+        out = []
+        for p, x in self.facing_ends(r):
+            if any(o.get(p, x) is not x for o in others):
+                out.append((p, x))
+                others = [o for o in others if o.get(p) is x]
+        return out
+
+    def called(self, point: PointId) -> str:
+        """A point end by the name that a drawing has for it: what a slip is made of has the names of its machines."""
+        of_slip = any(b.point == point for b in self._layout.blades)
+        return str(self._layout.point[point].machine if of_slip else point)
+
+    def deciding(self, r: RouteRow) -> list[tuple[PointId, Position]]:
+        """The points that a route passes facing where the other leg leads to its end, too, in order: of several ways
+        from start to end they tell this one, whether or not the others are routes."""
+        onward = () if r.onward is None else self._table.route[r.onward].traversals
+        ways = [self._topo.traversals[s][n - 1] for s, n in (*r.traversals, *onward)]
+        end = ways[-1].section, ways[-1].exit
+        out = []
+        for i, t in enumerate(ways):
+            mine = self._facing_in(t)
+            others = self._topo.through(t.section, t.entry)
+            for k, (p, x) in enumerate(mine):
+                those = [u for u in others if self._facing_in(u)[: k + 1] == [*mine[:k], (p, x.other)]]
+                if self._lead(those, end, {w.section for w in ways[:i]}):
+                    out.append((p, x))
+        return out
+
+    def _lead(self, ways: list[Traversal], end: tuple[SectionId, NodeId], before: set[SectionId]) -> bool:
+        """Whether one of some ways goes on to an end, and not back over where the route came from."""
+        todo, seen = list(ways), {(t.section, t.number) for t in ways}
+        while todo:
+            t = todo.pop()
+            if (t.section, t.exit) == end:
+                return True
+            onward = self._topo.beyond(t.section, t.exit)
+            if onward is not None and onward not in before:
+                further = [u for u in self._topo.through(onward, t.exit) if u.key not in seen]
+                seen |= {u.key for u in further}
+                todo += further
+        return False
+
+
 @dataclass(frozen=True)
 class Reading:
     """A layout with its table."""
@@ -67,30 +176,14 @@ class Reading:
         """Ways and joints."""
         return topology(self.layout)
 
+    @cached_property
+    def machines(self) -> MachineReading:
+        """Its points and derailers."""
+        return MachineReading(self.layout, self.table)
+
     def way(self, key: tuple[SectionId, int]) -> Traversal:
         """The way of a lock."""
         return self.topo.traversals[key[0]][key[1] - 1]
-
-    def is_machine(self, p: PointDemand) -> bool:
-        """Whether a demand is of points, not of a derailer or another device."""
-        return p.machine not in self.layout.device and not self.is_derailer(p.machine)
-
-    def is_derailer(self, m: MachineId) -> bool:
-        """Whether a machine is a derailer."""
-        return any(p.derailer for p in self.layout.ends_of_machine.get(m, ()))
-
-    def derailers(self, r: RouteRow) -> str:
-        """The derailers of a route, on or off."""
-        found = (p for p in r.points if self.is_derailer(p.machine))
-        return ", ".join(f"{p.machine} {self.layout.word(p.machine, p.position)}" for p in found)
-
-    def points(self, r: RouteRow, position: Position, *roles: Role) -> str:
-        """Points of a route in a position."""
-        return ", ".join(
-            p.machine
-            for p in r.points
-            if p.position is position and p.role in (roles or tuple(Role)) and self.is_machine(p)
-        )
 
     def sections(self, r: RouteRow) -> list[str]:
         """Sections to be clear: path, foul sections with their condition, overlap, flank space."""
@@ -98,16 +191,6 @@ class Reading:
         over = [s for s, _ in r.overlap.ways] if r.overlap else []
         space = [c.name for c in r.space if not c.lamp]
         return list(dict.fromkeys([*(c.section for c in r.sections), *foul, *over, *space]))
-
-    def side(self, p: PointId, x: Position) -> Hand | None:
-        """The side to which a point lies, seen from its toe; None where the layout does not state its hand."""
-        hand = self.layout.hand.get(p)
-        return hand if hand is None or x is Position.REVERSE else hand.other
-
-    def machine_side(self, m: MachineId, x: Position) -> Hand | None:
-        """The side to which all ends of a machine lie, where it is stated and they agree."""
-        sides = {self.side(p.id, x) for p in self.layout.ends_of_machine.get(m, ())}
-        return sides.pop() if len(sides) == 1 else None
 
     def overlap_release_s(self, r: RouteRow) -> float:
         """Seconds after which the overlap of a route is given up behind a train that stands."""
@@ -125,59 +208,6 @@ class Reading:
     def stops(self, r: RouteRow) -> list[str]:
         """The signals that protect the flank of a route at stop."""
         return sorted({p.name for c in r.flank for p in c.providers if p.kind is ProviderKind.SIGNAL})
-
-    @cached_property
-    def _by_entry(self) -> dict[str, list[RouteRow]]:
-        out: dict[str, list[RouteRow]] = {}
-        for r in self.table.routes:
-            out.setdefault(r.entry, []).append(r)
-        return out
-
-    def choices(self, r: RouteRow) -> list[tuple[PointId, Position]]:
-        """The points that a route passes facing where another route from its signal, of its kind, goes the other way,
-        in order: there the operator's choice decides."""
-        others = [dict(self.facing_ends(t)) for t in self._by_entry[r.entry] if t.kind is r.kind and t is not r]
-        out = []
-        for p, x in self.facing_ends(r):
-            if any(o.get(p, x) is not x for o in others):
-                out.append((p, x))
-                others = [o for o in others if o.get(p) is x]
-        return out
-
-    def called(self, point: PointId) -> str:
-        """A point end by the name that a drawing has for it: what a slip is made of has the names of its machines."""
-        of_slip = any(b.point == point for b in self.layout.blades)
-        return str(self.layout.point[point].machine if of_slip else point)
-
-    def deciding(self, r: RouteRow) -> list[tuple[PointId, Position]]:
-        """The points that a route passes facing where the other leg leads to its end, too, in order: of several ways
-        from start to end they tell this one, whether or not the others are routes."""
-        onward = () if r.onward is None else self.table.route[r.onward].traversals
-        ways = [self.way(k) for k in (*r.traversals, *onward)]
-        end = ways[-1].section, ways[-1].exit
-        out = []
-        for i, t in enumerate(ways):
-            mine = self._facing_in(t)
-            others = topology(self.layout).through(t.section, t.entry)
-            for k, (p, x) in enumerate(mine):
-                those = [u for u in others if self._facing_in(u)[: k + 1] == [*mine[:k], (p, x.other)]]
-                if self._lead(those, end, {w.section for w in ways[:i]}):
-                    out.append((p, x))
-        return out
-
-    def _lead(self, ways: list[Traversal], end: tuple[SectionId, NodeId], before: set[SectionId]) -> bool:
-        """Whether one of some ways goes on to an end, and not back over where the route came from."""
-        topo, todo, seen = topology(self.layout), list(ways), {(t.section, t.number) for t in ways}
-        while todo:
-            t = todo.pop()
-            if (t.section, t.exit) == end:
-                return True
-            onward = topo.beyond(t.section, t.exit)
-            if onward is not None and onward not in before:
-                further = [u for u in topo.through(onward, t.exit) if u.key not in seen]
-                seen |= {u.key for u in further}
-                todo += further
-        return False
 
     def opposing(self, r: RouteRow) -> list[Opposing]:
         """The opposing routes that stay in the way of a route although, or after, the points are free.
@@ -209,21 +239,3 @@ class Reading:
     def _differs(self, key: tuple[SectionId, int], needs: dict[MachineId, Position]) -> bool:
         points = ((self.layout.point[p].machine, x) for p, x in self.way(key).points)
         return any(needs.get(m, x) is not x for m, x in points)
-
-    def facing_ends(self, r: RouteRow) -> list[tuple[PointId, Position]]:
-        """The point ends that the route passes facing, in order."""
-        return [f for key in r.traversals for f in self._facing_in(self.way(key))]
-
-    def _facing_in(self, t: Traversal) -> list[tuple[PointId, Position]]:
-        out = []
-        node: NodeId = t.entry
-        for here, onward in zip(t.edges, t.edges[1:], strict=False):
-            node = self.layout.far(here, node)
-            p = self.layout.point_at.get(node)
-            if p is not None and here == p.toe:
-                out.append((p.id, Position.NORMAL if onward == p.normal else Position.REVERSE))
-        return out
-
-    def facing(self, r: RouteRow) -> list[tuple[str, Position]]:
-        """The points that the route passes facing, in order: they decide where it goes."""
-        return [(str(self.layout.point[p].machine), x) for p, x in self.facing_ends(r)]

@@ -56,7 +56,7 @@ def _variant(r: RouteRow) -> str:
 
 
 def _turns(x: Reading, r: RouteRow) -> tuple[int, ...]:
-    return tuple(_turn(x.side(p, position), position) for p, position in x.facing_ends(r))
+    return tuple(_turn(x.machines.side(p, position), position) for p, position in x.machines.facing_ends(r))
 
 
 def _turn(side: Hand | None, position: Position) -> int:
@@ -69,7 +69,9 @@ def _letter(k: int) -> str:
 
 def _by_normal(x: Reading) -> list[str]:
     """Facing points of unknown hand at which ways part, so that the normal leg was counted as the left one."""
-    return sorted({p for r in x.table.routes for p, position in x.choices(r) if x.side(p, position) is None})
+    return sorted(
+        {p for r in x.table.routes for p, position in x.machines.choices(r) if x.machines.side(p, position) is None}
+    )
 
 
 def _opposing(x: Reading, name: Naming, r: RouteRow) -> tuple[str, ...]:
@@ -107,7 +109,9 @@ def _sequence(r: RouteRow) -> str:
 
 def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
     said = [f"{p.machine} closed" for p in r.points if p.machine in x.layout.device]
-    said += [f"{p.machine} {x.layout.word(p.machine, p.position)}" for p in r.points if x.is_derailer(p.machine)]
+    said += [
+        f"{p.machine} {x.layout.word(p.machine, p.position)}" for p in r.points if x.machines.is_derailer(p.machine)
+    ]
     said += [*r.requirements] + [f"{b.section} clear (line)" for b in r.block]
     if r.closing.whole is not None:
         said.append(f"replaced by last wheel: {r.closing.whole} clear")
@@ -141,10 +145,10 @@ def route_table(layout: Layout, table: InterlockingTable) -> Sheet:
         Field(Heading("Route", "进路", "Fahrstraße", "1"), lambda r: name(x.printed.ways[r.id])),
         Field(Heading("Destination", "终端", "Ziel", "2"), lambda r: r.exit),
         Field(Heading("Class", "类别", "Art", "3"), lambda r: CLASS[r.kind]),
-        Field(Heading("Points N", "道岔定位", "Weichen +", "4"), lambda r: x.points(r, normal, *ON_PATH)),
-        Field(Heading("Points R", "道岔反位", "Weichen −", "5"), lambda r: x.points(r, reverse, *ON_PATH)),
-        Field(Heading("Flank N", "防护道岔定位", "Flankenschutz +"), lambda r: x.points(r, normal, *flank)),
-        Field(Heading("Flank R", "防护道岔反位", "Flankenschutz −"), lambda r: x.points(r, reverse, *flank)),
+        Field(Heading("Points N", "道岔定位", "Weichen +", "4"), lambda r: x.machines.points(r, normal, *ON_PATH)),
+        Field(Heading("Points R", "道岔反位", "Weichen −", "5"), lambda r: x.machines.points(r, reverse, *ON_PATH)),
+        Field(Heading("Flank N", "防护道岔定位", "Flankenschutz +"), lambda r: x.machines.points(r, normal, *flank)),
+        Field(Heading("Flank R", "防护道岔反位", "Flankenschutz −"), lambda r: x.machines.points(r, reverse, *flank)),
         Field(
             Heading("Opposing locking: routes – tracks [or time]", "迎面锁闭", "Gegenfahrten", "6–8"),
             lambda r: _opposing(x, name, r),

@@ -39,9 +39,9 @@ def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
         Field(Heading("Entering signal", "始端", "Start"), lambda r: r.entry),
         Field(Heading("Exit", "终端", "Ziel"), _leads),
         Field(Heading("Movement", "性质", "Art"), lambda r: _KINDS[r.kind]),
-        Field(Heading("Switches normal", "道岔定位", "Weichen +"), lambda r: x.points(r, Position.NORMAL)),
-        Field(Heading("Switches reverse", "道岔反位", "Weichen −"), lambda r: x.points(r, Position.REVERSE)),
-        Field(Heading("Derails", "脱轨器", "Gleissperren"), x.derailers),
+        Field(Heading("Switches normal", "道岔定位", "Weichen +"), lambda r: x.machines.points(r, Position.NORMAL)),
+        Field(Heading("Switches reverse", "道岔反位", "Weichen −"), lambda r: x.machines.points(r, Position.REVERSE)),
+        Field(Heading("Derails", "脱轨器", "Gleissperren"), x.machines.derailers),
         Field(
             Heading("Opposing and conflicting signals locked", "敌对信号", "Gesperrte Signale"),
             lambda r: _conflicting(x, r),
@@ -135,7 +135,7 @@ def switch_table(layout: Layout, table: InterlockingTable) -> Sheet:
         return x.named(users.get((m, position, flank), ()))
 
     def hand(m: MachineId) -> str:
-        side = x.machine_side(m, Position.REVERSE)
+        side = x.machines.machine_side(m, Position.REVERSE)
         return "" if side is None else f"{side} hand"
 
     def speed(m: MachineId) -> str:
