@@ -102,6 +102,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL4013": (_E, "an identifier light that is never lit"),
     "IL4014": (_W, "no route leads past a signal, though one leads to it and one on"),
     "IL4015": (_E, "a route past a signal that is hostile to itself"),
+    "IL4016": (_E, "a route that its own train keeps from being set"),
     "IL4012": (_I, "an addition that adds nothing"),
     "IL4010": (_I, "a flank with substitute protection"),
     "IL4009": (_W, "an overlap that was to swing and cannot"),
