@@ -118,8 +118,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
         )
         for p in paths
     )
-    _foul_themselves(rows, sink)
-    check_own_train(layout, rows, by_key, sink)
+    _never_set(layout, rows, by_key, sink)
     voyages = derive_voyages(layout, rows, by_key, sink)
     automatic = derive_automatic(layout, paths, sink)
     check_practice(layout, paths, sink)
@@ -204,6 +203,14 @@ def _end(layout: Layout, p: Path) -> str:
     if p.exit not in layout.boards:
         return called(str(p.exit_kind), p.exit)
     return called("stop board" if p.exit in layout.stops else "limit-of-shunt board", p.exit)
+
+
+def _never_set(
+    layout: Layout, rows: Sequence[RouteRow], locks: Mapping[TraversalKey, TraversalRow], sink: Sink
+) -> None:
+    """Routes that something of their own keeps from being set: a joint, or their train."""
+    _foul_themselves(rows, sink)
+    check_own_train(layout, rows, locks, sink)
 
 
 def _foul_themselves(rows: Sequence[RouteRow], sink: Sink) -> None:
