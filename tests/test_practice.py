@@ -95,9 +95,9 @@ def test_a_long_crossover_between_two_lines_is_no_station(tmp_path: Path) -> Non
 
 def test_a_platform_that_trains_cannot_leave(tmp_path: Path) -> None:
     text = Path("layouts/terminus.yaml").read_text("utf-8")
-    assert lints(tmp_path, text.replace("  S12: {from: P2, into: T3}\n", "")) == [("IL7004", "P2")]
+    assert lints(tmp_path, text.replace("  S12: {from: P2, into: T3}\n", "")) == [("IL4017", "B2"), ("IL7004", "P2")]
     turned = text.replace("S12: {from: P2, into: T3}", "S12: {from: T3, into: P2}")
-    assert lints(tmp_path, turned) == [("IL7001", "S12")]
+    assert lints(tmp_path, turned) == [("IL4017", "B2"), ("IL7001", "S12")]
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,7 @@
 """The derivation as a visible order of steps.
 
 Input: a `Layout`.  Output: an `InterlockingTable`; diagnostics
-IL4001-IL4005, IL4010-IL4012, IL4016, IL2007, IL2008, IL2019, IL2024, IL3012; warning IL7011.
+IL4001-IL4005, IL4010-IL4012, IL4016, IL4017, IL2007, IL2008, IL2019, IL2024, IL3012; warning IL7011.
 """
 
 from __future__ import annotations
@@ -121,7 +121,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     _never_set(layout, rows, by_key, sink)
     voyages = derive_voyages(layout, rows, by_key, sink)
     automatic = derive_automatic(layout, paths, sink)
-    check_practice(layout, paths, sink)
+    check_practice(layout, paths, by_key, sink)
     beside.report(sink)
     return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
 
