@@ -198,9 +198,8 @@ def main() -> int:
         total += len(found.pairs)
         bad += sum(p.failure is not None for p in found.pairs)
     print(f"\n{total} pairs tried, {total - bad} shown, {bad} failed.")
-    print(
-        f"Refused by `check` in a profile that is not theirs, with the code that says why: {', '.join(refused) or 'none'}.\n"
-    )
+    told = ", ".join(refused) or "none"
+    print(f"Refused by `check` in a profile that is not theirs, with the code that says why: {told}.\n")
     print("## Weakenings\n\nEach must be found out by a pair that fails.\n")
     print("| weakening | layout | pairs that fail | the first of them |\n|---|---|---|---|")
     survived = 0
