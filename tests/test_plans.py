@@ -81,3 +81,13 @@ def test_what_a_plan_cannot_show_is_told_by_draw_and_compile(tmp_path: Path) -> 
     proved, _ = build_derived(derive_file(str(path)))
     assert [d.code for d in proved.notes if d.code == "IL5008"]
     assert not [d for d in build_derived(derive_file("layouts/fig2_2.yaml"))[0].notes if d.code == "IL5008"]
+
+
+def test_a_plan_larger_than_a_screen_says_where_its_lines_come_in() -> None:
+    layout, _ = load_text("yard.yaml", yard(30), Sink())
+    assert layout is not None
+    svg = plan_svg(layout)
+    told = re.search(r'data-start="([-\d.]+) ([-\d.]+)"', svg)
+    assert told is not None and re.search(rf'id="section-apW1".* L{told[1]} {told[2]}"', svg) and "scrollTo" in svg
+    small = plan_svg(loaded("layouts/cn6502.yaml"))
+    assert "data-start" not in small and "<script" not in small
