@@ -12,7 +12,7 @@ from interlock.derivation.locks import Locks
 from interlock.derivation.routes import Path
 from interlock.diag import Element, Sink
 from interlock.diag.called import called
-from interlock.model.elements import BoundaryKind, BufferKind, EdgeId, NodeId
+from interlock.model.elements import BoundaryKind, BufferKind, EdgeId, NodeId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.plain import Plain, Plains, plains
 from interlock.model.traversal import onward_edges
@@ -79,12 +79,16 @@ def _check_starting(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
             )
         elif not back and stretch.metres >= STATION_TRACK_M and _beside(found, stretch):
             for path in those:
+                ahead = found.layout.signal.get(SignalId(path.exit))
+                serves = ahead is not None and found.behind_points(ahead) is not None
+                shunt = f"; or, if {path.exit} serves several tracks, a shunt signal at the end of each: "
+                fix = f"add starting signals at both ends of {name}"
                 sink.add(
                     "IL7003",
                     f"route {path.id} runs through a whole station: past the {called('track', str(name))}, "
                     "where no signal stands",
                     None,
-                    f"add starting signals at both ends of {name}",
+                    fix + (f"{shunt}`kind: shunt, stops_trains: yes`" if serves else ""),
                     about=Element("signals", path.entry),
                     cause="whole station",
                     note=f"{path.id} past {name}",
