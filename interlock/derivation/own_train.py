@@ -80,7 +80,8 @@ def _in_rear(layout: Layout, parts: Sequence[RouteRow], rear: SectionId, locks: 
         if f.section == rear and (f.when is None or held.get(f.when[0]) is f.when[1]):
             yield f"{rear} must be free: {f.because.text}", "move the joint out of the fouling point"
     stands = {k[1] for k, lock in locks.items() if k[0] == rear and r.entry_node in (lock.entry, lock.exit)}
-    for ex in (ex for p in parts for key in p.traversals for ex in locks[key].exclusions):
+    taken = [key for p in parts for key in (*p.traversals, *(p.overlap.ways if p.overlap else ()))]
+    for ex in (ex for key in taken for ex in locks[key].exclusions):
         if ex.section == rear and (ex.whole or (stands and stands <= {*ex.numbers})):
             yield f"{rear} must be free: {ex.because.text}", apart
 
