@@ -325,3 +325,18 @@ def test_the_page_names_every_hostile_route_of_the_table(chromium: Any, tmp_path
         way = Printed(table).all[3]
         items = [(t, b) for c in COLUMNS if c.key != "hostile" for p in c.parts(way) for t, b in p.items]
         assert [(t.removesuffix(","), why) for t, why in seen] == [(t, f"{b.rule}: {b.text}") for t, b in items]
+
+
+@pytest.mark.external
+def test_a_large_plan_opens_where_its_lines_come_in(chromium: Any, tmp_path: Path) -> None:
+    layout, _ = load_text("yard.yaml", yard(30), Sink())
+    assert layout is not None
+    path = tmp_path / "plan.svg"
+    path.write_text(plan_svg(layout), "utf-8")
+    with shown(chromium, path) as page:
+        page.wait_for_function("scrollY > 0")
+        for b in ("W1", "W2"):
+            box = page.evaluate(
+                f"(e => [e.left, e.top])(document.getElementById('boundary-{b}').getBoundingClientRect())"
+            )
+            assert 0 <= box[0] <= 1500 and 300 <= box[1] <= 700, (b, box)

@@ -8,12 +8,13 @@ from pathlib import Path
 
 import pytest
 
+from interlock.app.check import check_file
 from interlock.audit import audit
 from interlock.derivation.flank import told
 from interlock.diag import Sink
 from interlock.diag.called import called
 from interlock.logic.lower import lower
-from interlock.model.elements import Position
+from interlock.model.elements import Position, RouteId
 from interlock.model.layout import Layout
 from interlock.model.principles import PROFILES
 from interlock.proof.claims.catalogue import claims
@@ -170,3 +171,39 @@ def test_what_has_overrun_a_signal_is_protected_on_its_flanks_whatever_the_contr
         assert {c.place[:4] for c in asked} == {"x:1:", "x:3:"}  # along it, and against it
         run = search(system, asked, 9, 60)
         assert (run is not None) == harm
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "warned"),
+    [
+        ("", "", True),
+        ("name: spur", "name: spur\nprinciples: {flank_space: yes}", False),
+        ("signals:", "signals:\n  S: {from: b1, into: p, kind: main}", False),
+        ("legs: 60", "legs: 5", False),
+        ("signals:", "derailers:\n  D: {section: p, inner: P.reverse, outer: spur.start}\nsignals:", False),
+        ("signals:", "allow:\n  - {lint: IL4017, at: [B], reason: scotches}\nsignals:", False),
+    ],
+    ids=["open", "space", "signal", "foul joint", "derailer", "allowed"],
+)
+def test_a_spur_into_which_vehicles_are_brought_is_told_of_where_only_its_end_protects(
+    old: str, new: str, warned: bool, tmp_path: Path
+) -> None:
+    text = Path("tests/diagnostics/IL4017.yaml").read_text("utf-8").replace(old, new, 1)
+    text = text.replace("reverse: spur.start, ", "") if "derailers:" in text else text
+    text = text.replace("W: {approach: wa 600, trains: in}", "W: {approach: wa 600}")  # where S leads
+    tmp_path.joinpath("x.yaml").write_text(text, "utf-8")
+    found = check_file(str(tmp_path / "x.yaml"))
+    assert found.ok and ("IL4017" in {d.code for d in found.diagnostics}) == warned, found.diagnostics
+
+
+def test_a_derailer_in_a_spur_is_laid_for_the_route_past_it() -> None:
+    """The end of the track behind it was preferred, as what asks for nothing, and the derailer stayed as it lay."""
+    text = Path("tests/diagnostics/IL4017.yaml").read_text("utf-8").replace("reverse: spur.start, ", "")
+    made = grown(
+        text.replace("signals:", "derailers:\n  D: {section: p, inner: P.reverse, outer: spur.start}\nsignals:")
+    )
+    assert made is not None and not made[2].has_errors and audit(made[0], made[1]) == ()
+    table = made[1]
+    assert {(str(p.machine), str(p.position)) for p in table.route[RouteId("X2-E")].points} == {("P", "N"), ("D", "N")}
+    assert {(str(p.machine), str(p.position)) for p in table.route[RouteId("X2-B")].points} == {("P", "R"), ("D", "R")}
+    assert prove(System(made[0], lower(made[0], table)), limits=Limits(search_s=0)).proved

@@ -15,7 +15,7 @@ from interlock.app.compile import build_derived
 from interlock.app.draw import draw_file
 from interlock.app.init import line, yard
 from interlock.diag import Sink
-from interlock.emit.drawing import plan_svg
+from interlock.emit.drawing import place, plan_svg
 from interlock.frontend import load, load_text
 from interlock.model.layout import Layout
 from tests.campaigns.plans import measured, random_layouts
@@ -81,3 +81,20 @@ def test_what_a_plan_cannot_show_is_told_by_draw_and_compile(tmp_path: Path) -> 
     proved, _ = build_derived(derive_file(str(path)))
     assert [d.code for d in proved.notes if d.code == "IL5008"]
     assert not [d for d in build_derived(derive_file("layouts/fig2_2.yaml"))[0].notes if d.code == "IL5008"]
+
+
+def test_a_plan_larger_than_a_screen_says_where_its_lines_come_in() -> None:
+    layout, _ = load_text("yard.yaml", yard(30), Sink())
+    assert layout is not None
+    svg = plan_svg(layout)
+    told = re.search(r'data-start="([-\d.]+) ([-\d.]+)"', svg)
+    assert told is not None and re.search(rf'id="section-apW1".* L{told[1]} {told[2]}"', svg) and "scrollTo" in svg
+    small = plan_svg(loaded("layouts/cn6502.yaml"))
+    assert "data-start" not in small and "<script" not in small
+
+
+def test_what_cannot_lie_in_a_plane_is_drawn_whole() -> None:
+    """A line led out of the picture at its top."""
+    layout = dict(random_layouts(12))[BRIDGE]
+    d = place(layout)
+    assert all(0 <= x <= d.width and 0 <= y <= d.height for line in d.edges.values() for x, y in line)

@@ -11,6 +11,12 @@ from interlock.app.check import Checked, check_file
 from interlock.app.init import STARTER, line, yard
 from interlock.diag import Severity
 from interlock.diag.codes import LINTS
+from interlock.logic.lower import lower
+from interlock.proof.engines.limits import Limits
+from interlock.proof.prover import prove
+from interlock.proof.system.transition import System
+from interlock.proof.witnesses.availability import availability
+from interlock.proof.witnesses.routes import witnesses
 
 
 def station(tracks: int) -> str:
@@ -109,9 +115,9 @@ def test_past_the_last_signal_before_a_buffer_one_must_lead_back(tmp_path: Path)
 
 def test_a_platform_that_trains_cannot_leave(tmp_path: Path) -> None:
     text = Path("layouts/terminus.yaml").read_text("utf-8")
-    assert lints(tmp_path, text.replace("  S12: {from: P2, into: T3}\n", "")) == [("IL7004", "P2")]
+    assert lints(tmp_path, text.replace("  S12: {from: P2, into: T3}\n", "")) == [("IL4017", "B2"), ("IL7004", "P2")]
     turned = text.replace("S12: {from: P2, into: T3}", "S12: {from: T3, into: P2}")
-    assert lints(tmp_path, turned) == [("IL7001", "S12")]
+    assert lints(tmp_path, turned) == [("IL4017", "B2"), ("IL7001", "S12")]
 
 
 @pytest.mark.parametrize(
@@ -219,3 +225,37 @@ def test_the_fix_of_a_restart_delay_is_one_that_helps(tmp_path: Path) -> None:
     assert delays[0] < delays[1]
     stated = text.replace("name: starter\n", f"name: starter\n{re.search(r'`(principles: .*?)`', str(one.fix))[1]}\n")  # type: ignore[index]
     assert "IL3023" not in {d.code for d in checked(tmp_path, stated).diagnostics}
+
+
+GROUP = """interlock: 1
+name: group
+boundaries: {W: {approach: wa 1000, trains: in}, E: {trains: out}}
+tracks: {west: [W, w1 200], one: [g1 400], two: [g2 400], three: [g3 400], out: [x1 200, E]}
+points:
+  P1: {section: t1, toe: west.end, normal: one.start, reverse: P2.toe}
+  P2: {section: t1, normal: two.start, reverse: three.start}
+  Q1: {section: t2, toe: out.start, normal: one.end, reverse: Q2.toe}
+  Q2: {section: t2, normal: two.end, reverse: three.end}
+signals:
+  A: {from: W, into: w1}
+  B: {from: w1, into: t1}
+  G: {from: t2, into: x1}
+"""
+"""Three tracks that join before one starting signal."""
+OWN = "".join(f"  L{k}: {{from: g{k}, into: t2, kind: shunt, stops_trains: yes}}\n" for k in (1, 2, 3))
+
+
+def test_one_starting_signal_for_several_tracks_wants_a_shunt_signal_at_each(tmp_path: Path) -> None:
+    alone = checked(tmp_path, GROUP)
+    fixes = {d.code: d.fix for d in alone.diagnostics}
+    assert {"IL7003", "IL7007"} <= set(fixes)
+    assert (
+        "if G serves several tracks, a shunt signal at the end of each: `kind: shunt, stops_trains: yes`"
+        in fixes["IL7003"]
+    )
+    whole = checked(tmp_path, GROUP + OWN)
+    assert whole.ok and whole.table is not None and whole.layout is not None and not lints(tmp_path, GROUP + OWN)
+    assert {r.id for r in whole.table.routes} >= {"B-L1", "B-L2", "B-L3", "L1-G.s", "L2-G.s", "L3-G.s", "G-E"}
+    system = System(whole.layout, lower(whole.layout, whole.table))
+    assert prove(system, limits=Limits(search_s=0)).proved and all(w.ok for w in witnesses(system))
+    assert not [p for p in availability(system, whole.table).pairs if p.failure is not None]

@@ -16,9 +16,11 @@ from interlock.audit.approach import approach_sections
 from interlock.audit.aspect import aspect
 from interlock.audit.flank import Movements, crossovers_to_lie_normal, flank_space, open_flanks
 from interlock.audit.foul import Foul, foul_neighbours
+from interlock.audit.own_train import own_train_in_the_way
 from interlock.audit.walk import (
     Move,
     Trip,
+    in_rear,
     left_standing,
     overlap_way,
     overruns,
@@ -89,6 +91,8 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
         if r.id in matched:
             found += _row(layout, r, matched[r.id])
             found += _flank(layout, r, matched[r.id], movements)
+            if r.kind != "identifier":  # set with a route to its signal, and asked about with that one
+                found += [Finding(r.id, "route", why) for why in own_train_in_the_way(layout, r, matched[r.id])]
     found += _driven(layout, table, matched)
     found += _in_the_way(layout, table, matched)
     found += _hostile(layout, table, matched)
@@ -223,19 +227,12 @@ def _driven(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) 
             yield Finding(r.id, "driven", f"driven along are {where or 'no points'}")
 
 
-def _rear(layout: Layout, trip: Trip) -> frozenset[SectionId]:
-    """The section before a trip's signal, if there is one."""
-    start = trip.moves[0]
-    near = layout.edges_at[layout.far(start.edge, start.node)]
-    return frozenset(e.section for e in near if e.id != start.edge)
-
-
 def _movements(layout: Layout, trips_: Iterable[Trip]) -> dict[SectionId, set[frozenset[SectionId]]]:
     found: dict[SectionId, set[frozenset[SectionId]]] = {}
     for t in trips_:
         for section in t.sections:
             found.setdefault(section, set()).add(frozenset(t.sections))
-        for section in _rear(layout, t) | ({t.berth} if t.berth is not None else frozenset()):
+        for section in in_rear(layout, t) | ({t.berth} if t.berth is not None else frozenset()):
             found.setdefault(section, set()).add(frozenset())
     return found
 
@@ -245,7 +242,7 @@ def _in_the_way(layout: Layout, table: InterlockingTable, matched: dict[str, Tri
     that goes on from there."""
     there: dict[SectionId, list[RouteRow]] = {}
     for r in table.routes:
-        for section in {*matched[r.id].sections, *_rear(layout, matched[r.id])} if r.id in matched else ():
+        for section in {*matched[r.id].sections, *in_rear(layout, matched[r.id])} if r.id in matched else ():
             there.setdefault(section, []).append(r)
     for r in table.routes:
         hostile = {*r.hostile.routes} if r.space else set()

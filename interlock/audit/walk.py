@@ -54,6 +54,13 @@ class Trip:
         return replace(self, exit=b.exit, moves=moves, sections=sections, positions=positions, onward=None)
 
 
+def in_rear(layout: Layout, trip: Trip) -> frozenset[SectionId]:
+    """The section before a trip's signal, in which its train stands; none at a boundary."""
+    start = trip.moves[0]
+    near = layout.edges_at[layout.far(start.edge, start.node)]
+    return frozenset(e.section for e in near if e.id != start.edge)
+
+
 def past_signals(layout: Layout, ahead: list[Trip], beyond: list[Trip]) -> list[Trip]:
     """Trips past a signal that shows its identifier light: one to it and one on from it, which one train can run over.
 
@@ -65,7 +72,7 @@ def past_signals(layout: Layout, ahead: list[Trip], beyond: list[Trip]) -> list[
             clash = any(dict(t.positions).get(m, x) is not x for m, x in b.positions)
             over = {n for m in (*t.moves[:-1], *b.moves[:-1]) for n in [m.node] if n in layout.crossing_at}
             twice = len(over) < sum(m.node in layout.crossing_at for m in (*t.moves[:-1], *b.moves[:-1]))
-            if t.exit != b.entry or clash or twice or set(t.sections) & set(b.sections):
+            if t.exit != b.entry or clash or twice or (in_rear(layout, t) | set(t.sections)) & set(b.sections):
                 continue
             if layout.overlap_of.get(b.entry, 0.0) > 0 and not (t.over and set(t.over) <= set(b.moves)):  # type: ignore[call-overload]
                 continue
@@ -228,6 +235,7 @@ def _overruns(
 ) -> list[Trip]:
     """Long enough paths beyond the signal that do not end where another one goes on from section to section."""
     e = layout.edge[g.into]
+    barred = {*trip.sections, *(in_rear(layout, trip) if trip.moves else ())}
     found: list[Trip] = []
     start = Move(g.into, e.b if e.a == g.node else e.a)
     todo: list[tuple[tuple[Move, ...], tuple[tuple[MachineId, Position], ...], float]] = [((start,), (), e.length)]
@@ -254,7 +262,7 @@ def _overruns(
                 clash = clash or any(wanted.get(m) == "R" for m in layout.by_hand)
                 clash = clash or bool(over & layout.undetected)
             diamonds = [m.node for m in (*trip.moves, *moves) if m.node in layout.crossing_at]
-            if not clash and not over & set(trip.sections) and len(diamonds) == len(set(diamonds)):
+            if not clash and not over & barred and len(diamonds) == len(set(diamonds)):
                 mine = tuple(sorted(dict(positions).items()))
                 found.append(replace(trip, over=moves, over_positions=mine))
             continue

@@ -6,9 +6,10 @@ From there the search goes outward until something keeps vehicles away:
     toe of another point    both legs must be protected (AND)
     signal at stop          if it stands clear of the fouling point; otherwise the search goes on
     buffer, outgoing boundary, one-way track    nothing can come
-Nothing-can-come is preferred; then a point turned away or a signal, as the principle `flank_by` says; a diamond
-prefers points.  The partner of a scissors crossover lies normal, whatever else there is (防护道岔): nothing else is
-offered there.  Which of the sets is taken is settled for all routes together (`derivation/settle.py`).
+Nothing-can-come is preferred, but a derailer or trap to the end of the track behind it; then a point turned away or a
+signal, as the principle `flank_by` says; a diamond prefers points.  The partner of a scissors crossover lies normal,
+whatever else there is (防护道岔): nothing else is offered there.  Which of the sets is taken is settled for all routes
+together (`derivation/settle.py`).
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from math import inf
 from interlock.diag.called import called
 from interlock.model.elements import (
     BoundaryKind,
+    BufferKind,
     Crossing,
     EdgeId,
     MachineId,
@@ -175,7 +177,9 @@ def _outward(
     first = next(beyond, None)
     by_signal = layout.principles.flank_by is FlankChoice.SIGNAL and r.node not in layout.crossing_at
     preferred = _BY_SIGNAL if by_signal else _PASSIVE
-    if first is not None and all(p.kind in preferred for p in first):
+    held = turned is not None and _guards(layout, point, position.other)
+    ends = first is not None and any(p.kind is ProviderKind.BUFFER for p in first)  # vehicles may stand before it
+    if first is not None and all(p.kind in preferred for p in first) and not (held and ends):
         yield first
         first = None
     if turned is not None:
@@ -183,6 +187,12 @@ def _outward(
     if first is not None:
         yield first
     yield from beyond
+
+
+def _guards(layout: Layout, point: Point, leg: Position) -> bool:
+    """Whether a point is there for nothing but to turn vehicles away: a derailer, or one with a trap at that leg."""
+    buffer = layout.buffer_at.get(layout.far(point.leg(leg), point.node))
+    return buffer is not None and buffer.kind is not BufferKind.STOP
 
 
 def space(layout: Layout, r: Requester, providers: Sequence[Provider]) -> dict[tuple[str, bool], str]:

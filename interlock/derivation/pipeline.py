@@ -1,7 +1,7 @@
 """The derivation as a visible order of steps.
 
 Input: a `Layout`.  Output: an `InterlockingTable`; diagnostics
-IL4001-IL4005, IL4010-IL4012, IL2007, IL2008, IL2019, IL2024, IL3012; warning IL7011.
+IL4001-IL4005, IL4010-IL4012, IL4016, IL4017, IL2007, IL2008, IL2019, IL2024, IL3012; warning IL7011.
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ from interlock.derivation.locking import (
 )
 from interlock.derivation.locks import derive_locks, route_demands
 from interlock.derivation.named import derive_automatic, derive_names
+from interlock.derivation.own_train import check_own_train
 from interlock.derivation.practice import check_practice
 from interlock.derivation.routes import Path, find_routes
 from interlock.derivation.voyages import derive_voyages
@@ -117,10 +118,10 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
         )
         for p in paths
     )
-    _foul_themselves(rows, sink)
+    _never_set(layout, rows, by_key, sink)
     voyages = derive_voyages(layout, rows, by_key, sink)
     automatic = derive_automatic(layout, paths, sink)
-    check_practice(layout, paths, sink)
+    check_practice(layout, paths, by_key, sink)
     beside.report(sink)
     return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
 
@@ -202,6 +203,14 @@ def _end(layout: Layout, p: Path) -> str:
     if p.exit not in layout.boards:
         return called(str(p.exit_kind), p.exit)
     return called("stop board" if p.exit in layout.stops else "limit-of-shunt board", p.exit)
+
+
+def _never_set(
+    layout: Layout, rows: Sequence[RouteRow], locks: Mapping[TraversalKey, TraversalRow], sink: Sink
+) -> None:
+    """Routes that something of their own keeps from being set: a joint, or their train."""
+    _foul_themselves(rows, sink)
+    check_own_train(layout, rows, locks, sink)
 
 
 def _foul_themselves(rows: Sequence[RouteRow], sink: Sink) -> None:

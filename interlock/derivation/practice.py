@@ -1,20 +1,22 @@
-"""Usual practice that only routes show: starting signals, places without a way in or out, waiting on points.
+"""Usual practice that only routes show: starting signals, places without a way in or out, waiting on points, vehicles
+beside points that nothing holds.
 
-Warnings IL7002, IL7003, IL7004, IL7007.  A layout may depart from practice: `allow`, with a reason.
+Warnings IL7002, IL7003, IL7004, IL7007, IL4017.  A layout may depart from practice: `allow`, with a reason.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from interlock.derivation.locks import Locks
 from interlock.derivation.routes import Path
 from interlock.diag import Element, Sink
 from interlock.diag.called import called
-from interlock.model.elements import BoundaryKind, EdgeId, NodeId
+from interlock.model.elements import BoundaryKind, BufferKind, EdgeId, NodeId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.plain import Plain, Plains, plains
 from interlock.model.traversal import onward_edges
-from interlock.table.rows import ExitKind, RouteKind
+from interlock.table.rows import ExitKind, ProviderKind, RouteKind
 
 STATION_TRACK_M = 100.0
 """Shorter plain track between the legs of points is no track of a station (our choice)."""
@@ -22,7 +24,7 @@ TRAIN_M = 100.0
 """A train that waits so far beyond points stands clear of them (our choice)."""
 
 
-def check_practice(layout: Layout, paths: Sequence[Path], sink: Sink) -> None:
+def check_practice(layout: Layout, paths: Sequence[Path], locks: Locks, sink: Sink) -> None:
     """Report what departs from usual practice, where no error hides routes."""
     if sink.has_errors:
         return
@@ -31,6 +33,7 @@ def check_practice(layout: Layout, paths: Sequence[Path], sink: Sink) -> None:
     _check_places(found, paths, sink)
     _check_ends(found, paths, sink)
     _check_waiting(found, paths, sink)
+    _check_spurs(layout, paths, locks, sink)
 
 
 def _passed(found: Plains, path: Path) -> Iterator[tuple[Plain, bool]]:
@@ -77,12 +80,16 @@ def _check_starting(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
             )
         elif not back and stretch.metres >= STATION_TRACK_M and _beside(found, stretch):
             for path in those:
+                ahead = found.layout.signal.get(SignalId(path.exit))
+                serves = ahead is not None and found.behind_points(ahead) is not None
+                shunt = f"; or, if {path.exit} serves several tracks, a shunt signal at the end of each: "
+                fix = f"add starting signals at both ends of {name}"
                 sink.add(
                     "IL7003",
                     f"route {path.id} runs through a whole station: past the {called('track', str(name))}, "
                     "where no signal stands",
                     None,
-                    f"add starting signals at both ends of {name}",
+                    fix + (f"{shunt}`kind: shunt, stops_trains: yes`" if serves else ""),
                     about=Element("signals", path.entry),
                     cause="whole station",
                     note=f"{path.id} past {name}",
@@ -211,6 +218,37 @@ def _check_waiting(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
             cause="behind points",
             note=f"{g.id}, {metres:g} m behind {points}",
         )
+
+
+def _check_spurs(layout: Layout, paths: Sequence[Path], locks: Locks, sink: Sink) -> None:
+    """Tracks into which vehicles are brought, and which nothing but their own end keeps from a place that others pass
+    (R5): not where they must be clear, as flank space or at a foul joint."""
+    keyed = (p for p in layout.points if p.machine in layout.by_hand)
+    by_key = {
+        e.section: f"through {p.id}, by hand" for p in keyed for e in layout.edges_at[layout.far(p.reverse, p.node)]
+    }
+    open_: dict[NodeId, dict[str, None]] = {}
+    for t in locks.values():
+        clear = {t.section, *(c.section for c in t.foul if c.when is None)}
+        for c in t.flank if not layout.principles.flank_space else ():
+            for node in (NodeId(p.name) for p in c.providers if p.kind is ProviderKind.BUFFER):
+                stop = layout.buffer_at[node].kind is BufferKind.STOP
+                if stop and layout.edges_at[node][0].section not in clear:
+                    open_.setdefault(node, {})[c.requester] = None
+    for node, places in sorted(open_.items()):
+        section = layout.edges_at[node][0].section
+        come = [p.id for p in paths if node == p.exit or section == p.berth]
+        if come or section in by_key:
+            brought = f"by {_listed(come)}" if come else by_key[section]
+            sink.add(
+                "IL4017",
+                f"vehicles are brought into {section} ({brought}), and nothing but the end of the track, {node}, "
+                f"protects {_listed(places)} from them",
+                None,
+                "add a signal or a derailer that stands clear of the points, or have the track clear: "
+                "`principles: {flank_space: yes}`",
+                about=Element("buffers", str(node)),
+            )
 
 
 def _listed(names: Iterable[str]) -> str:

@@ -220,6 +220,9 @@ def _why_not_past(layout: Layout, a: _Found, b: _Found) -> str | None:
     twice = sorted({t.section for t in a.ways} & {t.section for t in b.ways})
     if twice:
         return f"it meets {twice[0]} again"
+    rear = topology(layout).beyond(a.ways[0].section, a.signal.node)
+    if rear in {t.section for t in b.ways}:
+        return f"its train stands in {rear} before {a.signal.id}"
     if layout.overlap_of.get(SignalId(a.exit), 0.0) > 0 and _overlap_along(layout, a.exit, b.ways) is None:
         return f"no overlap of {a.exit} lies along it"
     ways = (*a.ways, *b.ways)
@@ -288,7 +291,8 @@ def _overlaps(layout: Layout, f: _Found, name: str, sink: Sink) -> list[tuple[in
         along = _overlap_along(layout, f.exit, f.beyond)
         return [] if along is None else [along]
     options = overlap_paths(layout, SignalId(f.exit))
-    mine = {t.section for t in f.ways}
+    rear = topology(layout).beyond(f.ways[0].section, f.signal.node)
+    mine = {rear, *(t.section for t in f.ways)}  # in rear its own train stands until it runs
     fits = [
         (k, ways)
         for k, ways in enumerate(options, start=1)

@@ -102,6 +102,8 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL4013": (_E, "an identifier light that is never lit"),
     "IL4014": (_W, "no route leads past a signal, though one leads to it and one on"),
     "IL4015": (_E, "a route past a signal that is hostile to itself"),
+    "IL4016": (_E, "a route that its own train keeps from being set"),
+    "IL4017": (_W, "vehicles that only the end of their track keeps from points"),
     "IL4012": (_I, "an addition that adds nothing"),
     "IL4010": (_I, "a flank with substitute protection"),
     "IL4009": (_W, "an overlap that was to swing and cannot"),
@@ -149,8 +151,8 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL7011": (_W, "a point that another route may keep from moving"),
 }
 
-LINTS: tuple[str, ...] = ("IL3012", *(code for code in CODES if code.startswith("IL7")))
-"""The warnings of usual practice, which `allow` can take away; that a section is used by no route, too."""
+LINTS: tuple[str, ...] = ("IL3012", "IL4017", *(code for code in CODES if code.startswith("IL7")))
+"""The warnings of usual practice, which `allow` can take away; of unused sections and unprotected spurs, too."""
 
 
 def severity_of(code: str) -> Severity:

@@ -19,7 +19,7 @@ from pathlib import Path
 
 from interlock.app.init import yard
 from interlock.derivation import derive
-from interlock.diag import Sink
+from interlock.diag import Severity, Sink
 from interlock.frontend import load_text
 from interlock.logic.controller import Controller, Equation, Join, Term
 from interlock.logic.expr import FALSE
@@ -60,12 +60,21 @@ def under(text: str, profile: str) -> str:
 
 def derived(text: str) -> tuple[Layout, InterlockingTable] | None:
     """Layout and table of a text, or None where it is refused."""
+    made, _ = _checked(text)
+    return made
+
+
+def refusal(text: str) -> str:
+    """The codes of the errors for which a text is refused."""
+    _, sink = _checked(text)
+    return ", ".join(dict.fromkeys(d.code for d in sink.diagnostics if d.severity is Severity.ERROR))
+
+
+def _checked(text: str) -> tuple[tuple[Layout, InterlockingTable] | None, Sink]:
     sink = Sink()
     layout, _ = load_text("campaign.yaml", text, sink)
-    if layout is None:
-        return None
-    table = derive(layout, sink)
-    return None if sink.has_errors else (layout, table)
+    table = None if layout is None else derive(layout, sink)
+    return None if layout is None or table is None or sink.has_errors else (layout, table), sink
 
 
 # --- weakenings ------------------------------------------------------------------------------------
@@ -181,7 +190,7 @@ def main() -> int:
     for name, profile, text in texts:
         made = derived(text)
         if made is None:
-            refused.append(f"{name} in {profile}")
+            refused.append(f"{name} in {profile} ({refusal(text)})")
             continue
         began = time.process_time()
         found = availability(System(made[0], lower(*made)), made[1])
@@ -189,7 +198,8 @@ def main() -> int:
         total += len(found.pairs)
         bad += sum(p.failure is not None for p in found.pairs)
     print(f"\n{total} pairs tried, {total - bad} shown, {bad} failed.")
-    print(f"Refused by `check` in a profile that is not theirs: {', '.join(refused) or 'none'}.\n")
+    told = ", ".join(refused) or "none"
+    print(f"Refused by `check` in a profile that is not theirs, with the code that says why: {told}.\n")
     print("## Weakenings\n\nEach must be found out by a pair that fails.\n")
     print("| weakening | layout | pairs that fail | the first of them |\n|---|---|---|---|")
     survived = 0

@@ -52,10 +52,11 @@ with knobs of their own, names of several scripts.
 
 *Waivers found out*: of a flank from which something can roll after all; T-FLANK and S-FLANK are refuted there and
 nowhere else, which is what a waiver without a good reason comes to.  *Undrivable* routes are those for which the
-witness run fails: one machine works two distant ends, or the train itself stands foul of what the route needs, in its
-flank space, or in its zone; `compile` reports them as IL4006.  A layout with one, or with a waiver found out, has no
-certificate: of these the second checker compares layout, text and written system, and no refutation.  Undrivable
-routes are left out of the pairs that are driven.  *Apart*: the train of one route, standing before its signal, keeps
+witness run fails, mostly since no route leads into the section before the signal, in which points lie; `compile`
+reports them as IL4006 (routes that their own train is in the way of are refused by `check`, IL4016).  A layout with
+one, or with a waiver found out, has no certificate: of these the second checker compares layout, text and written
+system, and no refutation.  Undrivable routes are left out of the pairs that are driven.
+*Apart*: the train of one route, standing before its signal, keeps
 the other one from being set: it stands foul of it, across a diamond, or on points that one machine works with points of
 the other (such a request is refused as well while the first route is not set); or one train cannot come past the other,
 or both begin in one place, which is told from the track alone.  These pairs are set and open together, and driven as

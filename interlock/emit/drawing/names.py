@@ -6,6 +6,7 @@ little as needed.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from itertools import pairwise
 
@@ -21,7 +22,7 @@ from interlock.emit.drawing.canvas import (
     width,
 )
 from interlock.emit.drawing.slips import blades, double_slips
-from interlock.model.elements import BufferKind, EdgeId, SectionId
+from interlock.model.elements import BufferKind, EdgeId, MachineId, SectionId
 
 
 def put_names(d: Drawing, named: dict[EdgeId, SectionId]) -> None:
@@ -30,14 +31,7 @@ def put_names(d: Drawing, named: dict[EdgeId, SectionId]) -> None:
     _joints(d)
     _signals(d)
     _outside(d)
-    for p in d.layout.points:
-        x, y = d.at[p.node]
-        far = bend(d, p.id)
-        below = far[1] < y
-        way = 1 if far[0] < x else -1
-        _put(
-            d, Label("point", p.id, p.id, x + way * 8, y + 15 if below else y - 8, anchor="start" if way > 0 else "end")
-        )
+    _points(d)
     for slip in double_slips(d.layout):
         middle = d.at[slip.nodes[0]][0]
         for b in blades(d, slip):
@@ -51,6 +45,22 @@ def put_names(d: Drawing, named: dict[EdgeId, SectionId]) -> None:
         tilt = 10 if y0 != y1 else 0
         _put(d, Label("section", section, section, x, y - 6 - tilt))
         _put(d, Label("length", section, f"{length:g}", x, y + 13 + tilt, small=True))
+
+
+def _points(d: Drawing) -> None:
+    """Each point with its name; a slip whose blades one machine lays with that of the machine, once."""
+    single = [d.layout.point[b.point] for b in d.layout.blades if len(b.at) == 1]
+    laid = Counter(p.machine for p in single)
+    of_slip = {p.id for p in single if laid[p.machine] > 1}
+    named: set[MachineId] = set()
+    for p in d.layout.points:
+        if p.id in of_slip and p.machine in named:
+            continue
+        named.add(p.machine)
+        (x, y), far, text = d.at[p.node], bend(d, p.id), str(p.machine if p.id in of_slip else p.id)
+        below, way = far[1] < y, 1 if far[0] < x else -1
+        side = "start" if way > 0 else "end"
+        _put(d, Label("point", p.id, text, x + way * 8, y + 15 if below else y - 8, anchor=side))
 
 
 def _lines(d: Drawing) -> None:

@@ -11,7 +11,7 @@ from itertools import pairwise
 import networkx as nx
 
 from interlock.emit.drawing.anchors import moved
-from interlock.emit.drawing.canvas import ARC, BLADES, LEAST, MARGIN, SIGNAL, UNIT, Drawing, Spot, cut_at, width
+from interlock.emit.drawing.canvas import ARC, BLADES, LEAST, MARGIN, SIGNAL, TOP, UNIT, Drawing, Spot, cut_at, width
 from interlock.emit.drawing.names import put_names
 from interlock.emit.drawing.narrowest import narrowest
 from interlock.emit.drawing.slips import double_slips
@@ -194,20 +194,23 @@ def finish(d: Drawing, named: dict[EdgeId, SectionId]) -> None:
         for edge in s.edges:
             d.edges[edge] = line if way > 0 else line[::-1]
     put_names(d, named)
-    bulges = [d.at[n][0] - ARC for n in d.plan.turns]
-    shift = MARGIN - min([t.box[0] for t in d.labels] + [p[0] for _, p, _ in d.outside] + bulges + [MARGIN])
-    if shift > 0:
-        _shift(d, shift)
-    bulges = [d.at[n][0] + ARC for n in d.plan.turns]
-    d.width = MARGIN + max([t.box[2] for t in d.labels] + [p[0] for p in d.at.values()] + bulges)
-    d.height = MARGIN + max([t.box[3] for t in d.labels] + [p[1] for p in d.at.values()])
+    bulges, spots = [d.at[n][0] - ARC for n in d.plan.turns], [p for line in d.edges.values() for p in line]
+    left = min([t.box[0] for t in d.labels] + [p[0] for _, p, _ in d.outside] + bulges + [x + MARGIN for x, _ in spots])
+    top = min((y for _, y in spots), default=TOP)  # of what cannot lie in a plane a line may lead out of it
+    if left < MARGIN or top < 0:
+        _shift(d, max(0.0, MARGIN - left), TOP - top if top < 0 else 0.0)
+    bulges, spots = [d.at[n][0] + ARC for n in d.plan.turns], [p for line in d.edges.values() for p in line]
+    d.width = MARGIN + max(
+        [t.box[2] for t in d.labels] + [p[0] for p in d.at.values()] + bulges + [x for x, _ in spots]
+    )
+    d.height = MARGIN + max([t.box[3] for t in d.labels] + [p[1] for p in d.at.values()] + [y for _, y in spots])
 
 
-def _shift(d: Drawing, by: float) -> None:
-    d.at = {n: (x + by, y) for n, (x, y) in d.at.items()}
-    d.edges = {e: [(x + by, y) for x, y in line] for e, line in d.edges.items()}
-    d.labels = [t.moved(by, 0) for t in d.labels]
-    d.signals = {g: (x + by, y, r) for g, (x, y, r) in d.signals.items()}
-    d.distants = {g: (x + by, y, r) for g, (x, y, r) in d.distants.items()}
-    d.joints = [(n, x + by, y, a) for n, x, y, a in d.joints]
-    d.outside = [(n, (x + by, y), r) for n, (x, y), r in d.outside]
+def _shift(d: Drawing, by: float, down: float) -> None:
+    d.at = {n: (x + by, y + down) for n, (x, y) in d.at.items()}
+    d.edges = {e: [(x + by, y + down) for x, y in line] for e, line in d.edges.items()}
+    d.labels = [t.moved(by, down) for t in d.labels]
+    d.signals = {g: (x + by, y + down, r) for g, (x, y, r) in d.signals.items()}
+    d.distants = {g: (x + by, y + down, r) for g, (x, y, r) in d.distants.items()}
+    d.joints = [(n, x + by, y + down, a) for n, x, y, a in d.joints]
+    d.outside = [(n, (x + by, y + down), r) for n, (x, y), r in d.outside]

@@ -37,6 +37,17 @@ STYLE = """
 """
 
 
+SCREEN = (2000.0, 1100.0)
+"""Pixels of a plan that is seen with little scrolling (our choice); a larger one opens where its lines come in."""
+OPENS = """<script>
+(() => { // as a document of its own; a page that holds the plan moves it itself
+  const root = document.documentElement, at = root.dataset.start;
+  if (at) addEventListener("load", () => { const [x, y] = at.split(" "); scrollTo(x - 80, y - innerHeight / 2); });
+})();
+</script>
+"""
+
+
 def _n(x: float) -> str:
     return f"{x:.1f}".rstrip("0").rstrip(".")
 
@@ -56,10 +67,13 @@ def plan_svg(layout: Layout, drawing: Drawing | None = None) -> str:
     body = "\n".join(plan_body(d))
     w, h = _n(d.width), _n(d.height)
     title = escape(layout.title or layout.name)
+    large = d.width > SCREEN[0] or d.height > SCREEN[1]
+    x, y = min(spot for _, spot, _ in d.outside) if d.outside else min(d.at.values(), default=(0.0, 0.0))
+    start = f' data-start="{_n(x)} {_n(y)}"' if large else ""
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" class="plan" viewBox="0 0 {w} {h}" width="{w}" height="{h}" '
-        'role="img">\n'
-        f"<title>{title}</title>\n<style>{STYLE}</style>\n"
+        f'role="img"{start}>\n'
+        f"<title>{title}</title>\n<style>{STYLE}</style>\n{OPENS if large else ''}"
         f'<rect width="{w}" height="{h}" fill="#fff"/>\n<text class="title" x="12" y="22">{title}</text>\n'
         f"{body}\n</svg>\n"
     )

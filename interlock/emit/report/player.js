@@ -70,4 +70,6 @@ document.addEventListener("keydown", (e) => {
   if (e.key === "Home") show(0);
   if (e.key === "End") show(data.texts.length - 1);
 });
+const frame = document.getElementById("plan"), start = frame.querySelector("svg").dataset.start;
+if (start) { const [x, y] = start.split(" "); frame.scrollTo(x - 80, y - frame.clientHeight / 2); } // a large plan opens where its lines come in
 show(0);

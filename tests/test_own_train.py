@@ -1,0 +1,114 @@
+"""Routes that their own train keeps from being set: refused by the derivation, seen by the audit, and never driven."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from interlock.audit import audit
+from interlock.diag import Diagnostic
+from interlock.logic.lower import lower
+from interlock.model.elements import RouteId
+from interlock.model.layout import Layout
+from interlock.proof.system.transition import System
+from interlock.proof.witnesses.routes import witnesses
+from interlock.table.rows import InterlockingTable
+from tests.grow import grow
+from tests.grow_all import grow_all
+from tests.layouts import grown
+
+RING = Path("tests/diagnostics/IL4016.yaml").read_text("utf-8")
+EXCLUDED = "exclude:\n  - {from: X, to: X, via: [ra], kind: main, reason: it would end in its own rear}\n"
+LOOP = """interlock: 1
+name: loop
+profile: mine
+principles: {flank_space: yes}
+boundaries: {W: {approach: w0 600}}
+tracks:
+  west: [W, w1 250]
+  loop: [PARTS, y 50]
+points:
+  P: {section: T, toe: west.end, normal: loop.start, reverse: loop.end}
+signals:
+  X1: {from: W, into: w1}
+  X2: {from: w1, into: T}
+  OUT: {from: a, into: y}
+"""
+"""A balloon loop, whose two ends lie at the legs of one point."""
+AHEAD = """interlock: 1
+name: ahead
+boundaries: {W: {approach: wa 600, trains: in}, E: {trains: out}}
+tracks:
+  west: [W, w1 100]
+  east: [e1 100, E]
+  a: [ra 200]
+  ring: [rc 200, rd 200]
+points:
+  P: {section: p, toe: ring.start, normal: a.end, reverse: west.end}
+  Q: {section: q, toe: ring.end, normal: a.start, reverse: east.start}
+signals:
+  X1: {from: W, into: w1}
+  X2: {from: w1, into: p}
+  X: {from: ra, into: p}
+  Z: {from: rd, into: q}
+overlaps: {Z: {length: 150}}
+"""
+"""The overlap of the signal in the ring lies over the section in which the train stands, or over the way out."""
+
+
+def made(text: str) -> tuple[Layout, InterlockingTable, list[Diagnostic]]:
+    """Layout, table, and the errors of a text that the front end admits."""
+    found = grown(text)
+    assert found is not None
+    return found[0], found[1], [d for d in found[2].diagnostics if d.severity == "error"]
+
+
+def undrivable(layout: Layout, table: InterlockingTable) -> set[str]:
+    """The routes that no run can set, drive and release."""
+    return {w.route for w in witnesses(System(layout, lower(layout, table))) if not w.ok}
+
+
+def own(layout: Layout, table: InterlockingTable) -> set[str]:
+    """The routes of which the audit says the same."""
+    return {f.route for f in audit(layout, table) if "own train" in f.text or "no room" in f.text}
+
+
+def test_a_train_cannot_run_round_a_ring_into_the_section_in_which_it_stands() -> None:
+    layout, table, errors = made(RING)
+    assert [d.code for d in errors] == ["IL4016"]
+    assert errors[0].message.startswith(
+        "routes X-X, X-X.c can never be set: its train stands before X in ra, and ra must"
+    )
+    assert {"X-X", "X-X.c"} == undrivable(layout, table) == own(layout, table)
+
+
+def test_what_is_left_when_it_is_excluded_can_be_driven() -> None:
+    layout, table, errors = made(RING + EXCLUDED)
+    assert errors == [] and audit(layout, table) == () and undrivable(layout, table) == set()
+    assert {"X-X.s", "Y-Y"} <= {r.id for r in table.routes}, "vehicles are shunted round it into the track they left"
+
+
+@pytest.mark.parametrize("parts", ["a 400", "b 200, a 200"])
+def test_the_section_from_which_a_train_runs_is_no_flank_space_of_its_way(parts: str) -> None:
+    layout, table, errors = made(LOOP.replace("PARTS", parts))
+    assert errors == [] and undrivable(layout, table) == own(layout, table) == set()
+    assert "a" not in {c.name for c in table.route[RouteId("OUT-W")].space}
+
+
+def test_an_overlap_over_the_section_in_which_its_train_stands_is_none_for_the_route() -> None:
+    layout, table, errors = made(AHEAD)
+    over = {r.id: [s for s, _ in r.overlap.ways] for r in table.routes if r.overlap is not None}
+    both = {"X2-Z": ["q", "ra"], "X2-Z.o2": ["q", "e1"]}
+    assert over == {"X-Z.o2": ["q", "e1"], **both} and errors == [] and audit(layout, table) == ()
+
+
+def test_whatever_is_refused_so_no_run_drives_and_the_audit_sees_it() -> None:
+    seen = 0
+    for seed in (37, 38, 77, 119, 121, 125, 135, 166, 271, -232):  # the last one: across a diamond of its overlap
+        layout, table, errors = made(grow(seed) if seed > 0 else grow_all(-seed))
+        assert {d.code for d in errors} == {"IL4016"}, seed
+        names = {w.rstrip(",") for d in errors for w in d.message.split(" can never")[0].split(" ")[1:]}
+        assert names == own(layout, table) and names <= undrivable(layout, table), seed
+        seen += len(names)
+    assert seen >= 19
