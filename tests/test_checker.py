@@ -325,6 +325,22 @@ def test_a_delay_that_is_too_short_is_refused(made: Path, timer: str) -> None:
         agree(loaded(layout.read_text("utf-8")), written_so, shorter, shipped())
 
 
+def test_a_delay_that_no_controller_can_count_is_refused(made: Path) -> None:
+    """Of a TIME of 32 bits nothing is left of 2^32 + 1 ms but the one: the signal would be given up at once."""
+    layout, folder, file = files(made)
+    system, text = (folder / "system.txt").read_text("utf-8"), file.read_text("utf-8")
+    body = loaded(layout.read_text("utf-8"))
+    source, preset = written(system).timers["AT_X1"]
+    for long, counted in ((2**31 - 1, True), (2**31, False), (2**32 + 1, False)):
+        longer = re.sub(rf"(IN := D\.{source}, PT := )T#\w+\)", rf"\1T#{long}ms)", text)
+        written_so = system.replace(f"timer AT_X1 {source} {preset}", f"timer AT_X1 {source} {long}")
+        if counted:
+            agree(body, written_so, longer, shipped())
+        else:
+            with pytest.raises(Rejected, match="D-PRESET lacks"):
+                agree(body, written_so, longer, shipped())
+
+
 def test_a_start_that_says_less_is_refused(copy: Path) -> None:
     _, told = lines(copy)
     proved_again(copy, [x.replace(" K_DP)", ")") if x.startswith("start ") else x for x in told])
