@@ -164,6 +164,12 @@ EDITS = {
         "NOT (NOT INP.VALID OR NOT INP.REQ = 0);",
         "a number",
     ),
+    "a comment that a tool obeys": (
+        "D.RSTI := D.PWR;",
+        "D.RSTI := D.PWR; (*~ (OPC:1:visible) ~*)",
+        "is not known here",
+    ),
+    "one with a blank before": ("D.RSTI := D.PWR;", "D.RSTI := D.PWR; (* @END_DECLARATION *)", "is not known here"),
     "a comment within a comment": ("D.RSTI := D.PWR;", "D.RSTI := D.PWR; (* (* *)", "is not known here"),
     "a line that only some compilers end": ("D.RSTI := D.PWR;", "D.RSTI :=\u2028D.PWR;", "is not known here"),
     "a duration that no compiler takes": ("T#3s", "T#1s2s", "malformed duration T#1s2s"),
