@@ -41,8 +41,8 @@ def _starts(w: Words, last: Expr, gap: Expr) -> Iterator[tuple[str, str, Expr]]:
 
 
 def _commands(w: Words, m: MachineId) -> Iterator[tuple[str, str, Expr]]:
-    nothing_set = conj(neg(w.set_now(r)) for r in w.sym.routes)
-    no_overlap = conj(neg(w.rises(var(name))) for name in w.sym.overlap.values())
+    nothing_set = conj(neg(w.set_now(r)) for r in w.touching(m))
+    no_overlap = conj(neg(w.rises(var(w.sym.overlap[o]))) for o in w.overlaps_touching(m))
     both = conj((nothing_set, no_overlap, *(var(w.sym.by_hand[m, x]) for x in Position)))
     yield "F-POINT", f"{m} both by hand", implies(both, neg(w.anew(m)))
     for x in Position:
