@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from itertools import pairwise
 
@@ -228,23 +228,6 @@ class Words:
     def flanks(self, m: MachineId) -> list[Way]:
         """The ways that demand a machine as flank protection."""
         return self._flanks.get(m, [])
-
-    def _touches(self, m: MachineId, ways: Iterable[Way]) -> bool:
-        return any(way[0] in self.layout.sections_of_machine[m] or way in self.flanks(m) for way in ways)
-
-    def touching(self, m: MachineId) -> list[RouteSymbols]:
-        """The routes that lock a section of a machine, or demand it (R10): which are set, it is not moved otherwise."""
-
-        def over(r: RouteSymbols) -> Iterator[Way]:
-            yield from r.ways
-            yield from () if r.berth is None else (r.berth,)
-            yield from () if r.overlap is None else self.sym.overlap_ways[r.overlap]
-
-        return [r for r in self.sym.routes if self._touches(m, over(r)) or any(m == n for n, _ in r.demands)]
-
-    def overlaps_touching(self, m: MachineId) -> list[tuple[SignalId, int]]:
-        """The overlaps that lie over a machine, or demand it."""
-        return [o for o, ways in self.sym.overlap_ways.items() if self._touches(m, ways)]
 
     def movable(self, m: MachineId) -> Expr:
         """Nothing is locked or occupied over the machine, and nobody needs it as flank protection (R10)."""
