@@ -164,6 +164,12 @@ EDITS = {
         "NOT (NOT INP.VALID OR NOT INP.REQ = 0);",
         "a number",
     ),
+    "a comment that a tool obeys": (
+        "D.RSTI := D.PWR;",
+        "D.RSTI := D.PWR; (*~ (OPC:1:visible) ~*)",
+        "is not known here",
+    ),
+    "one with a blank before": ("D.RSTI := D.PWR;", "D.RSTI := D.PWR; (* @END_DECLARATION *)", "is not known here"),
     "a comment within a comment": ("D.RSTI := D.PWR;", "D.RSTI := D.PWR; (* (* *)", "is not known here"),
     "a line that only some compilers end": ("D.RSTI := D.PWR;", "D.RSTI :=\u2028D.PWR;", "is not known here"),
     "a duration that no compiler takes": ("T#3s", "T#1s2s", "malformed duration T#1s2s"),
@@ -323,6 +329,22 @@ def test_a_delay_that_is_too_short_is_refused(made: Path, timer: str) -> None:
     written_so = system.replace(f"timer {timer} {source} {preset}", f"timer {timer} {source} {preset - 1}")
     with pytest.raises(Rejected, match="D-PRESET lacks"):
         agree(loaded(layout.read_text("utf-8")), written_so, shorter, shipped())
+
+
+def test_a_delay_that_no_controller_can_count_is_refused(made: Path) -> None:
+    """Of a TIME of 32 bits nothing is left of 2^32 + 1 ms but the one: the signal would be given up at once."""
+    layout, folder, file = files(made)
+    system, text = (folder / "system.txt").read_text("utf-8"), file.read_text("utf-8")
+    body = loaded(layout.read_text("utf-8"))
+    source, preset = written(system).timers["AT_X1"]
+    for long, counted in ((2**31 - 1, True), (2**31, False), (2**32 + 1, False)):
+        longer = re.sub(rf"(IN := D\.{source}, PT := )T#\w+\)", rf"\1T#{long}ms)", text)
+        written_so = system.replace(f"timer AT_X1 {source} {preset}", f"timer AT_X1 {source} {long}")
+        if counted:
+            agree(body, written_so, longer, shipped())
+        else:
+            with pytest.raises(Rejected, match="D-PRESET lacks"):
+                agree(body, written_so, longer, shipped())
 
 
 def test_a_start_that_says_less_is_refused(copy: Path) -> None:

@@ -17,7 +17,18 @@ from tests.layouts import SHIPPED, built
 from tests.test_operations import put
 
 OTHERS = ("added", "closing", "devices", "driven", "entry_speeds", "foul_joint", "overlaps", "shunt_yard", "speeds")
-OTHERS = (*OTHERS, "swing", "token", "boards", "closing_next", "bare_signal", "dead_end", "branches", "identifier")
+OTHERS = (
+    *OTHERS,
+    "swing",
+    "token",
+    "boards",
+    "closing_next",
+    "bare_signal",
+    "dead_end",
+    "branches",
+    "identifier",
+    "air_lock",
+)
 
 
 @pytest.mark.parametrize("name", [*SHIPPED, *(f"../tests/layouts_for_tests/{x}" for x in OTHERS)])

@@ -91,6 +91,20 @@ def test_what_reads_its_neighbours_variable_is_noticed_or_the_same(name: str) ->
     assert Counter(v.fate for v in fates.values())[Fate.CLAIM] > len(fates) / 4
 
 
+@pytest.mark.parametrize(
+    ("name", "which", "why"),
+    [
+        ("crossing_line", "TG_LC2 reads GW_s5_1 for GW_s4_2", "F-POINT at LC2 returns"),
+        ("junction", "MAR_102 reads TG_101 for TG_102", "F-POINT at 102 R by hand"),
+    ],
+)
+def test_what_is_set_elsewhere_keeps_no_machine_from_moving(name: str, which: str, why: str) -> None:
+    """A crossing that opens a scan too late, a key that turns nothing: while a route is set that has no part in it."""
+    layout, _, controller = built(name)
+    mutant = next(m for m in read_elsewhere(controller) if m.name == which)
+    assert Judge(layout, controller).judge(mutant) == Verdict(Fate.FUNCTION, why)
+
+
 @pytest.mark.parametrize("name", ["passing_loop", "../tests/layouts_for_tests/shunt_yard"])
 def test_what_is_read_late_fails_a_claim(name: str) -> None:
     layout, _, controller = built(name)

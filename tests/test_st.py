@@ -287,6 +287,8 @@ def test_a_comment_cannot_be_ended_by_a_name() -> None:
     assert comment("a *) b (* c") == "(* a * ) b ( * c *)"
     assert comment("a ＊） b （＊ c") == "(* a * ) b ( * c *)", "full-width signs are read as these"
     assert comment("a ]]> b ］］＞ c") == "(* a ] ]> b ] ]> c *)", "a text in XML may end so"
+    assert comment("@END_DECLARATION") == "(* - @END_DECLARATION *)", "no tool obeys what a name says"
+    assert comment("  ＄R+") == "(* -   $R+ *)" and comment("", 9) == "(*  *)"
     assert len(comment("门" * 100, 40)) == 46, "a sign may be read as several"
 
 

@@ -12,7 +12,8 @@ from typing import Any
 from interlock.verify import Rejected, need
 
 TOKEN = re.compile(
-    r"""[ \t\r\n]+ | \(\*(?:[^*(] | \*(?!\)) | \((?!\*))*\*\)  # compilers differ on what begins a comment within one
+    r"""[ \t\r\n]+ | \(\*(?![ \t\r\n]*[@$\#~{%&])  # what begins so is obeyed by some tool
+    (?:[^*(] | \*(?!\)) | \((?!\*))*\*\)             # compilers differ on what begins a comment within one
     | (?P<time>T\#[0-9a-z_]+) | (?P<number>[0-9]+) | (?P<name>[A-Za-z_][A-Za-z0-9_]*) | (?P<sign>:=|[;:,().=])""",
     re.VERBOSE,
 )

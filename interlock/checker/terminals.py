@@ -16,6 +16,8 @@ from interlock.verify import need
 
 REQUESTS = {"REQ": ("RQZ", "YRQ"), "LREQ": ("LRQZ", "YLRQ")}
 """For each input of numbers the bit that tells that 0 was read there, and the output that acknowledges a number."""
+LONGEST = 2**31 - 1
+"""The longest TIME, in milliseconds, of a controller that keeps it in 32 bits."""
 
 
 class Terminals(Lamps):
@@ -454,6 +456,10 @@ class Terminals(Lamps):
         known |= {*map(self.w_late_timer, self.w_machines()), *map(self.w_approach_timer, self.w_opening())}
         known |= {*map(self.w_standing_timer, self.w_standing_timed()), *map(self.w_hand_timer, self.w_tokens())}
         return fact(t in known)
+
+    def w_can_be_counted(self, t: str) -> Formula:
+        """The preset is a TIME on every controller: with one bit more it would be another duration there."""
+        return fact(self.w.timers[t][1] <= LONGEST)
 
     def w_lasts(self, t: str, ms: int) -> Formula:
         """The timer's preset is no shorter."""

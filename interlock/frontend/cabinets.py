@@ -78,9 +78,11 @@ def resolve_health(ctx: Context) -> tuple[Health, ...]:
 def resolve_addresses(ctx: Context) -> tuple[tuple[str, str], ...]:
     """Addresses that the author wants, by PLC variable; whether the variable exists is seen when they are allocated."""
     seen: dict[str, str] = {}
-    for name, address in ctx.file.addresses.items():
+    for name, written in ctx.file.addresses.items():
         span = ctx.at("addresses", name)
-        if ADDRESS.fullmatch(address) is None:
+        parts = ADDRESS.fullmatch(written)
+        address = written if parts is None else f"{parts[1]}{int(parts[2])}.{parts[3]}"  # I04.0 is I4.0
+        if parts is None:
             ctx.add(
                 "IL2015",
                 f"{address!r} is no address",
@@ -90,7 +92,7 @@ def resolve_addresses(ctx: Context) -> tuple[tuple[str, str], ...]:
         elif address in seen:
             ctx.add("IL2015", f"{name} and {seen[address]} would both have {address}", span, "give each its own")
         seen.setdefault(address, name)
-    return tuple(sorted(ctx.file.addresses.items()))
+    return tuple(sorted((name, address) for address, name in seen.items()))
 
 
 def resolve_drawing(ctx: Context, wiring: Wiring) -> tuple[tuple[SectionId, int], ...]:

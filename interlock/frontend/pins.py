@@ -23,7 +23,7 @@ from interlock.frontend.yaml_tree import Mapping, Node, parse
 from interlock.model.pins import Card, Pin, Pins, Place
 
 SUFFIX = ".pins"
-_CARD = re.compile(r"([IQ])(\d{1,4})")
+_CARD = re.compile(r"([IQ])([0-9]{1,4})")
 
 
 def _written(pattern: re.Pattern[str], what: str, how: str) -> BeforeValidator:

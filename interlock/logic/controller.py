@@ -73,6 +73,10 @@ class Equation:
         return tuple(variables(t.expr for t in self.terms))
 
 
+LONGEST_MS = 2**31 - 1
+"""The longest preset that every controller can count: a TIME of 32 bits, as in Step 7; a longer one begins anew."""
+
+
 @dataclass(frozen=True, slots=True)
 class Timer:
     """On-delay: `name` becomes true when `input` has been true for `preset_ms` without a break."""

@@ -27,15 +27,20 @@ from interlock.st.ast import (
 from interlock.st.style import IEC, Style
 
 MAX_COLUMNS = 150
+DIRECTIVES = frozenset("@$#~{%&")
+"""With these a comment begins that some tool obeys: `(*~ (OPC:1:visible) ~*)` in TwinCAT 2, `(* @END_DECLARATION *)` in
+CODESYS 2.3, `(*$...*)` in compilers of the Pascal family."""
 
 
 def comment(text: str, room: int | None = None) -> str:
     """A comment of so many characters at most that no note can end early, nor the part of an XML file where it stands.
 
-    What counts is what is read of a text: a full-width `＊）` is read as `*)`.
+    What counts is what is read of a text: a full-width `＊）` is read as `*)`.  None is a directive to a tool, either.
     """
     if not (text.isascii() and text.isprintable()):
         text = "".join(map(readable, text))
+    if text.lstrip()[:1] in DIRECTIVES:
+        text = f"- {text}"
     text = text[:room]
     if "*" in text or "]]>" in text:
         text = text.replace("(*", "( *").replace("*)", "* )").replace("]]>", "] ]>")

@@ -11,6 +11,7 @@ from interlock.frontend.checks.lanes import check_lanes
 from interlock.frontend.checks.lengths import check_lengths
 from interlock.frontend.checks.machines import check_machines
 from interlock.frontend.checks.overlaps import check_overlaps
+from interlock.frontend.checks.principles import check_principles
 from interlock.frontend.checks.signals import check_signals
 from interlock.frontend.checks.standing import check_standing
 from interlock.frontend.checks.zones import check_zones
@@ -28,6 +29,7 @@ CHECKS = (
     check_overlaps,
     check_delays,
     check_lengths,
+    check_principles,
     check_approach,
     check_facing,
 )

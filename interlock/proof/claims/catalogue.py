@@ -119,7 +119,8 @@ CLAIMS: dict[str, str] = {
     "I-TOLD": "Every indication and alarm tells what is: a section is locked, a detector is faulty, a machine is not "
     "where it was commanded or was trailed, a zone is full.",
     "D-PRESET": "No delay is shorter than the principles order, nor than the world needs: by speeds, braking, reaction "
-    "and the delay of outputs, running times of machines, and what is agreed with the neighbour.",
+    "and the delay of outputs, running times of machines, and what is agreed with the neighbour; and none longer than "
+    "a TIME of 32 bits counts, some 24 days: a clock that begins anew runs out at once.",
     "P-START": "When the restart delay is over, whatever happened meanwhile, nothing is commanded but crossings and "
     "bridges to close, all signals show stop, and every section is locked.",
 }

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from interlock.logic.controller import LONGEST_MS
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, iff, implies, neg, var
 from interlock.logic.names import Name
 from interlock.model.elements import Position, SignalId
@@ -104,7 +105,8 @@ def _delays(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     if f.sym.machines.start_timer is not None:
         ordered[f.sym.machines.start_timer] = [rules.point_start_gap_s]
     for name, seconds in ordered.items():
-        yield "D-PRESET", name, TRUE if presets[name] >= round(1000 * max(seconds)) else FALSE
+        counts = round(1000 * max(seconds)) <= presets[name] <= LONGEST_MS
+        yield "D-PRESET", name, TRUE if counts else FALSE
     for name in sorted(presets.keys() - ordered.keys()):
         yield "D-PRESET", name, FALSE  # nothing says how long this timer must be
 

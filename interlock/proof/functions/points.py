@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from interlock.logic.expr import Expr, conj, disj, iff, implies, neg, var
-from interlock.model.elements import MachineId, Position
-from interlock.proof.functions.words import Words
+from interlock.logic.symbols import RouteSymbols
+from interlock.model.elements import MachineId, Position, SignalId
+from interlock.proof.functions.words import Way, Words
 
 
 def points(w: Words) -> Iterator[tuple[str, str, Expr]]:
@@ -43,8 +44,8 @@ def _starts(w: Words, last: Expr, gap: Expr) -> Iterator[tuple[str, str, Expr]]:
 
 
 def _commands(w: Words, m: MachineId) -> Iterator[tuple[str, str, Expr]]:
-    nothing_set = conj(neg(w.signals.set_now(r)) for r in w.sym.routes)
-    no_overlap = conj(neg(w.rises(var(name))) for name in w.sym.overlaps.held.values())
+    nothing_set = conj(neg(w.signals.set_now(r)) for r in _touching(w, m))
+    no_overlap = conj(neg(w.rises(var(w.sym.overlaps.held[o]))) for o in _overlaps_touching(w, m))
     both = conj((nothing_set, no_overlap, *(var(w.sym.machines.by_hand[m, x]) for x in Position)))
     yield "F-POINT", f"{m} both by hand", implies(both, neg(w.points.anew(m)))
     for x in Position:
@@ -68,3 +69,23 @@ def _commands(w: Words, m: MachineId) -> Iterator[tuple[str, str, Expr]]:
         ]
         demanded += [w.signals.set_now(r) for r in w.sym.routes if (m, x) in r.path.demands]
         yield "F-POINT", f"{m} {x} by a route", implies(disj(demanded), w.after(command))
+
+
+def _touches(w: Words, m: MachineId, ways: Iterable[Way]) -> bool:
+    return any(way[0] in w.layout.sections_of_machine[m] or way in w.points.flanks(m) for way in ways)
+
+
+def _touching(w: Words, m: MachineId) -> list[RouteSymbols]:
+    """The routes that lock a section of a machine, or demand it: while one is set, it is not moved otherwise (R10)."""
+
+    def over(r: RouteSymbols) -> Iterator[Way]:
+        yield from r.path.ways
+        yield from () if r.path.berth is None else (r.path.berth,)
+        yield from () if r.path.overlap is None else w.sym.overlaps.ways[r.path.overlap]
+
+    return [r for r in w.sym.routes if _touches(w, m, over(r)) or any(m == n for n, _ in r.path.demands)]
+
+
+def _overlaps_touching(w: Words, m: MachineId) -> list[tuple[SignalId, int]]:
+    """The overlaps that lie over a machine, or demand it."""
+    return [o for o, ways in w.sym.overlaps.ways.items() if _touches(w, m, ways)]

@@ -255,8 +255,9 @@ class PointWords:
         return conj((*free, *(neg(self.holding(way)) for way in self.flanks(m))))
 
     def closing(self, m: MachineId, x: Position) -> bool:
-        """To close a crossing or bridge is always permitted (R13)."""
-        return m in self._w.layout.device and x is Position.REVERSE
+        """To close a crossing or bridge is always permitted, but for one that routes hold open to its road (R13)."""
+        held_open = any((m, x.other) in r.path.demands for r in self._w.sym.routes)
+        return m in self._w.layout.device and x is Position.REVERSE and not held_open
 
     def obtainable(self, m: MachineId, x: Position) -> Expr:
         """The machine can be had in a position (R10)."""

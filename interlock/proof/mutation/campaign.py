@@ -16,6 +16,7 @@ from pathlib import Path
 
 from interlock.logic.controller import Controller
 from interlock.model.layout import Layout
+from interlock.proof.mutation.elsewhere import read_elsewhere, read_late
 from interlock.proof.mutation.judge import Fate, Judge, Verdict
 from interlock.proof.mutation.lines import Lines
 from interlock.proof.mutation.points import Mutation, mutations
@@ -96,7 +97,8 @@ Report = Callable[[int, int], None]
 @lru_cache(2)
 def _chosen(made: Made, name: str, full: bool, families: frozenset[str], weakened: bool) -> list[Mutation]:
     layout, table, controller = made(name)
-    every = [*mutations(controller), *(weakenings(layout, table, full) if weakened else ())]
+    every = [*mutations(controller), *read_elsewhere(controller), *read_late(controller)]
+    every += weakenings(layout, table, full) if weakened else ()
     some = [m for m in every if not families or m.family in families]
     return some if full else one_of_each(some)
 

@@ -275,12 +275,16 @@ def _untold(c: Controller) -> Iterator[tuple[str, str, Expr]]:
         yield what, name, FALSE
 
 
-def _short(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
-    """A delay of a millisecond less than is ordered."""
-    c = lower(layout, table)
-    for t in c.timers:
-        less = replace(t, preset_ms=t.preset_ms - 1)
-        yield t.name, replace(c, steps=tuple(less if s is t else s for s in c.steps))
+def _preset(of: Callable[[int], int]) -> Make:
+    """A delay of other milliseconds than those that are ordered."""
+
+    def make(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+        c = lower(layout, table)
+        for t in c.timers:
+            other = replace(t, preset_ms=of(t.preset_ms))
+            yield t.name, replace(c, steps=tuple(other if s is t else s for s in c.steps))
+
+    return make
 
 
 def _held_number(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
@@ -306,7 +310,8 @@ KINDS: tuple[Kind, ...] = (
     Kind("stop-lamp-dark", "a stop lamp is never lit", _outputs(_dark)),
     Kind("machine-not-driven", "a machine is never driven to a position", _outputs(_undriven)),
     Kind("indication-dark", "an indication or alarm is never lit", _outputs(_untold)),
-    Kind("delay-too-short", "a delay is a millisecond shorter than ordered", _short),
+    Kind("delay-too-short", "a delay is a millisecond shorter than ordered", _preset(lambda ms: ms - 1)),
+    Kind("delay-beyond-count", "a delay of which a clock of 32 bits counts a part", _preset(lambda ms: ms + 2**31)),
     Kind("number-held", "a route number that is held asks again and again", _held_number),
     Kind(
         "set-while-occupied", "a route is set over a section that is reported occupied", without("WF", "section clear")
