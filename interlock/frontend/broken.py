@@ -14,6 +14,8 @@ import yaml
 from interlock.diag import Sink, Span
 
 _WIDE = dict(zip("：，；｛｝［］（）＂＇“”‘’　", ":,;{}[]()\"'\"\"'' ", strict=True))
+LINE_ENDS = "\x85\u2028\u2029"
+"""Characters that end a line for YAML, and for no editor: whoever reads the file would not see where a line begins."""
 _NO_SPACE = re.compile(r"(?:^|[{,\[]\s*|-\s+)\s*([A-Za-z0-9_/-]+):(?=[^\s,}\]/])")
 
 Found = tuple[str, Span, str]
@@ -49,10 +51,11 @@ def report_broken(
 def report_control(file: str, lines: Sequence[str], what: str, sink: Sink) -> None:
     """Report the first character that no text has."""
     for i, line in enumerate(lines):
-        found = re.search(r"[^\t\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", line)
+        found = re.search(r"[^\t\x20-\x7e\xa0-\u2027\u202a-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", line)
         if found is not None:
             said = f"broken YAML: the character U+{ord(found[0]):04X} cannot stand in a text"
-            sink.add("IL1004", said, Span(file, i + 1, found.start() + 1), "remove it; is this a text file?")
+            fix = "begin a new line in its place" if found[0] in LINE_ENDS else "remove it; is this a text file?"
+            sink.add("IL1004", said, Span(file, i + 1, found.start() + 1), fix)
             return
     sink.add("IL1004", f"broken YAML: {what}", Span(file, 1, 1), "save the file as plain UTF-8 text")
 

@@ -393,7 +393,8 @@ class Desk:
                 b.train(str(c["name"]), str(c["section"]))
                 return f"train {c['name']} stands in {c['section']}"
             case "acknowledge":
-                for a in self.alarms.acknowledge(str(c.get("alarm", "")), who.name):
+                those = [(str(key), str(since)) for key, since in c["alarms"]] if "alarms" in c else None
+                for a in self.alarms.acknowledge(those, who.name):
                     self._note(Event("acknowledged", f"seen: {a.text}", who.name, a.at))
                 return ""
             case "remind":

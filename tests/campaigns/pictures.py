@@ -11,7 +11,8 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from tests.test_panel_browser import Server, browser, click, opened, press
+from tests.browsers import browser
+from tests.test_panel_browser import Server, click, opened, press
 
 SHORT = "\nprinciples: {restart_delay_s: 228}\n"
 
