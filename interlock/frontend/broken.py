@@ -73,6 +73,17 @@ def _lines(lines: Sequence[str], error: yaml.MarkedYAMLError) -> Iterator[int]:
             yield mark.line
 
 
+def _conflict(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
+    """What a version control program has written around two versions that it could not join."""
+    for i, line in enumerate(lines):
+        mark = re.match(r"(<{7}|>{7})( |$)", line)
+        if mark is not None:
+            span = Span(file, i + 1, 1, len(line))
+            fix = "keep one of the two versions, and remove the lines `<<<<<<<`, `=======` and `>>>>>>>`"
+            yield "two versions of the file are left here by a version control program", span, fix
+            return
+
+
 def _wide(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
     """A sign of an East Asian keyboard where YAML wants an ASCII one."""
     for i in _lines(lines, error):
@@ -284,6 +295,7 @@ def _depth(line: str) -> int:
 
 
 _RULES = (
+    _conflict,
     _wide,
     _no_break,
     _other_sign,

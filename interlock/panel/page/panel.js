@@ -233,6 +233,8 @@ function restart() {
     line.className = done ? "done" : k === open ? "now" : "";
     return line;
   }));
+  const now = $("steps").children[open];
+  if (now) $("steps").scrollTop = now.offsetTop + now.offsetHeight - $("steps").clientHeight; // its box stays where it is
 }
 
 const running = new Rows($("trains"), () => element("li", "", element("span", ""), element("div", "")), (row, t) => {
