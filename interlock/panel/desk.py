@@ -305,7 +305,7 @@ class Desk:
             way = -1 if t.body[-1] & 1 else 1
             front = None if head.outside else way
             out.append([f.name_of(t), spans, round(t.speed * 3.6), round(t.length(track)), under, f.held(t), front])
-        out += [[name, [], 0, round(m), [f"before {line.name}"], True, None] for line, m, name in f.coming]
+        out += [[name, [], 0, round(m), [f"before {b.name}{f.waits(b)}"], None, None] for b, m, name in f.coming]
         return out
 
     # --- commands ----------------------------------------------------------------------------------

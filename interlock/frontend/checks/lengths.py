@@ -44,9 +44,11 @@ def check_lengths(ctx: Context, layout: Layout) -> None:
 def _thousands(ctx: Context) -> Iterator[tuple[str, float, str, Span, Element]]:
     """Lengths of sections with a point and three digits after it, of which nobody tells whether thousands are meant:
     what it is of, metres, as written, place and element."""
-    items = [(item, ("tracks", t, i)) for t, those in ctx.file.tracks.items() for i, item in enumerate(those)]
-    approaches = [(b.approach or "", ("boundaries", n, "approach")) for n, b in ctx.file.boundaries.items()]
-    for item, path in (*items, *approaches):
+    found: list[tuple[str, tuple[str, str, str | int]]] = [
+        (item, ("tracks", t, i)) for t, those in ctx.file.tracks.items() for i, item in enumerate(those)
+    ]
+    found += [(b.approach or "", ("boundaries", n, "approach")) for n, b in ctx.file.boundaries.items()]
+    for item, path in found:
         section, written = item_parts(item)
         if re.fullmatch(r"[1-9]\d{0,2}\.\d{3}", written):
             about = Element("sections", section) if path[0] == "tracks" else Element("boundaries", path[1])

@@ -34,9 +34,10 @@ function section(still, state, rest, name, [occupied, ways, restart, blocked, st
 }
 
 export function train([name, , speed, metres, , held]) {
+  const off = held === null; // it waits beyond the boundary
   return [
-    held ? act(`${name}: go`, {do: "drive", train: name, go: true}) : act(`${name}: stop`, {do: "drive", train: name, go: false}),
-    act(`${name}: change ends`, {do: "turn train", train: name}), act(`${name}: divide`, {do: "divide", train: name}),
+    held ? act(`${name}: go`, {do: "drive", train: name, go: true}) : act(`${name}: stop`, {do: "drive", train: name, go: false}, {off}),
+    act(`${name}: change ends`, {do: "turn train", train: name}, {off}), act(`${name}: divide`, {do: "divide", train: name}, {off}),
     act(`${name}: take away`, {do: "take away", train: name}),
   ];
 }
@@ -72,7 +73,8 @@ function signal(still, state, rest, name, [aspect, cancelling, left, active, lam
 function boundary(still, state, rest, name, token) {
   const one = still.boundaries[name], out = [], lines = [];
   if (token) {
-    lines.push(`direction: ${token[0] ? "ours" : token[1] ? "being given" : "the neighbour's"}; line ${token[2] ? "clear" : "not clear"}`);
+    lines.push(`direction: ${token[0] ? "ours" : token[1] ? "being given" : "not ours"}; line ${token[2] ? "clear" : "not clear"}`);
+    if (!token[0] && !token[1]) lines.push("After a restart it may be nobody's: agree by telephone, then change it by hand.");
     out.push(act("Special manual change: on", {do: "direction", boundary: name, on: true}), act("Special manual change: off", {do: "direction", boundary: name, on: false}));
   }
   if (still.simulated && one.comes) out.push(act("A train comes in here", {do: "bring", boundary: name}, {train: true}));

@@ -244,7 +244,7 @@ const running = new Rows($("trains"), () => element("li", "", element("span", ""
     const b = keys.children[k] ?? keys.appendChild(button("", () => b.does()));
     b.does = () => ask(a.command);
     label(b, a.label.replace(`${name}: `, ""));
-    b.disabled = !operates; b.setAttribute("aria-label", a.label);
+    b.disabled = !operates || Boolean(a.off); b.setAttribute("aria-label", a.label);
   });
 });
 function trains() { running.show(rest.trains.map(([n, , v, l, u, h]) => [n, [n, v, l, u, h]])); }
