@@ -221,8 +221,11 @@ function system() {
   select.disabled = !operates;
 }
 
+let stepped = "";
 function restart() {
-  const found = rest.sys && steps(still, state, rest.sys);
+  const found = rest.sys && steps(still, state, rest.sys), told = JSON.stringify([found, operates]);
+  if (told === stepped) return;
+  stepped = told;
   $("restart").hidden = !found;
   if (!found) return;
   const open = found.findIndex(([done]) => !done), key = found.map(([, , k]) => k).find(Boolean);
@@ -233,8 +236,10 @@ function restart() {
     line.className = done ? "done" : k === open ? "now" : "";
     return line;
   }));
-  const now = $("steps").children[open];
-  if (now) $("steps").scrollTop = now.offsetTop + now.offsetHeight - $("steps").clientHeight; // its box stays where it is
+  requestAnimationFrame(() => { // the step that is due is in view, its box stays where it is
+    const now = $("steps").querySelector(".now");
+    if (now) $("steps").scrollTop = now.offsetTop + now.offsetHeight - $("steps").clientHeight;
+  });
 }
 
 const running = new Rows($("trains"), () => element("li", "", element("span", ""), element("div", "")), (row, t) => {
