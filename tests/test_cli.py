@@ -48,10 +48,11 @@ def test_nothing_said_is_lost_at_the_end(tmp_path: Path) -> None:
     ):
         done = process(*args)
         assert done.returncode == code and said in done.stdout + done.stderr
-    with Path("/dev/full").open("w") as full:
-        args = [sys.executable, "-m", "interlock", "prove", "layouts/fig2_2.yaml"]
-        lost = subprocess.run(args, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
-    assert lost.returncode != 0 and "Traceback" not in lost.stderr
+    for verb in ("prove", "check"):
+        with Path("/dev/full").open("w") as full:
+            args = [sys.executable, "-m", "interlock", verb, "layouts/fig2_2.yaml"]
+            lost = subprocess.run(args, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+        assert lost.returncode == 1 and "internal" not in lost.stderr, lost.stderr
     out = tmp_path / "out.json"
     with out.open("w") as file:
         args = [sys.executable, "-m", "interlock", "prove", "layouts/passing_loop.yaml", "--format", "json"]
@@ -468,3 +469,15 @@ def interrupted(given: tuple[str, ...], after: int, folder: Path) -> None:
 def test_a_family_of_mutants_that_is_not_there_is_told() -> None:
     done = run("mutate", "layouts/fig2_2.yaml", "--family", "output YX")
     assert done.exit_code == 2 and "no mutant of the family 'output YX' here; there is output Y" in done.output
+
+
+def test_slips_with_files_are_told_with_the_way_out(tmp_path: Path) -> None:
+    """A name that is nearly right, a plan that is to be no SVG, a port that there is not."""
+    layout = tmp_path / "halt.yaml"
+    layout.write_text(Path("layouts/fig2_2.yaml").read_text("utf-8"), "utf-8")
+    missed = run("check", str(tmp_path / "halt.yml"))
+    assert missed.exit_code == 1 and f"did you mean {layout}?" in missed.output
+    drawn = run("draw", str(layout), "-o", str(tmp_path / "halt.pdf"))
+    assert drawn.exit_code == 2 and "call it halt.svg" in drawn.output and not (tmp_path / "halt.pdf").exists()
+    far = run("run", str(layout), "--modbus", "localhost:99999")
+    assert far.exit_code == 2 and "between 1 and 65535" in far.output

@@ -400,3 +400,13 @@ def test_a_project_with_its_configuration_fits_the_classes_made_from_its_schema(
     program = project.types.pous.pou[-1]
     (declared,) = program.interface.local_vars
     assert {v.name: v.address for v in declared.variable if v.address}["CLR_SA"] == "%IX0.2"
+
+
+def test_what_is_special_about_a_delivery_is_said_where_it_is_read() -> None:
+    """One interlocking a controller where a symbol table numbers blocks; names with umlauts read alike everywhere."""
+    _, controller, a = smallest()
+    for dialect in VENDORS:
+        files = write_delivery(controller, a, BY_NAME[dialect], ["Interlocking Grube_S\u00fcd"])
+        text = "\n".join(files.values())
+        assert ("One interlocking in one controller" in text) is (dialect in ("scl300", "awl"))
+        assert "Grube_Sud" in text or "Grube_S\u00fcd" in text

@@ -526,3 +526,15 @@ def test_a_train_starts_however_far_it_stands_from_where_it_meant_to_stand(metre
     for _ in range(300):
         field.step(0.1, {})
     assert train.speed > 1.0 and field.world.track.sections[drivers.track.stretches[train.body[-1]].section] != "s7"
+
+
+def test_a_train_that_cannot_come_says_why(tmp_path: Path) -> None:
+    """After a restart nobody has the direction of a single line: a train before it waits, and no button drives it."""
+    with panel(unproved(quick(tmp_path, "passing_loop").read_text("utf-8"))) as (_, browser), browser() as b:
+        b.released()
+        assert b.ask("bring", boundary="W", metres=40)["ok"]
+        b.until(lambda: b.rest["trains"])
+        ((name, _, _, _, under, held, _),) = b.rest["trains"]
+        assert under == ["before W (the neighbour has not got the direction)"] and held is None
+        assert b.ask("take away", train=name)["ok"]
+        b.until(lambda: not b.rest["trains"])

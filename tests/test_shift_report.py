@@ -107,6 +107,8 @@ def test_a_span_is_played_as_it_was() -> None:
     assert occupied, "what stood there before the span is there"
     with pytest.raises(NoShift, match="nothing happened"):
         trace(layout, events, 1e8, 1e9)
+    with pytest.raises(NoShift, match="interlock play LOG --journal"):
+        figures([{"kind": "begin", "what": "panel"}])
     with pytest.raises(NoShift, match="no record of a shift on mine11"):
         trace(built("mine11")[0], events, 0, 1e9)
 

@@ -33,11 +33,13 @@ from interlock.cli.common import FINDINGS, OK, failed, force_option, format_opti
 @format_option
 def command(layout: str, output: Path | None, paper: str | None, force: bool, form: str) -> None:
     """Draw the track plan of LAYOUT as SVG, from its topology alone."""
+    target = output or Path(Path(layout).stem + ".svg")
+    if target.suffix.lower() != ".svg" and target.resolve() != Path(layout).resolve():
+        raise click.UsageError(f"{target}: a plan is drawn as SVG: call it {target.with_suffix('.svg').name}")
     drawn = draw_file(layout, Paper(paper or Paper.WHOLE))
     if not drawn.pages:
         show(drawn.diagnostics, drawn.source.texts, form)
         sys.exit(FINDINGS)
-    target = output or Path(Path(layout).stem + ".svg")
     files = [target]
     if paper == Paper.SHEETS:
         files = [target.with_stem(f"{target.stem}-{k}") for k in range(1, len(drawn.pages) + 1)]

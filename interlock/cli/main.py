@@ -5,6 +5,7 @@ Exit codes: 0 fine, 1 findings or refuted, 2 usage, 3 could not be proved, 70 in
 
 from __future__ import annotations
 
+import errno
 import gc
 import importlib
 import os
@@ -102,6 +103,9 @@ def main() -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(1)
     except Exception as error:
+        if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT):
+            click.echo(f"error: what is written does not fit: {error.strerror}", err=True)
+            _leave(1)
         if "keyboard interrupt" in str(error):  # what a solver says that was interrupted
             _interrupted()
         if os.environ.get("INTERLOCK_DEBUG"):

@@ -14,6 +14,8 @@ import yaml
 from interlock.diag import Sink, Span
 
 _WIDE = dict(zip("：，；｛｝［］（）＂＇“”‘’　", ":,;{}[]()\"'\"\"'' ", strict=True))
+LINE_ENDS = "\x85\u2028\u2029"
+"""Characters that end a line for YAML, and for no editor: whoever reads the file would not see where a line begins."""
 _NO_SPACE = re.compile(r"(?:^|[{,\[]\s*|-\s+)\s*([A-Za-z0-9_/-]+):(?=[^\s,}\]/])")
 
 Found = tuple[str, Span, str]
@@ -49,10 +51,11 @@ def report_broken(
 def report_control(file: str, lines: Sequence[str], what: str, sink: Sink) -> None:
     """Report the first character that no text has."""
     for i, line in enumerate(lines):
-        found = re.search(r"[^\t\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", line)
+        found = re.search(r"[^\t\x20-\x7e\xa0-\u2027\u202a-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", line)
         if found is not None:
             said = f"broken YAML: the character U+{ord(found[0]):04X} cannot stand in a text"
-            sink.add("IL1004", said, Span(file, i + 1, found.start() + 1), "remove it; is this a text file?")
+            fix = "begin a new line in its place" if found[0] in LINE_ENDS else "remove it; is this a text file?"
+            sink.add("IL1004", said, Span(file, i + 1, found.start() + 1), fix)
             return
     sink.add("IL1004", f"broken YAML: {what}", Span(file, 1, 1), "save the file as plain UTF-8 text")
 
@@ -68,6 +71,17 @@ def _lines(lines: Sequence[str], error: yaml.MarkedYAMLError) -> Iterator[int]:
     for mark in (error.context_mark, error.problem_mark):
         if mark is not None and mark.line < len(lines):
             yield mark.line
+
+
+def _conflict(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
+    """What a version control program has written around two versions that it could not join."""
+    for i, line in enumerate(lines):
+        mark = re.match(r"(<{7}|>{7})( |$)", line)
+        if mark is not None:
+            span = Span(file, i + 1, 1, len(line))
+            fix = "keep one of the two versions, and remove the lines `<<<<<<<`, `=======` and `>>>>>>>`"
+            yield "two versions of the file are left here by a version control program", span, fix
+            return
 
 
 def _wide(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
@@ -281,6 +295,7 @@ def _depth(line: str) -> int:
 
 
 _RULES = (
+    _conflict,
     _wide,
     _no_break,
     _other_sign,

@@ -6,6 +6,7 @@ before it left something to work on, so that one mistake is reported once.
 
 from __future__ import annotations
 
+import difflib
 import os
 from dataclasses import dataclass, replace
 
@@ -107,6 +108,16 @@ class Source:
         return self.context.at_key(*path) if self.context else Span(self.file, 1, 1)
 
 
+def _beside(path: str) -> str:
+    """The layout with nearly that name in the same folder; empty where there is none."""
+    folder, name = os.path.split(path)
+    try:
+        there = [n for n in os.listdir(folder or ".") if n.endswith((".yaml", ".yml"))]
+    except OSError:
+        return ""
+    return next((os.path.join(folder, n) for n in difflib.get_close_matches(name, there, n=1, cutoff=0.75)), "")
+
+
 def read(path: str, sink: Sink) -> tuple[str | None, str]:
     """The text of a file, or None with IL1001, IL1002 or IL1003; and what can be shown of it."""
     try:
@@ -124,7 +135,9 @@ def read(path: str, sink: Sink) -> tuple[str | None, str]:
         with open(path, "rb") as handle:
             data = handle.read(MAX_BYTES + 1)
     except OSError as error:
-        sink.add("IL1001", f"{path}: {error.strerror}", Span(path, 0, 0), "check the name and the permissions")
+        near = "" if os.path.lexists(path) else _beside(path)
+        fix = f"did you mean {near}?" if near else "check the name and the permissions"
+        sink.add("IL1001", f"{path}: {error.strerror}", Span(path, 0, 0), fix)
         return None, ""
     return decode(path, data, sink)
 

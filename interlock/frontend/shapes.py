@@ -117,6 +117,12 @@ def _unknown_key(root: Node, path: Loc, known: tuple[str, ...], sink: Sink) -> s
         fix = f"write `{before}: {rest}`"
         sink.add("IL1011", f"a colon is wanted after `{before}`, not `=`", span, fix, cause="equals", note=f"`{key}`")
         return before
+    before, wide, rest = (part.strip() for part in key.partition("："))
+    if wide and before in known:  # `from：q3`
+        fix = f"write `{before}: {rest}`"
+        said = "the full-width sign `：` ends no key"
+        sink.add("IL1011", said, span, fix, cause="full-width", note=f"`{key}`")
+        return before
     if key.startswith(("//", ";", "--")):
         sink.add("IL1011", "a comment begins with `#`", span, "write `#` before it", cause="comment", note=f"`{key}`")
         return None

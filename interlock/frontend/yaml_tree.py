@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 import yaml
 
 from interlock.diag import Sink, Span
-from interlock.frontend.broken import report_broken, report_control
+from interlock.frontend.broken import LINE_ENDS, report_broken, report_control
 
 MAX_DEPTH = 12
 _LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
@@ -83,6 +83,9 @@ def _node(event: yaml.ScalarEvent | yaml.CollectionStartEvent, span: Span) -> No
 def parse(file: str, text: str, sink: Sink) -> Node | None:
     """The tree of the only document in the text, or None when there is none to go on with."""
     lines = text.split("\n")
+    if any(sign in text for sign in LINE_ENDS):
+        report_control(file, lines, "a line ends in the middle", sink)
+        return None
     root: Node | None = None
     stack: list[tuple[Node, Scalar | None]] = []  # container, pending key
     documents = 0

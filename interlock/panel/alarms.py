@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -48,9 +48,11 @@ class Alarms:
         self._put(a)
         return a
 
-    def acknowledge(self, key: str, who: str) -> list[Alarm]:
-        """Somebody has seen an alarm (empty: all of them); those that were not seen before."""
-        found = [a for a in self.all.values() if key in ("", a.key) and not a.by]
+    def acknowledge(self, those: Iterable[tuple[str, str]] | None, who: str) -> list[Alarm]:
+        """Somebody has seen alarms, each by its key and since when it stands, as one that has come again was not
+        seen (None: all of them); those that were not seen before."""
+        known = None if those is None else set(those)
+        found = [a for a in self.all.values() if not a.by and (known is None or (a.key, a.since) in known)]
         for a in found:
             self._put(replace(a, by=who))
         return found

@@ -305,7 +305,7 @@ class Desk:
             way = -1 if t.body[-1] & 1 else 1
             front = None if head.outside else way
             out.append([f.name_of(t), spans, round(t.speed * 3.6), round(t.length(track)), under, f.held(t), front])
-        out += [[name, [], 0, round(m), [f"before {line.name}"], True, None] for line, m, name in f.coming]
+        out += [[name, [], 0, round(m), [f"before {b.name}{f.waits(b)}"], None, None] for b, m, name in f.coming]
         return out
 
     # --- commands ----------------------------------------------------------------------------------
@@ -393,7 +393,8 @@ class Desk:
                 b.train(str(c["name"]), str(c["section"]))
                 return f"train {c['name']} stands in {c['section']}"
             case "acknowledge":
-                for a in self.alarms.acknowledge(str(c.get("alarm", "")), who.name):
+                those = [(str(key), str(since)) for key, since in c["alarms"]] if "alarms" in c else None
+                for a in self.alarms.acknowledge(those, who.name):
                     self._note(Event("acknowledged", f"seen: {a.text}", who.name, a.at))
                 return ""
             case "remind":

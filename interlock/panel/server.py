@@ -30,7 +30,7 @@ from interlock.panel.desk import Desk, Person
 FILES = {
     "": ("index.html", "text/html"),
     "panel.css": ("panel.css", "text/css"),
-    **{n: (n, "text/javascript") for n in ("panel.js", "plan.js", "acts.js", "talk.js")},
+    **{n: (n, "text/javascript") for n in ("panel.js", "plan.js", "acts.js", "rows.js", "talk.js")},
 }
 """What is served, and as what."""
 

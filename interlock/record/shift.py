@@ -84,7 +84,7 @@ class Figures:
 def figures(events: Sequence[Event]) -> Figures:
     """The figures of a record, up to its last event.  Raises `NoShift`."""
     if not events or events[0]["kind"] != "begin" or events[0].get("what") != "shift":
-        raise NoShift("this log is no record of a shift")
+        raise NoShift("this log is no record of a shift; the page of a panel's log: `interlock play LOG --journal`")
     f = Figures(events[0])
     now = dict.fromkeys(f.heading["fleet"], (STANDS, 0))
     f.states = {n: {} for n in now}

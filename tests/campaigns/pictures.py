@@ -11,7 +11,8 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from tests.test_panel_browser import Server, browser, click, opened, press
+from tests.browsers import browser
+from tests.test_panel_browser import Server, click, opened, press
 
 SHORT = "\nprinciples: {restart_delay_s: 228}\n"
 
@@ -36,7 +37,7 @@ def main() -> None:
         try:
             with browser() as found:
                 page, _ = opened(found, one.url)
-                page.set_viewport_size({"width": 1280, "height": 560})
+                page.set_viewport_size({"width": 1280, "height": 760})
                 page.select_option("#speed select", "10")
                 page.wait_for_selector("#restart button:enabled")
                 taken(page, given, "restart")

@@ -22,7 +22,8 @@ WANTED_MB = 20.0  # of what is printed
 HEAD = """# Sizes of all outputs of a large yard
 
 `python -m tests.campaigns.sizes --yard {yard}` at commit {commit}, {machine}, one process.
-All that `interlock compile` writes of `interlock init --yard {yard}`, {routes} routes, in MB (10^6 bytes).  {seconds}
+All that `interlock compile` writes of `interlock init --yard {yard}`, {routes} routes, in MB (10^6 bytes).
+{seconds}
 
 | file | MB |
 |---|---|
@@ -39,7 +40,8 @@ what is 0 or told before.
 20 MB were wanted, and are not had.  What the rest is:
 
 - {text:.2f} MB are Structured Text.  {code:.2f} of them are code, of which a PLC needs every line: {words:.2f} are the
-  words that say why a route is refused, an arm for each condition of each route.  {comments:.2f} are comments:
+  words that say why a route is refused, an arm for each condition of each route, and {named:.2f} the names of
+  structures before their members.  {comments:.2f} are comments:
   what each input, output, bit of state and equation means, once; an operand that is more than a variable; the
   index of places.
 - {runtime:.2f} MB are the Python runtime: the same equations once more, one a line, so that they can be read, compared
@@ -52,11 +54,12 @@ what is 0 or told before.
 """
 
 
-def _of_text(text: str) -> tuple[float, float, float]:
-    """MB of comments, of all else, and of that of the blocks of words."""
+def _of_text(text: str) -> tuple[float, float, float, float]:
+    """MB of comments, of all else, of that of the blocks of words, and of names of structures before members."""
     comments = sum(len(x) for x in re.findall(r"\(\*.*?\*\)", text))
     words = sum(len(re.sub(r"\(\*.*?\*\)", "", x)) for x in re.findall(r"\n  IF .*?\n  END_IF;", text, re.DOTALL))
-    return comments / 1e6, (len(text) - comments) / 1e6, words / 1e6
+    named = sum(map(len, re.findall(r"\b(?:D\d*|INP|OUTP)\.", text)))
+    return comments / 1e6, (len(text) - comments) / 1e6, words / 1e6, named / 1e6
 
 
 def measured(tracks: int) -> tuple[int, dict[str, bytes], str]:
@@ -91,13 +94,14 @@ def page(tracks: int) -> tuple[str, float]:
     printed = sum(size for name, size in sizes.items() if name == "table.xlsx" or name.startswith("table_")) / 1e6
     printed -= sizes["table_railml.json"] / 1e6
     name = f"st/iec/yard{tracks}.st"
-    comments, code, words = _of_text(files[name].decode())
+    comments, code, words, named = _of_text(files[name].decode())
     tables = sum(size for name, size in sizes.items() if name.startswith(("table", "matrix"))) / 1e6
     known = sizes[name] + sizes["runtime.py"] + sizes["index.html"]
     facts = {
         "text": sizes[name] / 1e6,
         "code": code,
         "words": words,
+        "named": named,
         "comments": comments,
         "runtime": sizes["runtime.py"] / 1e6,
         "page": sizes["index.html"] / 1e6,

@@ -6,6 +6,7 @@ longer than 30 km is no section of a station or a block, but a slip of the point
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from interlock.diag import Element, Span
@@ -22,8 +23,14 @@ LEG_M = (2.0, 300.0)
 
 def check_lengths(ctx: Context, layout: Layout) -> None:
     """Report each length outside the usual range."""
+    said_of = set()
+    for text, metres, written, at, about in _thousands(ctx):
+        said_of.add(at)
+        said = f"{text} is {_distance(metres)} long: no point divides thousands"
+        fix = f"write {written.replace('.', '')}, or {metres:g} if that is meant"
+        ctx.add("IL7005", said, at, fix, about=about)
     for text, metres, (least, most), at, about in (*_stated(ctx), *_computed(ctx, layout)):
-        if not least <= metres <= most:
+        if not least <= metres <= most and at not in said_of:
             what = f"shorter than {least:g} m" if metres < least else f"longer than {_distance(most)}"
             ctx.add(
                 "IL7005",
@@ -32,6 +39,20 @@ def check_lengths(ctx: Context, layout: Layout) -> None:
                 "lengths are metres, decimals follow a point: 0.6 km is 600",
                 about=about,
             )
+
+
+def _thousands(ctx: Context) -> Iterator[tuple[str, float, str, Span, Element]]:
+    """Lengths of sections with a point and three digits after it, of which nobody tells whether thousands are meant:
+    what it is of, metres, as written, place and element."""
+    found: list[tuple[str, tuple[str, str, str | int]]] = [
+        (item, ("tracks", t, i)) for t, those in ctx.file.tracks.items() for i, item in enumerate(those)
+    ]
+    found += [(b.approach or "", ("boundaries", n, "approach")) for n, b in ctx.file.boundaries.items()]
+    for item, path in found:
+        section, written = item_parts(item)
+        if re.fullmatch(r"[1-9]\d{0,2}\.\d{3}", written):
+            about = Element("sections", section) if path[0] == "tracks" else Element("boundaries", path[1])
+            yield called("section", section), float(written), written, ctx.at(*path), about
 
 
 def _stated(ctx: Context) -> Iterator[tuple[str, float, tuple[float, float], Span, Element]]:

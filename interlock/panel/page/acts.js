@@ -1,4 +1,5 @@
-// What can be done with an element: words, and the command that a button sends.
+// What can be done with an element: words, and the command that a button sends.  An element has the same buttons in the
+// same places all the time: what cannot be done now is `off`.  Only what belongs to trains comes and goes, below all others.
 const act = (label, command, extra = {}) => ({label, command, ...extra});
 
 export function routesFrom(still, signal) { return still.routes.filter(r => r.entry === signal && r.kind !== "identifier"); }
@@ -13,7 +14,8 @@ export function acts(still, state, rest, key) {
   const kind = key[0], name = key.slice(2), sys = rest.sys, now = state[key];
   const make = {s: section, m: machine, g: signal, b: boundary}[kind];
   const found = make ? make(still, state, rest, name, now, sys) : {lines: [], acts: []};
-  return {...found, remind: key in state};
+  const stand = kind === "s" && still.simulated ? rest.trains.filter(t => t[4].includes(name)).flatMap(train) : [];
+  return {...found, trains: stand, remind: key in state};
 }
 
 function section(still, state, rest, name, [occupied, ways, restart, blocked, stale, left, releasing, sick] = [], sys) {
@@ -21,21 +23,21 @@ function section(still, state, rest, name, [occupied, ways, restart, blocked, st
   lines.push([occupied ? "occupied" : "clear", ways?.length ? "locked" : "not locked", restart ? "not released since the restart" : "",
     blocked ? "blocked" : "", stale ? "release by hand" : "", sick ? "detector out of order" : ""].filter(Boolean).join(", "));
   if (!one.approach) {
-    if (!releasing && (restart || ways?.length)) out.push(act("Release by hand", {do: "release", section: name}));
+    out.push(act("Release by hand", {do: "release", section: name}, {off: releasing || !(restart || ways?.length)}));
     out.push(blocked ? act("Free it again", {do: "block", section: name, on: false}) : act("Block", {do: "block", section: name, on: true}));
   }
   if (still.simulated) {
     for (const t of still.stands[name] ?? []) out.push(act(`Put a train here, towards ${t}`, {do: "put", section: name, towards: t}, {train: true}));
     if (one.detected) out.push(fault(sys, "section", name, "detector reads occupied"));
-    for (const t of rest.trains.filter(t => t[4].includes(name))) out.push(...train(t));
   }
   return {lines, acts: out};
 }
 
 export function train([name, , speed, metres, , held]) {
+  const off = held === null; // it waits beyond the boundary
   return [
-    held ? act(`${name}: go`, {do: "drive", train: name, go: true}) : act(`${name}: stop`, {do: "drive", train: name, go: false}),
-    act(`${name}: change ends`, {do: "turn train", train: name}), act(`${name}: divide`, {do: "divide", train: name}),
+    held ? act(`${name}: go`, {do: "drive", train: name, go: true}) : act(`${name}: stop`, {do: "drive", train: name, go: false}, {off}),
+    act(`${name}: change ends`, {do: "turn train", train: name}, {off}), act(`${name}: divide`, {do: "divide", train: name}, {off}),
     act(`${name}: take away`, {do: "take away", train: name}),
   ];
 }
@@ -43,8 +45,8 @@ export function train([name, , speed, metres, , held]) {
 function machine(still, state, rest, name, [lies, wanted, locked, late, trailed] = [], sys) {
   const one = still.machines[name], words = one.device ? {N: "open", R: "closed"} : {N: "normal", R: "reverse"}, out = [];
   const lines = [[words[lies] ?? "not detected", wanted && wanted !== lies ? `commanded ${words[wanted]}` : "", locked ? "locked" : "", late ? "not detected in time" : "", trailed ? "trailed" : ""].filter(Boolean).join(", ")];
-  if (one.hand) for (const to of ["N", "R"]) if (to !== lies) out.push(act(`Move ${words[to]}`, {do: "turn", machine: name, to}));
-  if (trailed) out.push(act("It was looked at, and lies well", {do: "looked", machine: name}));
+  if (one.hand) for (const to of ["N", "R"]) out.push(act(`Move ${words[to]}`, {do: "turn", machine: name, to}, {off: to === lies}));
+  if (!one.device) out.push(act("It was looked at, and lies well", {do: "looked", machine: name}, {off: !trailed}));
   if (still.simulated) out.push(fault(sys, "machine", name, "loses its detection"));
   return {lines, acts: out};
 }
@@ -52,10 +54,11 @@ function machine(still, state, rest, name, [lies, wanted, locked, late, trailed]
 function signal(still, state, rest, name, [aspect, cancelling, left, active, lamp] = [], sys) {
   const out = [], lines = [[aspect, active ? `route ${active[0]} is set` : "", cancelling ? "cancelling" : "", lamp ? "stop lamp out" : ""].filter(Boolean).join(", ")];
   const routes = routesFrom(still, name);
-  if (active) out.push(act(`Cancel ${active[0]}`, {do: "cancel", signal: name}));
-  if (active && aspect === "stop") {
-    out.push(act("Open it again", {do: "set", route: active[0]}));
-    out.push(act("Why is it at stop?", {do: "why", route: active[0]}, {why: true}));
+  if (routes.length) {
+    const stop = active && aspect === "stop";
+    out.push(act(active ? `Cancel ${active[0]}` : "Cancel", {do: "cancel", signal: name}, {off: !active}));
+    out.push(act("Open it again", {do: "set", route: active?.[0]}, {off: !stop}));
+    out.push(act("Why is it at stop?", {do: "why", route: active?.[0]}, {why: true, off: !stop}));
   }
   if (still.swings.includes(name)) out.push(act("Swing its overlap", {do: "swing", signal: name}));
   for (const r of routes) out.push(act(`Set ${r.names[0] ? `${r.names[0]}: ` : ""}${r.id}${r.kind === "main" ? "" : ` (${r.kind})`}`, {do: "set", route: r.id}, {route: r}));
@@ -70,7 +73,8 @@ function signal(still, state, rest, name, [aspect, cancelling, left, active, lam
 function boundary(still, state, rest, name, token) {
   const one = still.boundaries[name], out = [], lines = [];
   if (token) {
-    lines.push(`direction: ${token[0] ? "ours" : token[1] ? "being given" : "the neighbour's"}; line ${token[2] ? "clear" : "not clear"}`);
+    lines.push(`direction: ${token[0] ? "ours" : token[1] ? "being given" : "not ours"}; line ${token[2] ? "clear" : "not clear"}`);
+    if (!token[0] && !token[1]) lines.push("After a restart it may be nobody's: agree by telephone, then change it by hand.");
     out.push(act("Special manual change: on", {do: "direction", boundary: name, on: true}), act("Special manual change: off", {do: "direction", boundary: name, on: false}));
   }
   if (still.simulated && one.comes) out.push(act("A train comes in here", {do: "bring", boundary: name}, {train: true}));
@@ -90,7 +94,7 @@ export function steps(still, state, sys) {
     [sys.power && sys.valid && !waiting, waiting ? `The restart delay runs: ${sys.delay} s.  Trains that still ran come to a stand.` : "The restart delay is over."],
     [sys.valid && !occupied.length, occupied.length ? `Reported occupied: ${occupied.join(", ")}.  Ask who stands there; a false report is a fault to mend.` : "No section that waits for its release is reported occupied."],
     [sys.valid && !clear.length && !stale.length, clear.length || stale.length ? `Release what is clear: ${[...clear, ...stale].join(", ")}.` : "Nothing that is clear is left to be released.",
-      sys.valid && !waiting && !sys.releasing && (clear.length || stale.length) ? {label: "Release all clear sections", command: {do: "release all"}} : null],
+      sys.valid && !waiting && !sys.releasing && Boolean(clear.length || stale.length)],
     [false, "Trains that stand inside are called on by their signals, or moved under local rules; then release what they leave."],
   ];
 }

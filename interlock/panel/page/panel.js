@@ -2,6 +2,7 @@
 import {Talk} from "./talk.js";
 import {Plan, EXIT} from "./plan.js";
 import {acts, routesFrom, steps, train} from "./acts.js";
+import {Rows, say as label} from "./rows.js";
 
 const $ = id => document.getElementById(id);
 const hash = new URLSearchParams(location.hash.slice(1));
@@ -43,6 +44,7 @@ function first(m) {
   const same = still && still.plan === m.still.plan;
   still = m.still;
   $("log").replaceChildren();
+  for (const rows of [choice, wrong, running, more]) rows.clear();
   for (const k of Object.keys(state)) delete state[k];
   if (!same) plan.draw(still);
   $("title").textContent = $("title").title = still.title;
@@ -50,23 +52,8 @@ function first(m) {
   document.body.classList.toggle("looks", !operates);
   $("names").replaceChildren(...[...plan.keys.keys()].map(k => new Option(k.slice(2))));
   $("speed").hidden = $("power-key").hidden = $("traffic").hidden = !still.simulated;
+  if (!chosen) offer();
 }
-
-// A click is one where the mouse is let go on what it was pressed on: while a button is held down nothing is exchanged
-// in its box, what has changed there is drawn afterwards.
-let pressed = null;
-const due = new Set();
-function held(box, draw) {
-  if (pressed && box.contains(pressed)) due.add(draw);
-  return due.has(draw);
-}
-document.addEventListener("pointerdown", e => { pressed = e.target; }, true);
-for (const end of ["pointerup", "pointercancel", "blur"]) window.addEventListener(end, () => setTimeout(() => {
-  const waiting = [...due];
-  pressed = null;
-  due.clear();
-  for (const draw of waiting) draw();
-}));
 
 // --- what is chosen ---
 function choose(key) {
@@ -95,58 +82,61 @@ function exits() {
   return routesFrom(still, chosen.slice(2)).map(r => `${EXIT[r.exit[0]]}:${r.exit[1]}`);
 }
 
-let offered = "";
 function offer() {
-  if (held($("acts"), offer)) return;
   plan.mark("chosen", chosen ? [chosen] : []);
   plan.mark("exit", exits());
-  $("hint").textContent = chosen[0] === "g" && exits().length ? "choose where to: the possible ends are lit" : "";
-  const box = $("acts");
-  if (!chosen) { offered = ""; $("of").textContent = "Nothing chosen"; box.replaceChildren(element("p", "Choose a signal, then where the route leads; or a section, points, a boundary.")); return; }
-  const found = acts(still, state, rest, chosen);
-  const now = JSON.stringify([chosen, found, rest.reminders[chosen], operates]);
-  if (now === offered) return;
-  offered = now;
-  const typing = document.activeElement, where = box.contains(typing) ? typing.dataset.mark : null;
-  const note = box.querySelector("[data-mark=note]")?.value;
-  $("of").textContent = plan.keys.get(chosen)?.[0].getAttribute("aria-label").split(":")[0] ?? chosen.slice(2);
-  const parts = found.lines.map(l => element("p", l));
-  if (found.acts.some(a => a.train)) parts.push(input("train", called, "name", v => { called = v; }), input("metres", metres, "m long", v => { metres = Number(v) || 40; }));
-  for (const a of found.acts) {
-    const b = button(a.label, () => a.why ? why(a.command) : perform(a));
-    b.dataset.mark = a.label;
-    b.disabled = !operates && !a.why;
-    b.classList.toggle("fault", Boolean(a.fault));
-    parts.push(b);
-  }
-  if (found.remind) {
-    const text = input("note", note && typing?.dataset.mark === "note" ? note : rest.reminders[chosen]?.[0] ?? "", "reminder", () => {});
-    const key = chosen, field = text.querySelector("input");
-    field.addEventListener("keydown", e => { if (e.key === "Enter") ask({do: "remind", at: key, text: field.value}); });
-    parts.push(text);
-    if (rest.reminders[chosen]) parts.push(element("p", `by ${rest.reminders[chosen][1]}, ${clock(rest.reminders[chosen][2])}`));
-  }
-  box.replaceChildren(...parts);
-  if (where) box.querySelector(`[data-mark="${CSS.escape(where)}"]`)?.focus();
+  $("hint").textContent = $("hint").title = chosen[0] === "g" && exits().length ? "choose where to: the possible ends are lit" : "";
+  if (chosen !== offered) { offered = chosen; choice.clear(); }
+  $("of").textContent = chosen ? plan.keys.get(chosen)?.[0].getAttribute("aria-label").split(":")[0] ?? chosen.slice(2) : "Nothing chosen";
+  if (!chosen) { choice.show([["none", {lines: ["Choose a signal, then where the route leads; or a section, points, a boundary."]}]]); return; }
+  const found = acts(still, state, rest, chosen), rows = [["lines", {lines: found.lines}]];
+  const one = (a, mark) => rows.push([mark, {...a, off: a.off || (!operates && !a.why)}]);
+  if (found.acts.some(a => a.train)) rows.push(["train", {input: "train", label: "name"}], ["metres", {input: "metres", label: "m long"}]);
+  found.acts.forEach((a, k) => one(a, `act ${k}`));
+  if (found.remind) rows.push(["note", {input: "note", label: "reminder", note: rest.reminders[chosen] ?? null}]);
+  for (const a of found.trains) one(a, a.label.replace(/(go|stop)$/, "run"));
+  choice.show(rows);
+}
+let offered = "";
+const choice = new Rows($("acts"), v => {
+  if (v.lines) return element("div", "");
+  if (v.input) return input(v.input, v.label);
+  const b = button("", () => b.does());
+  return b;
+}, (row, v) => {
+  if (v.lines) { row.className = "lines"; row.replaceChildren(...v.lines.map(l => element("p", l))); return; }
+  if (v.input) { if (v.input === "note") noted(row, v.note); return; }
+  row.does = () => v.why ? why(v.command) : perform(v);
+  label(row, v.label);
+  row.disabled = v.off;
+  row.classList.toggle("fault", Boolean(v.fault));
+});
+
+// a reminder as it is now, unless somebody is typing another
+function noted(row, note) {
+  const field = row.querySelector("input"), by = row.querySelector("small") ?? row.appendChild(element("small", ""));
+  if (document.activeElement !== field) field.value = note?.[0] ?? "";
+  by.textContent = note ? ` by ${note[1]}, ${clock(note[2])}` : "";
 }
 
 async function perform(a) {
   if (!a.train) return ask(a.command);
-  const name = called;
+  const name = called, field = $("acts").querySelector("[data-mark=train]");
   called = "";
+  if (field) field.value = "";
   return ask({...a.command, metres, train: name});
 }
 
-function input(mark, value, label, changed) {
-  const field = document.createElement("input");
-  field.value = value; field.dataset.mark = mark; field.size = mark === "note" ? 26 : 7; field.maxLength = mark === "note" ? 80 : 12; field.disabled = !operates;
-  field.addEventListener("input", () => changed(field.value));
-  const l = element("label", `${label} `, field);
-  return l;
+function input(mark, text) {
+  const field = document.createElement("input"), key = chosen;
+  field.value = {train: called, metres}[mark] ?? ""; field.dataset.mark = mark; field.size = mark === "note" ? 26 : 7; field.maxLength = mark === "note" ? 80 : 12; field.disabled = !operates;
+  field.addEventListener("input", () => { if (mark === "train") called = field.value; if (mark === "metres") metres = Number(field.value) || 40; });
+  if (mark === "note") field.addEventListener("keydown", e => { if (e.key === "Enter") ask({do: "remind", at: key, text: field.value}); });
+  return element("label", `${text} `, field);
 }
 
-function button(label, done) {
-  const b = element("button", label);
+function button(text, done) {
+  const b = element("button", text);
   b.type = "button";
   b.addEventListener("click", done);
   return b;
@@ -184,16 +174,32 @@ function log(e, old) {
   if (!old && e.kind === "refusal" && e.who === ($("name").value.trim() || "operator") && e.reasons.length) say(e.text, e.reasons);
 }
 
+const wrong = new Rows($("alarms"), () => {
+  const b = button("Acknowledge", () => b.does());
+  return element("li", "", element("b", ""), b, element("span", ""));
+}, (row, [key, text, where, since, active, who]) => {
+  const [head, b, words] = row.children;
+  head.textContent = head.title = [clock(since), active ? "" : "over", who ? `seen by ${who}` : ""].filter(Boolean).join(", ");
+  words.textContent = text;
+  row.className = `${active ? "active" : ""} ${who ? "" : "new"}`;
+  row.onclick = () => { if (where.length) plan.mark("shown", where); };
+  b.does = () => seen([[key, since]]);
+  b.disabled = !operates;
+  b.classList.toggle("seen", Boolean(who));
+});
+
+const unseen = () => rest.alarms.filter(a => !a[5]);
+let shown = [];  // what stood there half a second ago is what somebody can have seen
+function seen(those) { if (those.length) ask({do: "acknowledge", alarms: those}); }
+const all = () => seen(unseen().map(([key, , , since]) => [key, since]).filter(a => shown.some(b => a.join() === b.join())));
+
 function alarms() {
-  $("alarms").replaceChildren(...rest.alarms.slice().reverse().map(([key, text, where, since, active, who]) => {
-    const line = element("li", `${clock(since)} ${text}${active ? "" : " (over)"}`);
-    line.className = `${active ? "active" : ""} ${who ? "" : "new"}`;
-    if (who) line.append(element("span", `seen by ${who}`));
-    else { const b = button("Acknowledge", () => ask({do: "acknowledge", alarm: key})); b.disabled = !operates; line.append(b); }
-    if (where.length) line.addEventListener("click", () => plan.mark("shown", where));
-    return line;
-  }));
-  $("ack").disabled = !operates || !rest.alarms.some(a => !a[5]);
+  wrong.show(rest.alarms.slice().reverse().map(a => [`${a[0]} ${a[3]}`, a]));
+  const fresh = unseen();
+  $("unseen").textContent = `Alarms${rest.alarms.length ? `: ${rest.alarms.length}, ${fresh.length} new` : ""}`;
+  $("unseen").classList.toggle("new", fresh.length);
+  $("ack").disabled = !operates || !fresh.length;
+  setTimeout(those => { shown = those; }, 500, fresh.map(([key, , , since]) => [key, since]));
 }
 
 // --- the rest of the page ---
@@ -203,7 +209,7 @@ function system() {
   $("inputs").className = `pill ${s.valid ? "good" : "bad"}`;
   $("power").textContent = s.power ? "power" : "NO POWER";
   $("power").className = `pill ${s.power ? "good" : "bad"}`;
-  $("power-key").textContent = s.power ? "Cut the power" : "Give power";
+  label($("power-key"), s.power ? "Cut the power" : "Give power");
   $("power-key").disabled = !operates;
   $("releases").textContent = `releases ${s.releases}`;
   const select = $("speed").querySelector("select");
@@ -217,68 +223,68 @@ function system() {
 
 let stepped = "";
 function restart() {
-  if (held($("restart"), restart)) return;
-  const found = rest.sys && steps(still, state, rest.sys), now = JSON.stringify(found);
-  if (now === stepped) return;
-  stepped = now;
+  const found = rest.sys && steps(still, state, rest.sys), told = JSON.stringify([found, operates]);
+  if (told === stepped) return;
+  stepped = told;
   $("restart").hidden = !found;
   if (!found) return;
-  const open = found.findIndex(([done]) => !done);
-  $("restart").replaceChildren(element("h2", "After a restart, or a loss of inputs"), element("ol", "", ...found.map(([done, text, key], k) => {
+  const open = found.findIndex(([done]) => !done), key = found.map(([, , k]) => k).find(Boolean);
+  $("release").textContent = "Release all clear sections";
+  $("release").disabled = !operates || !key;
+  $("steps").replaceChildren(...found.map(([done, text], k) => {
     const line = element("li", text);
     line.className = done ? "done" : k === open ? "now" : "";
-    if (key) { const b = button(key.label, () => ask(key.command)); b.disabled = !operates; line.append(b); }
     return line;
-  })));
-}
-
-let running = "";
-function trains() {
-  if (held($("trains"), trains)) return;
-  const now = JSON.stringify(rest.trains.map(([n, , v, l, u, h]) => [n, v, l, u, h]));
-  if (now === running) return;
-  running = now;
-  const names = rest.trains.map(t => t[0]).join(), list = $("trains");
-  if (list.dataset.names !== names) {
-    list.dataset.names = names;
-    list.replaceChildren(...rest.trains.map(() => element("li", "", element("span", ""), element("div", ""))));
-  }
-  rest.trains.forEach((t, k) => {
-    const [name, , speed, long, under, held] = t, line = list.children[k];
-    line.firstChild.textContent = `${name}: ${speed} km/h, ${long} m, ${under.join(", ") || "on the line"}`;
-    if (line.dataset.held === String(held)) return;
-    line.dataset.held = held;
-    line.lastChild.replaceChildren(...train(t).map(a => {
-      const b = button(a.label.replace(`${name}: `, ""), () => ask(a.command));
-      b.disabled = !operates; b.setAttribute("aria-label", a.label);
-      return b;
-    }));
+  }));
+  requestAnimationFrame(() => { // the step that is due is in view, its box stays where it is
+    const now = $("steps").querySelector(".now");
+    if (now) $("steps").scrollTop = now.offsetTop + now.offsetHeight - $("steps").clientHeight;
   });
 }
 
+const running = new Rows($("trains"), () => element("li", "", element("span", ""), element("div", "")), (row, t) => {
+  const [name, speed, long, under] = t, [line, keys] = row.children;
+  line.textContent = line.title = `${name}: ${speed} km/h, ${long} m, ${under.join(", ") || "on the line"}`;
+  train([name, , speed, long, under, t[4]]).forEach((a, k) => {
+    const b = keys.children[k] ?? keys.appendChild(button("", () => b.does()));
+    b.does = () => ask(a.command);
+    label(b, a.label.replace(`${name}: `, ""));
+    b.disabled = !operates || Boolean(a.off); b.setAttribute("aria-label", a.label);
+  });
+});
+function trains() { running.show(rest.trains.map(([n, , v, l, u, h]) => [n, [n, v, l, u, h]])); }
+
+const more = new Rows($("rest"), v => {
+  const b = button("", () => b.does());
+  return element("li", "", element("span", ""), ...(v.label ? [b] : []));
+}, (row, v) => {
+  row.firstChild.textContent = row.firstChild.title = v.text;
+  row.classList.toggle("long", Boolean(v.long));
+  const b = row.querySelector("button");
+  if (!b) return;
+  b.does = () => ask(v.command);
+  label(b, v.label);
+  b.disabled = !operates;
+});
+
+// what is always there first, then what comes and goes
 function others() {
-  if (held($("rest"), others)) return;
-  const lines = [], s = rest.sys;
-  const add = (text, label, command) => {
-    const line = element("p", `${text} `);
-    if (command) { const b = button(label, () => ask(command)); b.disabled = !operates; line.append(b); }
-    lines.push(line);
-  };
+  const rows = [], s = rest.sys;
+  const add = (key, text, label = "", command = null, long = false) => rows.push([key, {text, label: command ? label : "", command, long}]);
   const failed = (k, n) => s.failed.some(f => f[0] === k && f[1] === n);
   for (const [c, [text, input]] of Object.entries(still.conditions)) {
     const holds = state[`c:${c}`]?.[0];
-    add(`${c}: ${holds ? "holds" : "does not hold"}${text ? ` (${text})` : ""}`, holds ? "Fail" : "Put right", still.simulated && {do: "fail", kind: "condition", name: input, on: Boolean(holds)});
+    add(`c ${c}`, `${c}: ${holds ? "holds" : "does not hold"}${text ? ` (${text})` : ""}`, holds ? "Fail" : "Put right", still.simulated && {do: "fail", kind: "condition", name: input, on: Boolean(holds)});
   }
-  for (const z of still.zones) add(`zone ${z}: ${state[`z:${z}`]?.[0] ? "full" : "has room"}`);
-  for (const v of still.voyages) add(`voyage ${v}`, "Begin", {do: "voyage", name: v});
-  for (const [name, reason] of s.voyages) add(`${name} is under way${reason ? `: ${reason}` : ""}`, "End", {do: "voyage", name, end: true});
-  for (const [number, under] of s.numbers) add(`train ${number} is in ${under.join(", ")}`);
+  for (const z of still.zones) add(`z ${z}`, `zone ${z}: ${state[`z:${z}`]?.[0] ? "full" : "has room"}`);
   if (still.simulated) for (const n of still.stations) {
     const on = !failed("station", n);
-    add(`substation ${n}: ${on ? "reports" : "cable cut"}`, on ? "Cut its cable" : "Mend its cable", {do: "fail", kind: "station", name: n, on});
+    add(`s ${n}`, `substation ${n}: ${on ? "reports" : "cable cut"}`, on ? "Cut its cable" : "Mend its cable", {do: "fail", kind: "station", name: n, on});
   }
-  $("rest").replaceChildren(...lines);
-  $("more").hidden = !lines.length;
+  for (const v of still.voyages) add(`v ${v}`, `voyage ${v}`, "Begin", {do: "voyage", name: v});
+  for (const [name, reason] of s.voyages) add(`u ${name}`, `${name} is under way${reason ? `: ${reason}` : ""}`, "End", {do: "voyage", name, end: true}, true);
+  for (const [number, under] of s.numbers) add(`n ${number}`, `train ${number} is in ${under.join(", ")}`);
+  more.show(rows);
 }
 
 // one name, or two: names may have spaces, so that every way to divide the words is tried
@@ -290,7 +296,8 @@ function readings(words) {
 }
 
 // --- keys and buttons ---
-$("ack").addEventListener("click", () => ask({do: "acknowledge", alarm: ""}));
+$("ack").addEventListener("click", all);
+$("release").addEventListener("click", () => ask({do: "release all"}));
 $("in").addEventListener("click", () => plan.zoom(0.8));
 $("out").addEventListener("click", () => plan.zoom(1.25));
 $("fit").addEventListener("click", () => plan.fit());
@@ -327,7 +334,7 @@ document.addEventListener("keydown", e => {
   else if (e.key === "+") plan.zoom(0.8);
   else if (e.key === "-") plan.zoom(1.25);
   else if (e.key === "0") plan.fit();
-  else if (e.key === "a") ask({do: "acknowledge", alarm: ""});
+  else if (e.key === "a") all();
   else if (e.key === "/") $("typed").focus();
   else return;
   e.preventDefault();

@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from interlock.model.portable import readable
 from interlock.st.ast import (
     Assign,
     Block,
@@ -38,13 +39,17 @@ from interlock.st.style import Style
 STYLE = Style(quoted=True, begin=True, timer='"TON"')
 TITLE = 64
 """Characters of a title."""
-_TEXT = re.compile(r"[^ -~]")
 _JOIN = {"AND": "A", "OR": "O"}
 
 
+def _plain(text: str) -> str:
+    """In ASCII, with nothing that begins or ends a comment of another kind."""
+    return "".join(map(readable, text)).replace("*", " * ")
+
+
 def _comment(text: str) -> str:
-    """A comment to the end of the line, with nothing in it that begins or ends one of another kind."""
-    return f"// {_TEXT.sub('_', text).replace('*', ' * ')}"
+    """A comment to the end of the line."""
+    return f"// {_plain(text)}"
 
 
 # --- writing -------------------------------------------------------------------------------------
@@ -79,7 +84,7 @@ class _Writer:
         for s in self.block.body:
             yield "NETWORK"
             if s_note := getattr(s, "note", ""):
-                yield f"TITLE = {_TEXT.sub('_', s_note)[:TITLE]}"
+                yield f"TITLE = {_plain(s_note)[:TITLE]}"
             yield from self._statement(s)
 
     def _place(self, n: Name) -> str:

@@ -25,6 +25,9 @@ _ABSOLUTE = re.compile(r"(?:[TCZMIQEA]|DB|DI|FB|FC|OB|SFB|SFC|UDT|P[IQEA])[BWDX]
 """What STEP 7 takes for an address, a timer or a block, whoever declares it."""
 
 
+ONLY = "One interlocking in one controller: the symbol table of another gives the same numbers to its blocks."
+
+
 @dataclass(frozen=True)
 class Language:
     """How a language of Siemens is written.
@@ -57,7 +60,8 @@ class Language:
         assert unit.task == self._task(f"IL_{name}_IO")
         *program, wires = rest
         files[f"{name}_io{self.suffix}"] = self._text(head, program, known)
-        files[f"{name}_ob{self.suffix}"] = "\n".join([*head, "", *self._organization(f"IL_{name}"), ""])
+        only = [] if self.tags else [self.comment(ONLY)]
+        files[f"{name}_ob{self.suffix}"] = "\n".join([*head, *only, "", *self._organization(f"IL_{name}"), ""])
         return files if self.tags else files | {f"{name}.sdf": symbol_table((*core, *program), wires)}
 
     def _text(self, head: Sequence[str], blocks: Sequence[Block], known: Frame) -> str:
