@@ -369,7 +369,6 @@ class Inquiry:
         """All answers: what the first questions left open is asked again."""
         if self.asked_locally:
             self._conclude()
-            self.settle(self.questions(1), progress)
         for rings in (2, 0) if len(self.goals) > SMALL else ():
             self.settle(self.questions(rings), progress)
         return self.found
