@@ -140,10 +140,10 @@ class Parts:
 
     def _at(self, names: Iterable[Name]) -> set[int]:
         """Where names belong, or else the nearest of what they depend on."""
-        at: set[int] = set()
-        while names and not at:
-            at = _places(names, self.system.places)
+        while not (at := _places(names, self.system.places)):
             names = dict.fromkeys(chain.from_iterable(map(self.inputs_of, names)))
+            if not names:
+                break
         return at
 
     def cone(self, names: Iterable[Name], seen: dict[Name, None]) -> None:
