@@ -62,8 +62,8 @@ def test_a_name_may_stand_for_another_in_one_list() -> None:
     assert forms.digest("", later) != forms.digest("", [([A | C], {}), ([A], {})])
 
 
-def asked(system: System, monkeypatch: pytest.MonkeyPatch, near: int) -> tuple[list[bool], int]:
-    """Which goals follow in the end, and how many goals were put to a solver first."""
+def inquiry_of(system: System, monkeypatch: pytest.MonkeyPatch, near: int) -> Inquiry:
+    """All goals of a system in parts, as those of a long line are."""
     monkeypatch.setattr(parts, "SMALL", 0)
     monkeypatch.setattr(parts, "NEAR", near)
     monkeypatch.setattr(parts, "FEW", 1)
@@ -71,7 +71,13 @@ def asked(system: System, monkeypatch: pytest.MonkeyPatch, near: int) -> tuple[l
     monkeypatch.setattr(parts, "HUB", 9)  # what a long line has by itself: nothing is read by a few facts of all places
     kept = list(strengthening(Facts(system)))
     goals = [Goal(i.expr, later=True) for i in kept] + [Goal(c.expr) for c in claims(Facts(system))]
-    inquiry = Inquiry(system, [i.expr for i in kept], goals, Limits())
+    return Inquiry(system, [i.expr for i in kept], goals, Limits())
+
+
+def asked(system: System, monkeypatch: pytest.MonkeyPatch, near: int) -> tuple[list[bool], int]:
+    """Which goals follow in the end, and how many goals were put to a solver first."""
+    inquiry = inquiry_of(system, monkeypatch, near)
+    goals = inquiry.goals
     first = inquiry.first()
     some = [n for n, g in enumerate(goals) if g.expr is not TRUE]
     assert sorted(n for q in first for those in (q.goals, *q.equal) for n in those) == some
@@ -94,3 +100,14 @@ def test_a_weak_station_is_not_taken_for_its_sound_neighbours(monkeypatch: pytes
         alone, every = asked(weak, monkeypatch, 0)
         assert alike == alone and not all(alike), kind
         assert few < 0.8 * every < every <= len(alone)
+
+
+def test_parts_do_not_grow_with_a_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What the goals of a part depend on lies around one place; of one goal elsewhere a part is the whole line."""
+    largest: list[int] = []
+    for stations in (8, 16):
+        made = grown(line(stations))
+        assert made is not None
+        inquiry = inquiry_of(System(made[0], lower(made[0], made[1])), monkeypatch, 3000)
+        largest.append(max(len(seen) for _, seen in inquiry._parts(1, parts.GOALS)))
+    assert largest[1] < 1.2 * largest[0]

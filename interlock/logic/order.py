@@ -55,22 +55,29 @@ def together(steps: Sequence[Step], following: Mapping[Name, Equation]) -> list[
     for s in every:
         for n in dict.fromkeys(_reads(s)):
             readers.setdefault(n, []).append(s.name)
-    ready: dict[str, list[int]] = {}
+    ready: dict[str, list[int]] = {p: [] for p in place.values()}
+    first: list[int] = []  # what is ready anywhere, and what was
+
+    def enter(k: int) -> None:
+        heappush(ready[place[every[k].name]], k)
+        heappush(first, k)
+
     for n, k in at.items():
         if not waits[n]:
-            heappush(ready.setdefault(place[n], []), k)
+            enter(k)
     out: list[Step] = []
-    while ready:
-        here = min(ready, key=lambda p: ready[p][0])
-        while here in ready:
-            s = every[heappop(ready[here])]
-            if not ready[here]:
-                del ready[here]
+    while first:
+        k = heappop(first)
+        here = ready[place[every[k].name]]
+        if k not in here[:1]:
+            continue  # it is done
+        while here:
+            s = every[heappop(here)]
             out.append(s)
             for n in readers.get(s.name, ()):
                 waits[n] -= 1
                 if not waits[n]:
-                    heappush(ready.setdefault(place[n], []), at[n])
+                    enter(at[n])
     return out
 
 

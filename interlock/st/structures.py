@@ -12,6 +12,7 @@ same blocks use lies together, so that a block gets few of them.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -162,7 +163,7 @@ def plain(unit: Unit) -> Unit:
     """What a unit of this form does, as one function block with parameters, with its mapping program, or the mapping
     program alone; raises `NotInSubset`."""
     names = [b.name.upper() for b in unit.blocks]
-    if twice := [n for n in names if names.count(n) > 1 or n in STANDARD]:
+    if twice := [n for n, times in Counter(names).items() if times > 1 or n in STANDARD]:
         raise NotInSubset(f"{twice[0]} is there twice, or a type that every tool has")
     programs = [b for b in unit.blocks if b.kind == "PROGRAM"]
     structures = {b.name: b for b in unit.blocks if b.kind == "STRUCT"}

@@ -8,8 +8,6 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from datetime import datetime
 
-import xlsxwriter
-
 from interlock.emit.tables.workbook import reproducible
 from interlock.logic.cabinet import Allocation, Channel
 from interlock.logic.controller import Controller
@@ -151,6 +149,8 @@ def tags_xlsx(layout: Layout, a: Allocation) -> bytes:
     """A tag table that TIA Portal's tag import asks for; from a public description, tried in no tool.
 
     A tag bears the station's name, so that a controller may hold several."""
+    import xlsxwriter  # a proof writes none
+
     out = io.BytesIO()
     with xlsxwriter.Workbook(out, {"in_memory": True}) as book:
         book.set_properties({"created": datetime(2000, 1, 1)})

@@ -13,8 +13,6 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
 
-import xlsxwriter
-
 from interlock.emit.tables.export import matrix_rows, printed_rows, reason_rows
 from interlock.emit.tables.paper import (
     MARGIN_IN,
@@ -38,6 +36,8 @@ WIDE = {"Column": 20.0, "Item": 34.0, "Rule": 8.0, "Reason": 90.0, "Routes": 50.
 
 def table_xlsx(layout: Layout, table: InterlockingTable) -> bytes:
     """Table, voyages, national forms, reasons, matrices.  Dates are fixed, so that the contents are reproducible."""
+    import xlsxwriter  # a proof writes none
+
     out = io.BytesIO()
     with xlsxwriter.Workbook(out, {"constant_memory": True}) as book:
         book.set_properties({"title": f"Interlocking table {layout.name}", "created": datetime(2000, 1, 1)})

@@ -45,7 +45,7 @@ class OneSided(Cnf):
             return
         split = [a for a in parts if _all_of(a)]
         if len(split) != 1:
-            self.clauses.append(tuple([self._said_of(a) for a in parts]))
+            self.clauses.append(tuple([n or self._said_of(a) for n, a in zip(literals, parts, strict=True)]))
             return
         rest = [self._said_of(a) for a in parts if a is not split[0]]
         whole = split[0]

@@ -148,12 +148,13 @@ def _beginnings(controller: Controller, a: Allocation, program: Block, restart: 
             start[name], sizes[name] = first, 0
             wires.add(name)
     plain = {*a.read, *(c.variable for c in a.wires)}
+    needed = wires | plain
     for n in sorted({*wires, *a.read} - {d.name for d in program.locals}):
         yield Difference(n, "is not declared")
     if len({d.name.upper() for d in program.locals}) != len(program.locals):
         yield Difference("names", "one is declared twice")
     for d in program.locals:
-        if d.type in ("BOOL", "INT") and d.name not in wires | plain:
+        if d.type in ("BOOL", "INT") and d.name not in needed:
             yield Difference(d.name, "is a variable that nobody needs")
         if d.name not in wires and (d.initial is not None or (d.name in plain and d.type != "BOOL")):
             yield Difference(d.name, "begins with a value that nobody gave it, or is no bit")

@@ -129,8 +129,7 @@ class Parts:
         """The goals place by place, and in a place those that share variables near each other."""
         reads = [self.read_by(g) for g in goals]
         order = _sharing(reads)
-        known = self.system.places
-        at = [_places(names, known) for names in reads]
+        at = [self._at(names) for names in reads]
         block = Counter(p for those in at for p in those)
         place = 0
         found: dict[int, list[int]] = {}
@@ -138,6 +137,14 @@ class Parts:
             place = min(at[n], key=lambda p: (block[p], p), default=place)
             found.setdefault(place, []).append(n)
         return [found[p] for p in sorted(found)]
+
+    def _at(self, names: Iterable[Name]) -> set[int]:
+        """Where names belong, or else the nearest of what they depend on."""
+        while not (at := _places(names, self.system.places)):
+            names = dict.fromkeys(chain.from_iterable(map(self.inputs_of, names)))
+            if not names:
+                break
+        return at
 
     def cone(self, names: Iterable[Name], seen: dict[Name, None]) -> None:
         """Everything that the names depend on within the step."""
@@ -178,7 +185,7 @@ class Parts:
         return decided(asked, known, self.system.definitions, limits, lambda: self.form(goals, facts))
 
 
-def _places(names: Sequence[Name], known: Mapping[Name, tuple[int, ...]]) -> set[int]:
+def _places(names: Iterable[Name], known: Mapping[Name, tuple[int, ...]]) -> set[int]:
     """Where an expression over some variables may belong: to sections, or else where its routes run."""
     where = [known[v] for v in names if v in known]
     return {p[0] for p in where if len(p) == 1} or {q for p in where for q in p}
@@ -369,7 +376,6 @@ class Inquiry:
         """All answers: what the first questions left open is asked again."""
         if self.asked_locally:
             self._conclude()
-            self.settle(self.questions(1), progress)
         for rings in (2, 0) if len(self.goals) > SMALL else ():
             self.settle(self.questions(rings), progress)
         return self.found
