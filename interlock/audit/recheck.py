@@ -258,7 +258,7 @@ def _slowest(layout: Layout, trip: Trip) -> int | None:
     if trip.onward is not None:
         both = (_slowest(layout, replace(trip, onward=None)), _slowest(layout, trip.onward))
         return min((v for v in both if v is not None), default=None)
-    limits = [layout.speed_of[s] for s in trip.sections]
+    limits = [layout.section[s].speed for s in trip.sections]
     if trip.over:
         own = overlap_way(layout, trip)
         limits += [own.entry] if own is not None else [v for g, v in layout.entry_speeds if g == trip.exit]

@@ -174,11 +174,6 @@ class Layout:
         return _grouped((self.section_of(p.toe), p) for p in self.points)
 
     @cached_property
-    def speed_of(self) -> dict[SectionId, int | None]:
-        """The speed stated for each section, in km/h."""
-        return {s.id: s.speed for s in self.sections}
-
-    @cached_property
     def crossing_at(self) -> dict[NodeId, Crossing]:
         """The crossing that lies at a node."""
         return {c.node: c for c in self.crossings}

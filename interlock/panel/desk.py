@@ -21,6 +21,7 @@ from interlock.app.run import Operator, Ready, run
 from interlock.field.plc import Cycle, Link
 from interlock.field.polling import Beside, InTurn
 from interlock.logic.words import UNKNOWN
+from interlock.model.elements import BlockKind
 from interlock.panel.alarms import Alarm, Alarms
 from interlock.panel.asked import Asked
 from interlock.panel.causes import causes, fallen_back
@@ -31,6 +32,8 @@ from interlock.panel.picture import Picture, Shown, still
 from interlock.panel.reasons import Moment, Reason, Reasons
 from interlock.panel.recorder import Recorder
 from interlock.panel.simulated import LENGTH_M, Impossible, SimulatedField
+from interlock.simulate.track import Beyond
+from interlock.simulate.world import World
 
 EVENTS = 200
 """Events that a browser is told when it comes."""
@@ -305,7 +308,9 @@ class Desk:
             way = -1 if t.body[-1] & 1 else 1
             front = None if head.outside else way
             out.append([f.name_of(t), spans, round(t.speed * 3.6), round(t.length(track)), under, f.held(t), front])
-        out += [[name, [], 0, round(m), [f"before {b.name}{f.waits(b)}"], None, None] for b, m, name in f.coming]
+        out += [
+            [name, [], 0, round(m), [f"before {b.name}{_waits(f.world, b)}"], None, None] for b, m, name in f.coming
+        ]
         return out
 
     # --- commands ----------------------------------------------------------------------------------
@@ -456,3 +461,11 @@ def _metres(c: Mapping[str, Any]) -> float:
     if not 5.0 <= metres <= 1000.0:
         raise Refused("a train is between 5 and 1000 m long")
     return metres
+
+
+def _waits(world: World, line: Beyond) -> str:
+    """Why a train does not come in from a line yet, in brackets; empty if it is about to come."""
+    if any(t.body[0] in line.comes_by for t in world.trains):
+        return " (a train is on the line)"
+    token = line.block is BlockKind.TOKEN
+    return " (the neighbour has not got the direction)" if token and not world.token_at[line.name].have else ""

@@ -255,13 +255,6 @@ class SimulatedField:
             self.names[t.number] = name
             self.coming.remove(one)
 
-    def waits(self, line: Beyond) -> str:
-        """Why a train does not come in from a line yet, in brackets; empty if it is about to come."""
-        if any(t.body[0] in line.comes_by for t in self.world.trains):
-            return " (a train is on the line)"
-        token = line.block is BlockKind.TOKEN
-        return " (the neighbour has not got the direction)" if token and not self.world.token_at[line.name].have else ""
-
     def drive(self, name: str, go: bool) -> None:
         """Let a train run as signals permit, or bring it to a stand."""
         t = self.train(name)
