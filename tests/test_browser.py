@@ -278,7 +278,8 @@ def test_a_yard_of_a_thousand_routes_stays_usable(chromium: Any, tmp_path_factor
         )
         wide = max(right for _, right in lit) - min(left for left, _ in lit)
         assert 0.5 * frame["width"] < wide < frame["width"], "the plan comes as near as the route fills its frame"
-        page.wait_for_selector("#routes tr.chosen button[data-why]")  # the row has its buttons, and its height
+        page.locator("#routes tr.chosen").scroll_into_view_if_needed()
+        page.wait_for_function("!document.querySelector('#routes tr.chosen [data-why]:not(button)')")  # has its height
         page.locator("#routes tr.chosen button[data-hostile]").first.click()
         told, count = page.inner_text("#why"), page.evaluate("data.routes[chosen].against.length")
         assert told.startswith("Hostile to ") and told.count("(") < count / 3, "what is hostile in one way is told once"
