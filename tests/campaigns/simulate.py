@@ -35,8 +35,19 @@ SLICE = 20_000
 BOTH = (False, True)
 OPERATOR = {False: "random", True: "hostile"}
 
-WRONG_ON = ("mine11", "junction", "flank_lab", "depot", "passing_loop", "incline_hoist", "pit_bottom", "heishan")
-"""The layouts on which wrong controllers are driven, each class on the first three of them to which it applies."""
+WRONG_ON = (
+    "mine11",
+    "junction",
+    "flank_lab",
+    "depot",
+    "passing_loop",
+    "incline_hoist",
+    "pit_bottom",
+    "heishan",
+    "terminus_slip",
+)
+"""The layouts on which wrong controllers are driven, each class on the first three to which it applies, and on more of them
+until one comes to harm."""
 
 WRONG_SCANS = 12_000
 """Scans for each of six seeds (24 where the class has done no harm before), or until harm is done."""
@@ -108,10 +119,11 @@ def _sum(outcomes: Iterable[Outcome]) -> Outcome:
 
 
 def _harmed(kind: str) -> list[tuple[str, str]]:
-    """The layouts on which a class of wrong controllers was driven, each with its first harm, if any."""
+    """The layouts on which a class of wrong controllers was driven, each with its first harm, if any: three, and
+    more until one comes to harm."""
     found: list[tuple[str, str]] = []
     for name in WRONG_ON:
-        if len(found) == 3:
+        if len(found) >= 3 and any(h for _, h in found):
             break
         try:
             case = _case(f"layouts/{name}.yaml", kind)
