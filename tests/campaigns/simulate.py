@@ -46,7 +46,7 @@ WRONG_ON = (
     "heishan",
     "terminus_slip",
 )
-"""The layouts on which wrong controllers are driven, each class on the first three to which it applies, and on more of them
+"""The layouts on which wrong controllers are driven, each class on the first three to which it applies, and on more
 until one comes to harm."""
 
 WRONG_SCANS = 12_000
