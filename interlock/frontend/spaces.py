@@ -37,7 +37,7 @@ def section_and_length(ctx: Context, text: str, span: Span, example: str = "q1")
     """'q1 400' as section and metres; reports IL1012, IL1013, IL1014, IL1016.  `example`: a name for a fix."""
     words, match = text.split(), _ITEM.fullmatch(text.strip())
     unit = "".join(words[-2:]) if len(words) > 2 and number_text(words[-2]) and not number_text(words[-1]) else ""
-    shape = len(words) == 2 or number_text(words[-1]) or slip_of(words[-1])
+    shape = len(words) == 2 or (words and (number_text(words[-1]) or slip_of(words[-1])))
     if match is None or not shape or (len(words) > 2 and ";" in text):
         fix = f"write `section length`, for instance `{example} 400`"
         if len(words) == 1 and number_text(words[0]):
@@ -51,7 +51,8 @@ def section_and_length(ctx: Context, text: str, span: Span, example: str = "q1")
             fix = f"write `{', '.join(part.strip() for part in text.split(';'))}`"
             ctx.add("IL1012", f"'{text}': what follows one another is divided by commas", span, fix)
         else:
-            ctx.add("IL1012", f"'{text}': a section and its length are expected here", span, fix)
+            said = f"'{text}': " if words else "nothing is written: "
+            ctx.add("IL1012", f"{said}a section and its length are expected here", span, fix)
         return None
     name, length = match.groups()
     if not NAME.fullmatch(name):
