@@ -2,10 +2,10 @@
 
     python -m tests.substation PORT SECONDS HEARTBEAT INPUT...
 
-HEARTBEAT is the discrete input that changes every 130 ms: longer than a cycle of 100 ms, or it could be read at the same
-value each time.  INPUT... are those that are 1.  A coil from 4000 on is a wire to the discrete input with 4000 less, so
-that a test can move the railway; while the one of FROZEN is 1 the heartbeat stands still, while the one of LATE is 1
-inputs are told half a second late.
+HEARTBEAT is the discrete input that changes every 130 ms: longer than a cycle of 100 ms, or it could be read at the
+same value each time.  INPUT... are those that are 1.  A coil from 4000 on is a wire to the discrete input with 4000
+less, so that a test can move the railway; while the one of FROZEN is 1 the heartbeat stands still, while the one of
+LATE is 1 inputs are told half a second late.
 """
 
 from __future__ import annotations
