@@ -195,9 +195,11 @@ def hostile_and_demand(rng: random.Random, layout: Layout, table: InterlockingTa
         choices = [f"{{from: {r.entry}, to: {r.exit}, kind: {'main' if r.train else 'shunt'}}}" for r in (one, other)]
         hostile.append(f"  - {{one: {choices[0]}, other: {choices[1]}, reason: by chance}}")
     free = [(r, p) for r in table.routes for p in layout.points if all(d.machine != p.machine for d in r.points)]
+    halves = {b.point for b in layout.blades}
     for r, p in rng.sample(free, min(2, len(free))):
         lies = rng.choice(("normal", "reverse"))
-        demand.append(f"  - {{point: {p.id}, lies: {lies}, routes: {{{routes_text(r)}}}, reason: by chance}}")
+        name = p.machine if p.id in halves else p.id
+        demand.append(f"  - {{point: {name}, lies: {lies}, routes: {{{routes_text(r)}}}, reason: by chance}}")
     return hostile, demand
 
 

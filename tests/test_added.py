@@ -122,6 +122,26 @@ def test_nothing_derived_is_lost() -> None:
     assert plain.locks == more.locks
 
 
+SLIP = Path("tests/layouts_for_tests/slip.yaml").read_text("utf-8")
+
+
+@pytest.mark.parametrize(
+    ("machines", "point", "fault"),
+    [("", "7a", None), ("[M7]", "M7", None), ("[M7]", "7/1a", "known here: M7"), ("[M7]", "7a", "half of a slip")],
+)
+def test_a_half_of_a_slip_is_demanded_by_the_name_of_its_machine(machines: str, point: str, fault: str | None) -> None:
+    text = SLIP.replace("ne.start]]}", f"ne.start]], machines: {machines}}}") if machines else SLIP
+    text += f"demand:\n  - {{point: {point}, lies: normal, routes: {{from: A, to: N1}}, reason: a waggon overhangs}}\n"
+    if fault is None:
+        made(text)
+        assert agree(*told(text), specification.shipped()).left == ()
+        return
+    sink = Sink()
+    assert load_text("slip.yaml", text, sink)[0] is None
+    (found,) = [d for d in sink.diagnostics if d.code == "IL2001"]
+    assert fault in f"{found.message} {found.fix}"
+
+
 @pytest.mark.parametrize("profile", ["generic", "uk", "de", "cn"])
 def test_a_route_that_is_not_listed_is_counted_in_every_printed_table(profile: str) -> None:
     layout, table = made(TEXT.replace("name: added", f"name: added\nprofile: {profile}"))

@@ -30,13 +30,16 @@ def resolve_barred(ctx: Context, wiring: Wiring) -> tuple[Barred, ...]:
 def resolve_demanded(ctx: Context, wiring: Wiring) -> tuple[Demanded, ...]:
     """Points that routes demand, in the order in which they are written."""
     devices = {n: MachineId(n) for n in (*ctx.file.level_crossings, *ctx.file.interlocks)}
-    machines: Mapping[str, MachineId] = {p.id: p.machine for p in wiring.points} | devices
+    halves = {b.point for b in wiring.blades}  # of slips: named by what lays them, which may lay all of it
+    machines: Mapping[str, MachineId] = {
+        p.machine if p.id in halves else p.id: p.machine for p in wiring.points
+    } | devices
     out = []
     for i, x in enumerate(ctx.file.demand):
         if not machines and ctx.sink.has_errors:
             continue  # there is no graph yet
         if x.point not in machines:
-            text = f"a demand names {x.point}, which is no point, level crossing or other interlock"
+            text = f"a demand names {x.point}, which is no point, half of a slip, level crossing or other interlock"
             ctx.add("IL2001", text, ctx.at("demand", i, "point"), did_you_mean(x.point, machines))
             continue
         routes = resolve_choice(ctx, wiring, x.routes, ("demand", i, "routes"), "a demand")
