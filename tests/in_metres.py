@@ -310,7 +310,7 @@ class Reader:
     def _into(self, head: Pair) -> str:
         joint, section = head
         inside = {e.node: e.inside for e in self.words.w_entrances() if e.outside == section}
-        return inside.get(joint) or self.words.r.beyond(section, joint) or ""
+        return inside.get(joint) or self.words.r.track.beyond(section, joint) or ""
 
     def _departing(self) -> Iterator[str]:
         """Reports of approach sections that are occupied by trains on their way out."""

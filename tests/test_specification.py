@@ -178,7 +178,7 @@ def test_a_lamp_that_the_layout_does_not_give_a_signal_relaxes_nothing() -> None
     more = "".join(f"state {x}_X1\ndef {x}_X1' (& S_R1 !S_R1)\n" for x in ("YO", "YI"))
     plain, forged = (World(Railway(body), written(text)) for text in (system, system + more))
     assert forged.w_own_routes() == plain.w_own_routes() == forged.w_routes()
-    for s in plain.r.sections:
+    for s in plain.r.track.sections:
         ways = plain.w_lockable_for_a_clear_movement(s)
         assert forged.w_lockable_for_a_clear_movement(s) == ways == plain.w_lockable(s)
 

@@ -11,7 +11,8 @@ from typing import Any
 
 from interlock.checker.formula import Formula
 from interlock.checker.lengths import FoulJoint
-from interlock.checker.railway import Calling, Demand, Path, Signal, Way
+from interlock.checker.railway import Calling, Path, Signal
+from interlock.checker.track import Demand, Way
 from interlock.checker.words import Entrance, Topology, fact
 
 
@@ -58,11 +59,11 @@ class Ahead(Topology):
         return [g for g in self.r.signals_out(s) if g.name in self.lengths.overlaps]
 
     def w_before_overlapped(self) -> list[str]:
-        return [s for s in self.r.sections if self.w_overlapped_from(s)]
+        return [s for s in self.r.track.sections if self.w_overlapped_from(s)]
 
     def _leads(self, h: Signal, s: str, j: str) -> bool:
         """An overlap goes on from a section over its end."""
-        ahead = self.r.beyond(s, j)
+        ahead = self.r.track.beyond(s, j)
         steps = (x for o in self.overlaps if o.signal == h for x in pairwise(o.path.ways))
         return any(a.section == s and a.exit == j and b.section == ahead for a, b in steps)
 
@@ -71,7 +72,7 @@ class Ahead(Topology):
 
     def w_stop_failed(self, h: Signal, s: str, j: str) -> list[Signal]:
         """The signal itself, where it governs leaving the section there."""
-        return [h] if (h.node, h.into) == (j, self.r.beyond(s, j)) else []
+        return [h] if (h.node, h.into) == (j, self.r.track.beyond(s, j)) else []
 
     def w_overrun_at(self, s: str, j: str) -> list[Signal]:
         """The signals that a train may be overrunning that leaves a section there."""
@@ -87,14 +88,14 @@ class Ahead(Topology):
 
     def w_overlap_paths(self, c: Calling) -> list[Path]:
         """The paths of trains to a signal with an overlap."""
-        return [p for p in self.r.paths(c) if not c.shunt and self.w_overlaps_beyond(p)]
+        return [p for p in self.r.paths.of(c) if not c.shunt and self.w_overlaps_beyond(p)]
 
     def w_overlaps_beyond(self, p: Path) -> list[Path]:
-        g = self.r.main_into.get((p.last.exit, self.r.beyond(p.last.section, p.last.exit) or ""))
+        g = self.r.main_into.get((p.last.exit, self.r.track.beyond(p.last.section, p.last.exit) or ""))
         return [] if g is None else self.lengths.overlaps.get(g.name, [])
 
     def _entry(self, p: Path, o: Path) -> float | None:
-        g = self.r.main_into.get((p.last.exit, self.r.beyond(p.last.section, p.last.exit) or ""))
+        g = self.r.main_into.get((p.last.exit, self.r.track.beyond(p.last.section, p.last.exit) or ""))
         return None if g is None else self.lengths.entry_kmh(g, o)
 
     def w_entry_overlaps(self, p: Path) -> list[Path]:
@@ -121,10 +122,10 @@ class Ahead(Topology):
         return f.neighbour
 
     def w_fouled_ways(self, f: FoulJoint) -> list[Way]:
-        return [w for w in self.r.ways[f.section] if f.fouls(w)]
+        return [w for w in self.r.track.ways[f.section] if f.fouls(w)]
 
     def w_ways_at_joint(self, f: FoulJoint) -> list[Way]:
-        return [w for w in self.r.ways[f.neighbour] if f.node in (w.entry, w.exit)]
+        return [w for w in self.r.track.ways[f.neighbour] if f.node in (w.entry, w.exit)]
 
     def w_keeps_away(self, f: FoulJoint) -> list[Demand]:
         """The neighbour's point that leads to the joint, if one does."""
@@ -135,7 +136,7 @@ class Ahead(Topology):
     @property
     def _conditions(self) -> Mapping[str, Mapping[str, Any]]:
         told = dict(self.r.body.get("conditions") or {})
-        for b, v in self.r.boundaries.items():  # R12: the block of a line is a condition of leaving
+        for b, v in self.r.drawn.boundaries.items():  # R12: the block of a line is a condition of leaving
             if v.get("block", "none") in ("automatic", "semi-automatic") and v.get("trains", "both") != "in":
                 told[f"BF/{b}"] = {"exits": [b]}
         return told
@@ -156,7 +157,7 @@ class Ahead(Topology):
 
     def w_tokens(self) -> list[str]:
         """The boundaries of lines with a direction token."""
-        return [b for b, v in self.r.boundaries.items() if v.get("block") == "token"]
+        return [b for b, v in self.r.drawn.boundaries.items() if v.get("block") == "token"]
 
     def w_token_of(self, b: Entrance) -> list[str]:
         return [b.node] if b.node in self.w_tokens() else []

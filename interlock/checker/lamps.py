@@ -52,7 +52,7 @@ class Lamps(Ahead):
         return [] if c.shunt else self.w_passed_beyond(p)
 
     def w_passed_beyond(self, p: Path) -> list[Signal]:
-        g = self.r.main_into.get((p.last.exit, self.r.beyond(p.last.section, p.last.exit) or ""))
+        g = self.r.main_into.get((p.last.exit, self.r.track.beyond(p.last.section, p.last.exit) or ""))
         return [] if g is None or self.w_may_identify(g) == FALSE else [g]
 
     def w_passed_for_clear(self, p: Path) -> list[Signal]:
@@ -63,7 +63,7 @@ class Lamps(Ahead):
         return some(map(leaf, self.lamps(g, MAIN)))
 
     def w_shows_any(self, g: Signal) -> Formula:
-        return some(self.w_shows(c) for c in self.r.callings(g))
+        return some(self.w_shows(c) for c in g.callings)
 
     def w_shows_clear(self, g: Signal) -> Formula:
         return some(map(leaf, self.lamps(g, ("YP",))))
@@ -148,7 +148,7 @@ class Lamps(Ahead):
 
     def w_line_checked(self, p: Path) -> Formula:
         """A departure is tied to the line beyond (R12), and is not too slow for clear (R11)."""
-        v = self.r.boundaries.get(p.last.exit)
+        v = self.r.drawn.boundaries.get(p.last.exit)
         tied = v is not None and (v.get("block", "none") != "none" or bool(v.get("approach")))
         return fact(tied and not self._slow(p))
 
@@ -158,10 +158,10 @@ class Lamps(Ahead):
 
     def w_next_open_for_clear(self, p: Path) -> list[Calling]:
         """What the next main signal calls, which clear needs; under `turnout` no way over a reversed point is (R11)."""
-        if p.last.exit in self.r.boundaries or self._slow(p):
+        if p.last.exit in self.r.drawn.boundaries or self._slow(p):
             return []
         turned = any(d.position == "R" for w in p.ways for _, d in w.points)
-        g = self.r.main_into.get((p.last.exit, self.r.beyond(p.last.section, p.last.exit) or ""))
+        g = self.r.main_into.get((p.last.exit, self.r.track.beyond(p.last.section, p.last.exit) or ""))
         return [] if g is None or (turned and self.r.drawn.rules["caution"] == "turnout") else [Calling(g, False)]
 
     def w_distants(self) -> list[str]:

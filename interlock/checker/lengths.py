@@ -9,7 +9,8 @@ from itertools import pairwise
 
 from interlock.checker.drawing import Edge, Unread
 from interlock.checker.kilometres import item_parts
-from interlock.checker.railway import Demand, Path, Railway, Signal, Way
+from interlock.checker.railway import Path, Railway, Signal
+from interlock.checker.track import Demand, Way
 
 
 @dataclass(frozen=True)
@@ -65,7 +66,7 @@ class Lengths:
         found = {}
         for g in self.r.signals.values():
             wanted = self._wanted(g)
-            if not g.main or g.node in self.r.boundaries or wanted[-1].metres <= 0:
+            if not g.main or g.node in self.r.drawn.boundaries or wanted[-1].metres <= 0:
                 continue
             plain = self._those(g, wanted, frozenset())
             # where a shorter alternative joins a longer one, it goes on as far: nobody knows how a train came there
@@ -109,7 +110,8 @@ class Lengths:
         if told.get("release_by_length") in ("yes", "true"):
             before = self.before(g)
             kmh = self.kmh(before)
-            longest = max((w.length for w in self.r.ways[before] if w.exit == g.node), default=0.0) if before else 0.0
+            ways = self.r.track.ways[before] if before else []
+            longest = max((w.length for w in ways if w.exit == g.node), default=0.0)
             return 1000 * -(-(round(1000 * longest / (kmh / 3.6 / 2)) + self.halt(kmh)) // 1000)
         return round(1000 * self.d.rule("overlap_release_s"))
 
@@ -133,22 +135,22 @@ class Lengths:
             last = ways[-1]
             if barred & {last.section, *last.edges}:
                 return
-            ahead = self.r.beyond(last.section, last.exit)
+            ahead = self.r.track.beyond(last.section, last.exit)
             enough = gone >= metres or (metres == float("inf") and (last.exit, ahead) in self.r.main_into)
             if ahead is None or (enough and (last.section, last.exit, ahead) not in steps):
                 yield ways
             elif all(w.section != ahead for w in ways):
-                for w in self.r.from_end(ahead, last.exit):
+                for w in self.r.track.from_end(ahead, last.exit):
                     yield from go((*ways, w), gone + w.length)
 
-        for w in self.r.from_end(g.into, g.node):
+        for w in self.r.track.from_end(g.into, g.node):
             yield from go((w,), w.length)
 
     def _barred(self, g: Signal) -> frozenset[str]:
         """Sections, and ends of points and the like, over which no alternative of the overlap shall lead."""
         told = ((self.r.body.get("overlaps") or {}).get(g.name) or {}).get("not_over") or ()
         for x in told:
-            if x not in self.d.edges and x not in self.r.sections:
+            if x not in self.d.edges and x not in self.r.track.sections:
                 raise Unread(f"the overlap of {g.name}: {x} is no section and no end")
         return frozenset(told)
 
@@ -205,12 +207,12 @@ class Lengths:
 
     def kmh(self, section: str | None) -> float:
         """The speed permitted in a section, or on the line."""
-        told = (self.r.told.get(section or "") or {}).get("speed")
+        told = (self.r.track.told.get(section or "") or {}).get("speed")
         return float(told) if told is not None else self.d.rule("line_speed_kmh")
 
     def path_kmh(self, p: Path) -> float | None:
         """The lowest speed stated along a path: of its sections, and over reversed points."""
-        told = [(self.r.told.get(w.section) or {}).get("speed") for w in p.ways]
+        told = [(self.r.track.told.get(w.section) or {}).get("speed") for w in p.ways]
         over = [self.d.points[n].kmh for w in p.ways for n, d in w.points if d.position == "R"]
         return min((float(v) for v in (*told, *over) if v is not None), default=None)
 
@@ -229,7 +231,7 @@ class Lengths:
 
     def before(self, g: Signal) -> str | None:
         """The section or approach in rear of a signal, from which it is read."""
-        return self.r.approach.get(g.node) if g.node in self.r.boundaries else self.r.beyond(g.into, g.node)
+        return self.r.approach.get(g.node) if g.node in self.r.drawn.boundaries else self.r.track.beyond(g.into, g.node)
 
     def until_all_stand(self) -> int:
         """Until every train stands that ran at a power cut: on to the next main signal at half the line's speed, then a
@@ -239,14 +241,14 @@ class Lengths:
         def run(w: Way) -> float:
             if w not in known:
                 known[w] = 0.0  # round a loop a train passes no place twice
-                ahead = self.r.beyond(w.section, w.exit)
+                ahead = self.r.track.beyond(w.section, w.exit)
                 on = ahead if ahead is not None and (w.exit, ahead) not in self.r.main_into else None
-                further = [run(x) for x in self.r.from_end(on, w.exit)] if on is not None else []
+                further = [run(x) for x in self.r.track.from_end(on, w.exit)] if on is not None else []
                 known[w] = w.length + max(further, default=0.0)
             return known[w]
 
-        longest = max((run(w) for s in self.r.sections for w in self.r.ways[s]), default=0.0)
-        fastest = max(self.kmh(s) for s in [None, *self.r.sections])
+        longest = max((run(w) for s in self.r.track.sections for w in self.r.track.ways[s]), default=0.0)
+        fastest = max(self.kmh(s) for s in [None, *self.r.track.sections])
         return self.halt(fastest) + round(1000 * longest / (self.d.rule("line_speed_kmh") / 3.6 / 2))
 
     def supervision(self, m: str) -> float:
@@ -254,7 +256,7 @@ class Lengths:
         body, own = self.r.body, []
         for part in ("points", "derailers", "slips", "level_crossings", "interlocks"):
             for name, v in (body.get(part) or {}).items():
-                works = {p.machine for k, p in self.r.points.items() if k == name or _half(k, name, part)}
+                works = {p.machine for k, p in self.r.drawn.points.items() if k == name or _half(k, name, part)}
                 if v.get("supervision") is not None and m in (works or {name}):
                     own.append(float(v["supervision"]))
         return max(own, default=self.d.rule("point_supervision_s"))
@@ -265,7 +267,7 @@ class Lengths:
         s = self.before(g)
         if told.get("swing") not in ("yes", "true") or s is None or self.d.rule("point_start_gap_s") > 0:
             return False
-        metres = min((w.length for w in self.r.ways[s] if w.exit == g.node), default=0.0)
+        metres = min((w.length for w in self.r.track.ways[s] if w.exit == g.node), default=0.0)
         return metres / (self.kmh(s) / 3.6) >= self.d.rule("output_delay_s") + max(
             map(self.supervision, self.r.machines)
         )
@@ -292,19 +294,19 @@ class Lengths:
     ) -> Approach | None:
         """gone: metres from the signal to the node; needed: the longest distance so far; tells: metres to the signal
         that announces this one, where it stands at the node."""
-        if node in self.r.boundaries:
-            b = self.r.boundaries[node]
+        if node in self.r.drawn.boundaries:
+            b = self.r.drawn.boundaries[node]
             if b.get("trains") == "out" and len(seen) > 1:
                 return None
             name, metres = item_parts(b.get("approach", ""))
             far = bool(name) and gone + float(metres) >= max(needed, self._metres_to_act(g, name, tells))
             return Approach(name if far else None)
-        s = self.r.beyond(ahead, node)
+        s = self.r.track.beyond(ahead, node)
         if s is None or s in seen:
             return None
         needed = max(needed, self._metres_to_act(g, s, tells))
         further = []
-        for w in self.r.ways[s]:
+        for w in self.r.track.ways[s]:
             teller = self.r.main_into.get((w.entry, s))
             first = not announced and teller is not None and not self._may_be_passed(teller)
             run = gone + w.length

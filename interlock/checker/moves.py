@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from interlock.checker.formula import FALSE, Formula, every, leaf, no, some
-from interlock.checker.railway import Calling, Signal, Way, safe
+from interlock.checker.railway import Calling, Signal, safe
 from interlock.checker.shown import Protection
+from interlock.checker.track import Way
 
 
 @dataclass(frozen=True)
@@ -59,7 +60,7 @@ class World(Protection):
 
     def w_coming(self, s: str, j: str) -> Formula:
         """A train stands across an end on its way in, from the neighbour or from outside."""
-        if j in self.r.buffers or (j in self.r.boundaries and (j, s) not in self.r.signal_into):
+        if j in self.r.drawn.buffers or (j in self.r.drawn.boundaries and (j, s) not in self.r.signal_into):
             return FALSE
         return self.w_across(j, self.across_of(s, j))
 
@@ -69,13 +70,13 @@ class World(Protection):
 
     def w_lies_some(self, t: Way) -> Formula:
         """The points lie for some way with the same ends."""
-        return some(self.w_lies(w) for w in self.r.ways[t.section] if (w.entry, w.exit) == (t.entry, t.exit))
+        return some(self.w_lies(w) for w in self.r.track.ways[t.section] if (w.entry, w.exit) == (t.entry, t.exit))
 
     def w_shunting(self, s: str) -> Formula:
         return leaf(f"sh.{s}") if self.r.shunting else FALSE
 
     def w_shunting_sections(self) -> list[str]:
-        return self.r.sections if self.r.shunting else []
+        return self.r.track.sections if self.r.shunting else []
 
     def w_running(self, s: str) -> Formula:
         return leaf(f"run.{s}")
@@ -109,13 +110,13 @@ class World(Protection):
 
     def w_into(self, s: str, j: str) -> Formula:
         """A head comes into a section at one of its ends."""
-        return FALSE if j in self.r.buffers else self.event(f"head.{j}.{self.across_of(s, j)}")
+        return FALSE if j in self.r.drawn.buffers else self.event(f"head.{j}.{self.across_of(s, j)}")
 
     def w_shunts_into(self, s: str, j: str) -> Formula:
-        return FALSE if j in self.r.buffers else self.event(f"shunts.{j}.{self.across_of(s, j)}")
+        return FALSE if j in self.r.drawn.buffers else self.event(f"shunts.{j}.{self.across_of(s, j)}")
 
     def w_overruns_into(self, h: Signal, s: str, j: str) -> Formula:
-        return FALSE if j in self.r.buffers else self.event(f"overruns.{h.name}.{j}.{self.across_of(s, j)}")
+        return FALSE if j in self.r.drawn.buffers else self.event(f"overruns.{h.name}.{j}.{self.across_of(s, j)}")
 
     def w_overruns_at(self, h: Signal, s: str, j: str) -> Formula:
         """What leaves a section there has overrun a signal."""
@@ -123,7 +124,7 @@ class World(Protection):
 
     def w_comings(self, s: str) -> list[tuple[str, str]]:
         """Where heads may come into a section: joint, and the section that they come from."""
-        return [(j, self.across_of(s, j)) for j in self.r.ends[s] if self.w_into(s, j) != FALSE]
+        return [(j, self.across_of(s, j)) for j in self.r.track.ends[s] if self.w_into(s, j) != FALSE]
 
     def w_comes(self, c: tuple[str, str]) -> Formula:
         return self.event(f"head.{c[0]}.{c[1]}")
@@ -236,7 +237,7 @@ class World(Protection):
     def w_ways_in(self, z: str) -> list[WayIn]:
         inside = self._inside(z)
         ends = [(s, j) for s in inside for j in self.w_open_ends(s)]
-        return [WayIn(z, s, j) for s, j in ends if self.r.beyond(s, j) not in inside]
+        return [WayIn(z, s, j) for s, j in ends if self.r.track.beyond(s, j) not in inside]
 
     def w_way_section(self, i: WayIn) -> str:
         return i.section
@@ -250,7 +251,7 @@ class World(Protection):
         called = {i: self.w_called_in(i) for i in ways_in}
         found = []
         for s in inside:
-            rear = [(j, o) for j in self.r.ends[s] if (o := self.r.beyond(s, j)) in inside]
+            rear = [(j, o) for j in self.r.track.ends[s] if (o := self.r.track.beyond(s, j)) in inside]
             rearmost = every((self.w_occupied(s), *(no(self.w_across(j, str(o))) for j, o in rear)))
             found.append(some((rearmost, *(called[i] for i in ways_in if i.section == s))))
         return found + [every((self.after(called[i]), no(called[i]))) for i in ways_in]

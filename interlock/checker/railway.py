@@ -1,4 +1,4 @@
-"""The railway of a layout: sections with their ends and ways through them, signals with their paths, machines, berths.
+"""The railway of a layout: signals with their paths over the track, machines, berths.
 
 Made from the drawing, in the field's terms.
 """
@@ -11,42 +11,13 @@ import unicodedata
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from itertools import pairwise
 from typing import Any
 
-from interlock.checker.drawing import Drawing, Edge, Unread, drawing
+from interlock.checker.drawing import Drawing, Unread, drawing
 from interlock.checker.kilometres import item_parts
 from interlock.checker.language import elements
+from interlock.checker.track import Track, Way
 from interlock.verify import need
-
-
-@dataclass(frozen=True)
-class Demand:
-    """A machine and the position in which a way needs it."""
-
-    machine: str
-    position: str
-
-    @property
-    def opposite(self) -> str:
-        return "R" if self.position == "N" else "N"
-
-
-@dataclass(frozen=True)
-class Way:
-    """A way through a section from one end to another, numbered from 1 by its ends and edges.
-
-    points: each point on it, and how it must lie.  arms: each diamond on it, and over which arm (0 or 1).
-    """
-
-    section: str
-    number: int
-    entry: str
-    exit: str
-    points: tuple[tuple[str, Demand], ...]
-    arms: tuple[tuple[str, int], ...]
-    edges: tuple[str, ...]
-    length: float
 
 
 @dataclass(frozen=True)
@@ -68,6 +39,11 @@ class Signal:
     def shunt(self) -> bool:
         """It calls shunting movements, too; these obey every signal."""
         return self.kind != "main"
+
+    @property
+    def callings(self) -> list[Calling]:
+        """Whom it speaks to."""
+        return [*([Calling(self, False)] if self.main else []), *([Calling(self, True)] if self.shunt else [])]
 
     @property
     def safe(self) -> str:
@@ -137,24 +113,14 @@ def _read(name: str, text: str) -> str:
 
 
 class Railway:
-    """A layout, read."""
+    """A layout, read: its track, the signals and devices that stand on it, and the paths between signals."""
 
     def __init__(self, body: Mapping[str, Any]) -> None:
         self.body = body
         self.drawn: Drawing = drawing(body)
-        d = self.drawn
-        self.boundaries, self.buffers, self.points = d.boundaries, d.buffers, d.points
-        self.approach = {b: item_parts(v["approach"])[0] for b, v in self.boundaries.items() if v.get("approach")}
-        self.sections = sorted({e.section for e in d.edges.values()})
-        self.told: Mapping[str, Mapping[str, str]] = body.get("sections") or {}
-        self.undetected = sorted(s for s in self.sections if self._told(s, "detected") in ("no", "false"))
-        touch: dict[str, set[str]] = {}
-        for e in d.edges.values():
-            for n in (e.a, e.b):
-                touch.setdefault(n, set()).add(e.section)
-        self._touch = touch
-        self.ends = {s: sorted(n for n, those in touch.items() if s in those and self._end(n)) for s in self.sections}
-        self.ways = {s: list(self._through(s)) for s in self.sections}
+        boundaries = self.drawn.boundaries
+        self.approach = {b: item_parts(v["approach"])[0] for b, v in boundaries.items() if v.get("approach")}
+        self.track = Track(self.drawn, body.get("sections") or {})
         self.signals = {g: self._signal(g, v) for g, v in (body.get("signals") or {}).items()}
         self.signal_into = {(g.node, g.into): g for g in self.signals.values()}
         self.main_into = {k: g for k, g in self.signal_into.items() if g.main}
@@ -166,16 +132,17 @@ class Railway:
         }
         self._distinct()
         self._limits()
+        self.paths = Paths(self)
 
     def _distinct(self) -> None:
         """No variable is of two elements; to a compiler small and capital letters are the same."""
-        machines = {p.machine for p in self.points.values()} | set(self.devices)
+        machines = {p.machine for p in self.drawn.points.values()} | set(self.devices)
         for kind, those in {**elements(self.body), "machine": machines}.items():
             need(len({safe(n).upper() for n in those}) == len(those), f"two names of a {kind} are one name in the text")
 
     def _limits(self) -> None:
         """What is read but could mean more than this reader knows."""
-        for b, v in self.boundaries.items():
+        for b, v in self.drawn.boundaries.items():
             if v.get("block", "none") not in ("none", "semi-automatic", "automatic", "token"):
                 raise Unread(f"the block of boundary {b}")
         for g, v in (self.body.get("signals") or {}).items():
@@ -187,116 +154,17 @@ class Railway:
             own = [set(x) - {"over", "length", "falling", "entry_speed"} for x in v.get("ways") or ()]
             if set(v) - {*known, "ways", "not_over"} or any(own):
                 raise Unread(f"something of the overlap of {g}")
-        for s, v in self.told.items():
+        for s, v in (self.body.get("sections") or {}).items():
             if set(v) - {"lane", "one_way", "speed", "detected", "berth"}:
                 raise Unread(f"something of section {s}")
 
-    def _told(self, section: str, key: str) -> str | None:
-        return (self.told.get(section) or {}).get(key)
-
-    # --- sections -----------------------------------------------------------------------------------
-
-    def _end(self, node: str) -> bool:
-        if node in self.boundaries or node in self.buffers:
-            return True
-        return node not in self.points and node not in self.drawn.diamonds and len(self._touch[node]) > 1
-
-    def beyond(self, section: str, node: str) -> str | None:
-        """The neighbour across an end."""
-        return next((s for s in sorted(self._touch.get(node, ())) if s != section), None)
-
-    def _through(self, section: str) -> Iterator[Way]:
-        d = self.drawn
-        found: list[tuple[str, str, tuple[str, ...]]] = []
-
-        def go(node: str, path: tuple[Edge, ...], start: str, seen: frozenset[str]) -> None:
-            e = path[-1]
-            there = e.far(node)
-            if (e.one_way and e.a != node) or there in d.off_rails:
-                return
-            if self._end(there):
-                found.append((start, there, tuple(x.name for x in path)))
-                return
-            for onward in d.onward(there, e) if there not in seen else ():
-                if onward.section == section:
-                    go(there, (*path, onward), start, seen | {there})
-
-        for start in self.ends[section]:
-            for e in d.at[start]:
-                if e.section == section:
-                    go(start, (e,), start, frozenset({start}))
-        for number, (a, b, names) in enumerate(sorted(found), 1):
-            metres = sum(d.edges[n].length for n in names)
-            yield Way(section, number, a, b, *self._passed(a, names), names, metres)
-
-    def _passed(
-        self, node: str, names: tuple[str, ...]
-    ) -> tuple[tuple[tuple[str, Demand], ...], tuple[tuple[str, int], ...]]:
-        """The points and diamonds over which edges lead."""
-        d, points, arms = self.drawn, [], []
-        for a, b in pairwise(names):
-            node = d.edges[a].far(node)
-            point, diamond = d.points.get(node), d.diamonds.get(node)
-            if point is not None:
-                x = point.position(b if a == point.toe else a)
-                need(x is not None, f"a way leads over point {node} from leg to leg")
-                points.append((node, Demand(point.machine, str(x))))
-            if diamond is not None:
-                arms.append((node, 0 if a in diamond.arms[0] else 1))
-        return tuple(points), tuple(arms)
-
-    def from_end(self, section: str, node: str) -> list[Way]:
-        """The ways through a section from one of its ends."""
-        return [w for w in self.ways[section] if w.entry == node]
-
-    def signals_out(self, s: str) -> list[Signal]:
-        """The signals that govern leaving a section over its joints."""
-        found = [self.signal_into.get((j, self.beyond(s, j) or "")) for j in self.ends[s]]
-        return [g for g in found if g is not None]
-
-    @cached_property
-    def standing(self) -> frozenset[str]:
-        """Plain sections that are left over their joints only on a signal, one of them a shunt signal."""
-
-        def stands(s: str) -> bool:
-            joints = [j for j in self.ends[s] if self.beyond(s, j) is not None]
-            out = self.signals_out(s)
-            plain = not any(w.points or w.arms for w in self.ways[s])
-            return plain and len(out) == len(joints) and any(g.shunt for g in out)
-
-        return frozenset(s for s in self.sections if stands(s))
-
-    @cached_property
-    def berths(self) -> frozenset[str]:
-        """Where shunting movements end and may find vehicles: not under a door, on a bridge, or over a crossing, nor
-        where the layout says no."""
-        return self.standing - self._denied - {s for over in self.devices.values() for s in over}
-
-    @cached_property
-    def turning(self) -> frozenset[str]:
-        """Roads that the layout denies to be berths: before a boundary shunting movements end in them, too."""
-        return self.standing & self._denied - {s for over in self.devices.values() for s in over}
-
-    @property
-    def _denied(self) -> frozenset[str]:
-        return frozenset(s for s in self.told if self._told(s, "berth") in ("no", "false"))
-
-    @cached_property
-    def machines(self) -> dict[str, list[str]]:
-        """Machines of points and devices, each with the sections of its ends, or over which it stands."""
-        found: dict[str, set[str]] = {d: set(over) for d, over in self.devices.items()}
-        for p in self.points.values():
-            found.setdefault(p.machine, set()).add(p.section)
-        return {m: sorted(found[m]) for m in sorted(found)}
-
-    # --- signals ------------------------------------------------------------------------------------
-
     def _signal(self, name: str, v: Mapping[str, str]) -> Signal:
         rear, into, kind = v["from"], v["into"], v.get("kind", "main")
-        nodes = [rear] if rear in self.boundaries else [n for n in self.ends[into] if self.beyond(into, n) == rear]
+        joints = [n for n in self.track.ends[into] if self.track.beyond(into, n) == rear]
+        nodes = [rear] if rear in self.drawn.boundaries else joints
         near = v.get("at")
         if near:
-            p = self.points.get(near)
+            p = self.drawn.points.get(near)
             legs = set() if p is None else {p.toe, p.normal, p.reverse}
             nodes = [n for n in nodes if any(e.name in legs for e in self.drawn.at[n])]
         need(len(nodes) == 1, f"signal {name} stands nowhere, or in two places")
@@ -306,15 +174,54 @@ class Railway:
             kind = "combined"
         return Signal(name, nodes[0], into, kind, v.get("call_on") in ("yes", "true"))
 
-    def callings(self, g: Signal) -> list[Calling]:
-        """Whom a signal speaks to."""
-        return [*([Calling(g, False)] if g.main else []), *([Calling(g, True)] if g.shunt else [])]
+    def signals_out(self, s: str) -> list[Signal]:
+        """The signals that govern leaving a section over its joints."""
+        found = [self.signal_into.get((j, self.track.beyond(s, j) or "")) for j in self.track.ends[s]]
+        return [g for g in found if g is not None]
+
+    @cached_property
+    def standing(self) -> frozenset[str]:
+        """Plain sections that are left over their joints only on a signal, one of them a shunt signal."""
+
+        def stands(s: str) -> bool:
+            joints = [j for j in self.track.ends[s] if self.track.beyond(s, j) is not None]
+            out = self.signals_out(s)
+            plain = not any(w.points or w.arms for w in self.track.ways[s])
+            return plain and len(out) == len(joints) and any(g.shunt for g in out)
+
+        return frozenset(s for s in self.track.sections if stands(s))
+
+    @cached_property
+    def berths(self) -> frozenset[str]:
+        """Where shunting movements end and may find vehicles: not under a door, on a bridge, or over a crossing, nor
+        where the layout says no."""
+        return self.standing - {*self.track.denied("berth")} - {s for over in self.devices.values() for s in over}
+
+    @cached_property
+    def turning(self) -> frozenset[str]:
+        """Roads that the layout denies to be berths: before a boundary shunting movements end in them, too."""
+        return self.standing & {*self.track.denied("berth")} - {s for over in self.devices.values() for s in over}
+
+    @cached_property
+    def machines(self) -> dict[str, list[str]]:
+        """Machines of points and devices, each with the sections of its ends, or over which it stands."""
+        found: dict[str, set[str]] = {d: set(over) for d, over in self.devices.items()}
+        for p in self.drawn.points.values():
+            found.setdefault(p.machine, set()).add(p.section)
+        return {m: sorted(found[m]) for m in sorted(found)}
+
+
+class Paths:
+    """Over which a movement may run from a signal, and on which of them the author wants a route."""
+
+    def __init__(self, railway: Railway) -> None:
+        self._r, self._track = railway, railway.track
 
     @cached_property
     def _paths(self) -> dict[Calling, list[Path]]:
-        return {c: list(self._search(c)) for g in self.signals.values() for c in self.callings(g)}
+        return {c: list(self._search(c)) for g in self._r.signals.values() for c in g.callings}
 
-    def paths(self, c: Calling) -> list[Path]:
+    def of(self, c: Calling) -> list[Path]:
         """Every path to the next signal that the movement obeys, to a boundary or the end of the track.
 
         A shunting movement obeys every signal, ends in the first berth, and does not leave over a boundary: it ends
@@ -323,14 +230,14 @@ class Railway:
         return self._paths[c]
 
     def _search(self, c: Calling) -> Iterator[Path]:
-        stops = self.signal_into if c.shunt else self.main_into
+        stops = self._r.signal_into if c.shunt else self._r.main_into
 
         def go(section: str, entry: str, before: tuple[Way, ...]) -> Iterator[Path]:
-            for w in self.from_end(section, entry):
-                ways, ahead = (*before, w), self.beyond(section, w.exit)
-                berth = c.shunt and section in self.berths
-                ends = berth or section in self.turning
-                if ahead is None and c.shunt and not ends and w.exit in self.boundaries:
+            for w in self._track.from_end(section, entry):
+                ways, ahead = (*before, w), self._track.beyond(section, w.exit)
+                berth = c.shunt and section in self._r.berths
+                ends = berth or section in self._r.turning
+                if ahead is None and c.shunt and not ends and w.exit in self._r.drawn.boundaries:
                     continue
                 if ahead is None or (w.exit, ahead) in stops or berth:
                     yield Path(ways, berth and len(ways) > 1)
@@ -345,13 +252,13 @@ class Railway:
 
     def can_be(self, c: Calling, p: Path) -> bool:
         """A route may begin here, run over this path, and end or leave where it does."""
-        out = c.shunt or self.boundaries.get(p.last.exit, {}).get("trains", "both") != "in"
-        leads_on = out and p.last.exit not in (self.body.get("traps") or ())
+        out = c.shunt or self._r.drawn.boundaries.get(p.last.exit, {}).get("trains", "both") != "in"
+        leads_on = out and p.last.exit not in (self._r.body.get("traps") or ())
         return (leads_on or p.berth) and self._opens(c) and self._can_be_run(p)
 
     def unwanted(self, c: Calling, p: Path) -> bool:
         """The author excludes a route over this path."""
-        return any(self.chosen(x, c, p) for x in self.body.get("exclude") or ())
+        return any(self.chosen(x, c, p) for x in self._r.body.get("exclude") or ())
 
     def unwanted_past(self, c: Calling, p: Path, onward: Path) -> bool:
         """The author excludes a route over both paths past the signal between them, or none can be run over both."""
@@ -363,19 +270,19 @@ class Railway:
         demands = {d for w in p.ways for _, d in w.points}
         once = len({d.machine for d in demands}) == len(demands)
         arms = [d for w in p.ways for d, _ in w.arms]
-        locked = {x.machine for x in self.points.values() if x.keyed}
+        locked = {x.machine for x in self._r.drawn.points.values() if x.keyed}
         keyed = any(d.machine in locked and d.position == "R" for d in demands)
-        seen = all(w.section not in self.undetected for w in p.ways[: -1 if p.berth else None])
+        seen = all(w.section not in self._track.undetected for w in p.ways[: -1 if p.berth else None])
         return once and len(set(arms)) == len(arms) and not keyed and seen
 
     def _opens(self, c: Calling) -> bool:
         """Nothing begins at a board, and no train at a shunt signal at which trains end."""
-        v = self.body["signals"][c.name]
+        v = self._r.body["signals"][c.name]
         return v.get("kind") not in ("board", "limit") and (c.shunt or v.get("stops_trains") not in ("yes", "true"))
 
     def chosen(self, x: Mapping[str, Any], c: Calling, p: Path) -> bool:
         """A route over this path begins, ends and passes as the author says."""
-        ahead = self.signal_into.get((p.last.exit, self.beyond(p.last.section, p.last.exit) or ""))
+        ahead = self._r.signal_into.get((p.last.exit, self._track.beyond(p.last.section, p.last.exit) or ""))
         ends = {p.last.section, p.last.exit, *([ahead.name] if ahead is not None else [])}
         return (
             x.get("from", c.name) == c.name

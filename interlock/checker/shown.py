@@ -10,8 +10,9 @@ from itertools import pairwise
 
 from interlock.checker.drawing import Diamond, Edge
 from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, no, some
-from interlock.checker.railway import Calling, Path, Signal, Way
+from interlock.checker.railway import Calling, Path, Signal
 from interlock.checker.terminals import Terminals
+from interlock.checker.track import Way
 
 
 @dataclass(frozen=True)
@@ -46,15 +47,15 @@ class Protection(Terminals):
     @cached_property
     def _over(self) -> dict[Way, list[Shown]]:
         found: dict[Way, list[Shown]] = {}
-        for c in (c for g in self.w_signals() for c in self.r.callings(g)):
-            for p in self.r.paths(c):
+        for c in (c for g in self.w_signals() for c in g.callings):
+            for p in self.r.paths.of(c):
                 so = every((self.w_shows(c), self.w_lies(p)))
                 for w in p.ways:
                     found.setdefault(w, []).append(Shown(c, so))
         return found
 
     def _pairs(self, s: str, opposing: bool) -> list[tuple[Way, Way]]:
-        ways = [w for w in self.r.ways[s] if w in self._over]
+        ways = [w for w in self.r.track.ways[s] if w in self._over]
         pairs = [(a, b) for i, a in enumerate(ways) for b in ways[i + 1 :]]
         return [(a, b) for a, b in pairs if (a.entry == b.exit or a.exit == b.entry) is opposing]
 
@@ -89,8 +90,8 @@ class Protection(Terminals):
     def w_past(self, g: Signal) -> Formula:
         """Some signal shows proceed over a path that passes this one."""
         found = []
-        for c in (c for h in self.w_signals() for c in self.r.callings(h)):
-            for p in self.r.paths(c):
+        for c in (c for h in self.w_signals() for c in h.callings):
+            for p in self.r.paths.of(c):
                 if any((a.exit, b.section) == (g.node, g.into) for a, b in pairwise(p.ways)):
                     found.append(every((self.w_shows(c), self.w_lies(p))))
         return some(found)
@@ -98,7 +99,7 @@ class Protection(Terminals):
     # --- diamonds and foul joints ---
 
     def _over_arm(self, d: Diamond, arm: int) -> list[Way]:
-        return [w for s in self.r.sections for w in self.r.ways[s] if (d.name, arm) in w.arms]
+        return [w for s in self.r.track.sections for w in self.r.track.ways[s] if (d.name, arm) in w.arms]
 
     def w_diamonds_of_two(self) -> list[Diamond]:
         """Diamonds whose arms lie in two sections."""
@@ -129,20 +130,20 @@ class Protection(Terminals):
         """Over a fouled way, and over a way beside that leads to the joint; over any, where no point tells."""
         found = []
         for f in self.lengths.foul_joints:
-            beside = [w for w in self.r.ways[f.neighbour] if f.when is None or f.node in (w.entry, w.exit)]
+            beside = [w for w in self.r.track.ways[f.neighbour] if f.when is None or f.node in (w.entry, w.exit)]
             found += self._between(self.w_fouled_ways(f), beside)
         return found
 
     def w_declared_hostile(self) -> list[tuple[Formula, Formula]]:
         """Routes of two signals that the author declares hostile: each shown along its path."""
         found = []
-        those = [(c, p) for g in self.w_signals() for c in self.r.callings(g) for p in self.r.paths(c)]
+        those = [(c, p) for g in self.w_signals() for c in g.callings for p in self.r.paths.of(c)]
 
         def so(c: Calling, p: Path) -> Formula:
             return every((self.w_shows(c), self.w_lies(p)))
 
         for x in self.r.body.get("hostile") or ():
-            one, other = ([(c, p) for c, p in those if self.r.chosen(x[k], c, p)] for k in ("one", "other"))
+            one, other = ([(c, p) for c, p in those if self.r.paths.chosen(x[k], c, p)] for k in ("one", "other"))
             for c, p in one:
                 for b, q in other:
                     if b.signal != c.signal:
@@ -180,26 +181,26 @@ class Protection(Terminals):
 
     def _rolls(self, e: Edge, node: str, gone: float, needed: float, seen: frozenset[str]) -> Formula:
         far, gone = e.far(node), gone + e.length
-        if (e.one_way and e.a == node) or far in seen or far in self.r.buffers:
+        if (e.one_way and e.a == node) or far in seen or far in self.r.drawn.buffers:
             return FALSE
         g = self._holding(e, far, gone, needed)
         if g is not None:
             return self._lets_pass(g)
-        if far in self.r.boundaries:
-            return FALSE if self.r.boundaries[far].get("trains") == "out" else TRUE
+        if far in self.r.drawn.boundaries:
+            return FALSE if self.r.drawn.boundaries[far].get("trains") == "out" else TRUE
         rolls = some(self._rolls(x, far, gone, needed, seen | {far}) for x in self.r.drawn.onward(far, e))
         return every((rolls, no(self._turned_away(e, far))))
 
     def _turned_away(self, e: Edge, node: str) -> Formula:
         """A point that would be trailed lies for its other leg."""
-        p = self.r.points.get(node)
+        p = self.r.drawn.points.get(node)
         x = None if p is None else p.position(e.name)
         return FALSE if p is None or x is None else leaf(f"at.{p.machine}.{'R' if x == 'N' else 'N'}")
 
     def _lets_pass(self, g: Signal) -> Formula:
         """It shows proceed, or did a scan ago, or somebody has accepted it; a train passes a shunt signal on a lock."""
-        found = [self.w_shows(c) for c in self.r.callings(g)]
-        found += [leaf(f"{x}.{g.name}") for c in self.r.callings(g) for x in (c.lamp, c.go)]
+        found = [self.w_shows(c) for c in g.callings]
+        found += [leaf(f"{x}.{g.name}") for c in g.callings for x in (c.lamp, c.go)]
         if not g.main:
             locked = some(self.w_locked(w) for w in self.w_locked_from(g.into, g.node))
             found.append(every((self.w_for_train(g.into), self.w_firm(g.into), locked)))
@@ -208,7 +209,7 @@ class Protection(Terminals):
     def w_flank_space_sections(self) -> list[str]:
         """Everywhere, where the principles ask for clear flank space or intact stop lamps."""
         d = self.r.drawn
-        return self.r.sections if d.asks("flank_space") or d.asks("flank_lamp") else []
+        return self.r.track.sections if d.asks("flank_space") or d.asks("flank_lamp") else []
 
     def w_quiet(self, own: str, x: Flank) -> Formula:
         """Nothing stands along a flank up to what stops a vehicle, as everything lies; stop lamps there are intact.
@@ -216,7 +217,7 @@ class Protection(Terminals):
         Where another movement may be called meanwhile that does not use the section, a train stands on its own route.
         """
         beside = frozenset(s for s, those in self._movements.items() if any(own not in over for over in those))
-        looked_at = frozenset(self.r.sections) - {own, *self.r.undetected, *beside}
+        looked_at = frozenset(self.r.track.sections) - {own, *self.r.track.undetected, *beside}
         asked = looked_at if self.r.drawn.asks("flank_space") else frozenset()
         return self._silent(asked, x.edge, x.node, 0.0, x.needed, frozenset({x.node}))
 
@@ -226,9 +227,9 @@ class Protection(Terminals):
         end of one.  Nobody is called into a trap."""
         found: dict[str, list[frozenset[str]]] = {}
         traps = set(self.r.body.get("traps") or ())
-        for c in (c for g in self.w_signals() for c in self.r.callings(g)):
-            rear = self.r.beyond(c.signal.into, c.signal.node)
-            for p in (x for x in self.r.paths(c) if x.last.exit not in traps):
+        for c in (c for g in self.w_signals() for c in g.callings):
+            rear = self.r.track.beyond(c.signal.into, c.signal.node)
+            for p in (x for x in self.r.paths.of(c) if x.last.exit not in traps):
                 over = frozenset(w.section for w in p.ways)
                 for s in over:
                     found.setdefault(s, []).append(over)
@@ -244,13 +245,13 @@ class Protection(Terminals):
         if e.one_way and e.a == node:
             return TRUE
         clear = self.w_steadily_clear(e.section) if e.section in asked else TRUE
-        if far in seen or far in self.r.buffers:
+        if far in seen or far in self.r.drawn.buffers:
             return clear
         g = self._holding(e, far, gone + e.length, needed)
         if g is not None:
             intact = d.asks("flank_lamp") and d.asks("lamp_proof")
             return every((clear, leaf(f"RL_{g.safe}"))) if intact else clear
-        if far in self.r.boundaries:
+        if far in self.r.drawn.boundaries:
             return clear
         onward = (
             self._silent(asked, x, far, gone + e.length, needed, seen | {far}) for x in self.r.drawn.onward(far, e)
@@ -263,7 +264,7 @@ class Protection(Terminals):
         if e.one_way and e.a == node:
             return TRUE
         held = self._holding(e, far, gone + e.length, needed) is not None
-        if far in seen or far in self.r.buffers or far in self.r.boundaries or held:
+        if far in seen or far in self.r.drawn.buffers or far in self.r.drawn.boundaries or held:
             return FALSE
         inside = every(
             self._points_turn_away(x, far, gone + e.length, needed, seen | {far}) if x.section == e.section else FALSE

@@ -10,7 +10,8 @@ from interlock.checker.ahead import Overlap
 from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, names, no, some
 from interlock.checker.lamps import CALL_ON, IDENTIFIER, MAIN, WHITE, Lamps
 from interlock.checker.lengths import Approach
-from interlock.checker.railway import Calling, Demand, Path, Signal, Way, safe
+from interlock.checker.railway import Calling, Path, Signal, safe
+from interlock.checker.track import Demand, Way
 from interlock.checker.words import fact
 from interlock.verify import need
 
@@ -37,7 +38,7 @@ class Terminals(Lamps):
 
     def w_clear(self, s: str) -> Formula:
         """Reported clear by a healthy detector; never, without detection."""
-        if s in self.r.undetected or s.startswith("outside."):
+        if s in self.r.track.undetected or s.startswith("outside."):
             return FALSE
         return every((leaf(f"CLR_{safe(s)}"), self.w_healthy(s)))
 
@@ -258,13 +259,13 @@ class Terminals(Lamps):
     @cached_property
     def _runs(self) -> dict[int, tuple[Calling, Path]]:
         set_by: dict[str, set[Way]] = {}
-        for w in (w for s in self.r.sections for w in self.w_lockable(s)):
+        for w in (w for s in self.r.track.sections for w in self.w_lockable(s)):
             for name in names(self.w.definitions.get(f"GW_{safe(w.section)}_{w.number}", FALSE)):
                 set_by.setdefault(name, set()).add(w)
         found: dict[int, tuple[Calling, Path]] = {}
-        for c in (c for g in self.w_opening() for c in self.r.callings(g)):
+        for c in (c for g in self.w_opening() for c in g.callings):
             for r in self.w_routes_for(c):
-                own = [p for p in self.r.paths(c) if set(self.w_kept_clear(p)) <= set_by.get(f"G_R{r}", set())]
+                own = [p for p in self.r.paths.of(c) if set(self.w_kept_clear(p)) <= set_by.get(f"G_R{r}", set())]
                 if len(own) == 1:
                     found[r] = c, own[0]
         return found
@@ -280,7 +281,7 @@ class Terminals(Lamps):
 
     def chosen_routes(self, choice: Mapping[str, Any]) -> list[int]:
         """The routes that the author chooses."""
-        return [r for r in self.w_routes() if self.r.chosen(choice, *self.run_of(r))]
+        return [r for r in self.w_routes() if self.r.paths.chosen(choice, *self.run_of(r))]
 
     def w_declared_routes(self) -> list[tuple[int, int]]:
         """Each two routes that the author declares hostile."""
@@ -308,12 +309,12 @@ class Terminals(Lamps):
         return [
             Demand(self._machine_of(x["point"]), "N" if x["lies"] == "normal" else "R")
             for x in self.r.body.get("demand") or ()
-            if self.r.chosen(x["routes"], c, p)
+            if self.r.paths.chosen(x["routes"], c, p)
         ]
 
     def _machine_of(self, name: str) -> str:
         """The machine of a point; a level crossing or another interlock is its own."""
-        return self.r.points[name].machine if name in self.r.points else name
+        return self.r.drawn.points[name].machine if name in self.r.drawn.points else name
 
     def w_added_powered_demands(self, c: Calling, p: Path) -> list[Demand]:
         return [d for d in self.w_added_demands(c, p) if d.machine in self.w_powered()]
@@ -326,7 +327,7 @@ class Terminals(Lamps):
         a boundary, as no shunting movement does, or has one section, the last one."""
         c, p = self.run_of(r)
         own = self.w_kept_clear(p)
-        leaves = not c.shunt and p.last.exit in self.r.boundaries
+        leaves = not c.shunt and p.last.exit in self.r.drawn.boundaries
         through = own if p.berth or leaves else own[:-1]
         return (through or own)[-1]
 
@@ -343,10 +344,10 @@ class Terminals(Lamps):
         """The ways over which nobody is called on, and in which no shunting movement ends."""
         taken = set()
         for g in self.w_opening():
-            for c in self.r.callings(g):
+            for c in g.callings:
                 calls = g.call_on and bool(self.lamps(g, CALL_ON)) and not c.shunt
-                for p in self.r.paths(c):
-                    if not self.r.excluded(c, p):
+                for p in self.r.paths.of(c):
+                    if not self.r.paths.excluded(c, p):
                         taken |= {w for w in p.ways if calls} | {w for w in p.ways[-1:] if p.berth}
         return [w for w in self.w_lockable(s) if w not in taken]
 
@@ -365,7 +366,7 @@ class Terminals(Lamps):
             switched = {k for k, x in asked.items() if f"AUTO_R{k}" in set(names(x))}
             need(len(switched) <= named.count(g), f"more routes from {g} work automatically than the layout names")
             for r in switched:
-                chosen = any(self.r.chosen(x, *self._whole(r)) for x in told)
+                chosen = any(self.r.paths.chosen(x, *self._whole(r)) for x in told)
                 need(chosen, f"a route from {g} works automatically that the layout does not name")
             found |= switched
         return found

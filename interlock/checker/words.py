@@ -9,7 +9,8 @@ from typing import Any
 
 from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, no
 from interlock.checker.lengths import Lengths
-from interlock.checker.railway import Calling, Demand, Path, Railway, Signal, Way, safe
+from interlock.checker.railway import Calling, Path, Railway, Signal, safe
+from interlock.checker.track import Demand, Way
 from interlock.checker.written import Written
 from interlock.verify import Rejected
 
@@ -64,14 +65,14 @@ class Topology:
     # --- sections and their ends ---
 
     def w_sections(self) -> list[str]:
-        return self.r.sections
+        return self.r.track.sections
 
     def w_berths(self) -> list[str]:
         return sorted(self.r.berths)
 
     def w_single_sections(self) -> list[str]:
         """Where one train stands at most."""
-        return [s for s in self.r.sections if s not in self.r.berths]
+        return [s for s in self.r.track.sections if s not in self.r.berths]
 
     def w_berth(self, s: str) -> Formula:
         return fact(s in self.r.berths)
@@ -81,14 +82,14 @@ class Topology:
         return fact(s in self.r.standing)
 
     def w_undetected(self) -> list[str]:
-        return self.r.undetected
+        return self.r.track.undetected
 
     def w_without_detection(self, s: str) -> Formula:
-        return fact(s in self.r.undetected)
+        return fact(s in self.r.track.undetected)
 
     def w_reported(self) -> list[str]:
         """Sections and approaches that are reported."""
-        return [*(s for s in self.r.sections if s not in self.r.undetected), *self.r.approach.values()]
+        return [*(s for s in self.r.track.sections if s not in self.r.track.undetected), *self.r.approach.values()]
 
     def w_approaches(self) -> list[str]:
         """Sections on the lines, from which trains come or to which they go."""
@@ -96,15 +97,15 @@ class Topology:
 
     def w_detected_sections(self) -> list[str]:
         """Sections inside, and the approaches from which trains come."""
-        inside = [s for s in self.r.sections if s not in self.r.undetected]
+        inside = [s for s in self.r.track.sections if s not in self.r.track.undetected]
         return [*inside, *(b.outside for b in self.entrances if b.node in self.r.approach)]
 
     def w_neighbours(self) -> list[tuple[str, str]]:
         """Sections with a joint between them, as often as they have one."""
         pairs = set()
-        for s in self.r.sections:
-            for j in self.r.ends[s]:
-                o = self.r.beyond(s, j) or self.r.approach.get(j)
+        for s in self.r.track.sections:
+            for j in self.r.track.ends[s]:
+                o = self.r.track.beyond(s, j) or self.r.approach.get(j)
                 if o is not None:
                     pairs.add((min(s, o), max(s, o), j))
         inside = set(self.w_detected_sections())
@@ -117,27 +118,27 @@ class Topology:
         return n[1]
 
     def w_ends(self, s: str) -> list[str]:
-        return self.r.ends[s]
+        return self.r.track.ends[s]
 
     def w_open_ends(self, s: str) -> list[str]:
         """The ends over which a train can leave: all but buffers."""
-        return [j for j in self.r.ends[s] if j not in self.r.buffers]
+        return [j for j in self.r.track.ends[s] if j not in self.r.drawn.buffers]
 
     def w_joints_with_ways(self, s: str) -> list[str]:
-        return [j for j in self.r.ends[s] if self.r.from_end(s, j)]
+        return [j for j in self.r.track.ends[s] if self.r.track.from_end(s, j)]
 
     def w_lockable_ends(self, s: str) -> list[str]:
         """The ends at which a way begins for which the section can be locked."""
-        return [j for j in self.r.ends[s] if self.w_locked_from(s, j)]
+        return [j for j in self.r.track.ends[s] if self.w_locked_from(s, j)]
 
     def w_rear_at(self, s: str, j: str) -> str:
         return self.across_of(s, j)
 
     def w_other_ends(self, s: str, j: str) -> list[str]:
-        return [k for k in self.r.ends[s] if k != j]
+        return [k for k in self.r.track.ends[s] if k != j]
 
     def w_beyond_end(self, s: str, j: str) -> list[str]:
-        o = self.r.beyond(s, j)
+        o = self.r.track.beyond(s, j)
         return [] if o is None else [o]
 
     def outside(self, j: str) -> str:
@@ -146,13 +147,13 @@ class Topology:
 
     def across_of(self, s: str, j: str) -> str:
         """What lies across an end of a section."""
-        return self.r.beyond(s, j) or self.outside(j)
+        return self.r.track.beyond(s, j) or self.outside(j)
 
     @cached_property
     def entrances(self) -> list[Entrance]:
         """The boundaries over which trains come in, on a signal."""
         found = []
-        for b, v in self.r.boundaries.items():
+        for b, v in self.r.drawn.boundaries.items():
             inside = self.r.drawn.at[b][0].section
             g = self.r.signal_into.get((b, inside))
             if v.get("trains", "both") != "out" and g is not None:
@@ -180,24 +181,26 @@ class Topology:
     # --- ways and paths ---
 
     def w_ways_of(self, s: str) -> list[Way]:
-        return self.r.ways[s]
+        return self.r.track.ways[s]
 
     def w_from(self, s: str, j: str) -> list[Way]:
-        return self.r.from_end(s, j)
+        return self.r.track.from_end(s, j)
 
     def w_leading_to(self, s: str, j: str) -> list[Way]:
-        return [w for w in self.r.ways[s] if w.exit == j]
+        return [w for w in self.r.track.ways[s] if w.exit == j]
 
     def w_lockable(self, s: str) -> list[Way]:
         """The ways through a section for which it can be locked."""
-        return [w for w in self.r.ways[s] if f"L_{safe(s)}_{w.number}" in self.state]
+        return [w for w in self.r.track.ways[s] if f"L_{safe(s)}_{w.number}" in self.state]
 
     def w_locked_from(self, s: str, j: str) -> list[Way]:
         return [w for w in self.w_lockable(s) if w.entry == j]
 
     def w_ways_out_at(self, b: str) -> list[Way]:
         """The ways that can be locked and lead over a boundary."""
-        return [w for s in self.r.sections if b in self.r.ends[s] for w in self.w_lockable(s) if w.exit == b]
+        return [
+            w for s in self.r.track.sections if b in self.r.track.ends[s] for w in self.w_lockable(s) if w.exit == b
+        ]
 
     def w_section(self, w: Way) -> str:
         return w.section
@@ -206,22 +209,22 @@ class Topology:
         return w.entry
 
     def w_paths(self, c: Calling) -> list[Path]:
-        return self.r.paths(c)
+        return self.r.paths.of(c)
 
     def w_train_paths(self, g: Signal) -> list[Path]:
-        return self.r.paths(Calling(g, False))
+        return self.r.paths.of(Calling(g, False))
 
     def w_impossible_paths(self, c: Calling) -> list[Path]:
         """The paths over which no route can lead."""
-        return [p for p in self.r.paths(c) if not self.r.can_be(c, p)]
+        return [p for p in self.r.paths.of(c) if not self.r.paths.can_be(c, p)]
 
     def w_unwanted_paths(self, c: Calling) -> list[Path]:
         """The paths of routes that the author excludes."""
-        return [p for p in self.r.paths(c) if self.r.can_be(c, p) and self.r.unwanted(c, p)]
+        return [p for p in self.r.paths.of(c) if self.r.paths.can_be(c, p) and self.r.paths.unwanted(c, p)]
 
     def w_unwanted_past(self, g: Signal, p: Path, i: Signal) -> list[Path]:
         """The paths on from a signal that no route may take which has come over a path and passed it."""
-        return [q for q in self.w_train_paths(i) if self.r.unwanted_past(Calling(g, False), p, q)]
+        return [q for q in self.w_train_paths(i) if self.r.paths.unwanted_past(Calling(g, False), p, q)]
 
     def w_ways(self, p: Path) -> tuple[Way, ...]:
         return p.ways
@@ -256,13 +259,13 @@ class Topology:
         return list(self.r.signals.values())
 
     def w_callings(self, g: Signal) -> list[Calling]:
-        return self.r.callings(g)
+        return g.callings
 
     def w_all_callings(self) -> list[Calling]:
         """Of signals that a train or movement can come to: at a boundary only where trains come in."""
         come = {b.node for b in self.entrances}
-        those = [g for g in self.w_signals() if g.node not in self.r.boundaries or g.node in come]
-        return [c for g in those for c in self.r.callings(g)]
+        those = [g for g in self.w_signals() if g.node not in self.r.drawn.boundaries or g.node in come]
+        return [c for g in those for c in g.callings]
 
     def w_to_shunt(self, c: Calling) -> Formula:
         return fact(c.shunt)
@@ -300,7 +303,7 @@ class Topology:
 
     def w_inside_before(self, c: Calling) -> list[str]:
         """The section in rear, where the signal stands inside the layout."""
-        return [] if c.signal.node in self.r.boundaries else [self.w_before(c)]
+        return [] if c.signal.node in self.r.drawn.boundaries else [self.w_before(c)]
 
     def w_rear_of(self, c: Calling) -> list[str]:
         """The section in rear, if it is detected at all."""
@@ -312,14 +315,14 @@ class Topology:
         return [] if g is None else [g]
 
     def w_callings_into(self, s: str, j: str) -> list[Calling]:
-        return [c for g in self.w_entering(s, j) for c in self.r.callings(g)]
+        return [c for g in self.w_entering(s, j) for c in g.callings]
 
     def w_calls_over(self, s: str, j: str) -> list[Calling]:
         """What a signal at an end of a section can show to what leaves it there."""
-        return self.w_callings_into(self.r.beyond(s, j) or "", j)
+        return self.w_callings_into(self.r.track.beyond(s, j) or "", j)
 
     def w_calls_from(self, s: str) -> list[Calling]:
-        return [c for g in self.r.signals_out(s) for c in self.r.callings(g)]
+        return [c for g in self.r.signals_out(s) for c in g.callings]
 
     def w_signalless(self, s: str, j: str) -> Formula:
         """No signal governs leaving a section there."""
@@ -330,27 +333,29 @@ class Topology:
 
     def w_unprotected(self, s: str, j: str) -> Formula:
         """No main signal governs leaving a section there."""
-        return fact((j, self.r.beyond(s, j)) not in self.r.main_into)
+        return fact((j, self.r.track.beyond(s, j)) not in self.r.main_into)
 
     def w_for_trains_only(self, s: str, j: str) -> Formula:
         """At a signal and at a boundary a shunting movement goes on only when it is called."""
-        return fact(bool(self.w_calls_over(s, j)) or self.r.beyond(s, j) is None)
+        return fact(bool(self.w_calls_over(s, j)) or self.r.track.beyond(s, j) is None)
 
     def w_passed_ends(self, s: str) -> list[str]:
         """The ends at which another section joins, from which locks lead on: no main signal leads into this one."""
-        return [j for j in self.r.ends[s] if self.r.beyond(s, j) is not None and (j, s) not in self.r.main_into]
+        return [
+            j for j in self.r.track.ends[s] if self.r.track.beyond(s, j) is not None and (j, s) not in self.r.main_into
+        ]
 
     def w_leading_over(self, s: str, j: str) -> list[Way]:
         """The ways of the section beyond an end that can be locked and lead over it."""
-        o = self.r.beyond(s, j)
+        o = self.r.track.beyond(s, j)
         return [] if o is None else [w for w in self.w_lockable(o) if w.exit == j]
 
     def w_turning_ways(self) -> list[Way]:
         """Where a train that came in at an end may turn back, as if it had come in at another: once for each pair."""
         found: dict[tuple[str, str, str], Way] = {}
         for s in self.w_single_sections():
-            for w in self.r.ways[s]:
-                back = any(x.entry == w.exit and x.exit == w.entry for x in self.r.ways[s])
+            for w in self.r.track.ways[s]:
+                back = any(x.entry == w.exit and x.exit == w.entry for x in self.r.track.ways[s])
                 if back and w.entry != w.exit and self.w_calls_over(s, w.entry):
                     found.setdefault((s, w.entry, w.exit), w)
         return list(found.values())
@@ -370,7 +375,7 @@ class Topology:
     @cached_property
     def keyed(self) -> frozenset[str]:
         """Machines that are keys of points worked by hand."""
-        return frozenset(p.machine for p in self.r.points.values() if p.keyed)
+        return frozenset(p.machine for p in self.r.drawn.points.values() if p.keyed)
 
     def w_keyed(self, m: str) -> Formula:
         return fact(m in self.keyed)
@@ -413,4 +418,4 @@ class Topology:
 
     def w_through(self, s: str, m: str) -> list[Way]:
         """The ways through a section that lead over a machine's points."""
-        return [w for w in self.r.ways[s] if any(d.machine == m for _, d in w.points)]
+        return [w for w in self.r.track.ways[s] if any(d.machine == m for _, d in w.points)]

@@ -63,7 +63,6 @@ RECORDS = {
 LARGE = {
     "app/dispatch.py Dispatched": (18, "the result of the verb: fields that are printed, and two counts of them"),
     "app/worked.py Worked": (19, "a shift as it is written to disk: fields, and the sum of one"),
-    "checker/railway.py Railway": (30, "to be taken apart: elements of a layout, and paths found over them"),
     "checker/structured_text.py Reader": (18, "a recursive-descent parser: one method a rule of the grammar"),
     "dispatch/arbiter.py Arbiter": (16, "to be taken apart: what waits, and what is said of it"),
     "dispatch/dispatcher.py Dispatcher": (19, "to be taken apart: voyages, their errands, and what holds them"),
