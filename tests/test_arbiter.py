@@ -7,7 +7,7 @@ from random import Random
 import pytest
 
 from interlock.dispatch.arbiter import MOST, SCANS, Arbiter, Full, Request, Source
-from interlock.dispatch.panel import Stage
+from interlock.dispatch.panel import RouteIndications, Stage
 from interlock.model.elements import RouteId, SectionId, SignalId
 
 DT_MS = 300
@@ -15,9 +15,8 @@ DT_MS = 300
 
 def stage(k: int) -> Stage:
     s = SectionId(f"s{k}")
-    return Stage(
-        RouteId(f"R{k}"), k, SignalId(f"G{k}"), None, {s: f"clear {k}"}, {s: f"locked {k}"}, (), (s,), None, {}, ()
-    )
+    shown = RouteIndications(None, {s: f"clear {k}"}, {s: f"locked {k}"})
+    return Stage(RouteId(f"R{k}"), k, SignalId(f"G{k}"), (s,), None, shown)
 
 
 def test_the_order_of_document_a() -> None:

@@ -291,7 +291,7 @@ def test_combined_shunt_routes_are_asked_for_from_the_far_end() -> None:
     row = next(v for v in p.table.voyages if v.name == "D1-IG")
     assert row.far_first and len(row.routes) > 1
     p.dispatcher.begin("D1-IG")
-    rear = p.dispatcher.stages[row.routes[0]].rear
+    rear = p.dispatcher.stages[row.routes[0]].shown.rear
     assert rear is not None
     p.stand(rear[4:])
     p.run(200)

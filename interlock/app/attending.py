@@ -77,7 +77,7 @@ class Attendant:
                 self._press(name, RELEASE_S)
                 self._cancel(s.id)
         ahead = {s.entry for run in self.dispatcher.runs for s in run.granted[run.at :]}
-        opened = {s.entry for s in self.dispatcher.stages.values() if s.entry not in ahead and s.open(seen)}
+        opened = {s.entry for s in self.dispatcher.stages.values() if s.entry not in ahead and s.shown.open(seen)}
         for g in sorted(opened):
             self._press(self.setting.symbols.cancellation.cancel[g], 1.0)
         for name in self.setting.confirms:

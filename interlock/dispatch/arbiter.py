@@ -149,7 +149,7 @@ class Arbiter:
         r, self.asked = self.asked, None
         if r is None:
             return False
-        granted = r.stage.is_set(seen)
+        granted = r.stage.shown.is_set(seen)
         if granted:
             self.withdraw(r)
         else:

@@ -154,7 +154,7 @@ class Dispatcher:
             self._follow(run, seen, dt_ms)
             for stage in run.granted[run.at :] if run.cancelling else ():
                 self._cancels[self._symbols.cancellation.cancel[stage.entry]] = 1
-        self._passing = {g: s for g, s in self._passing.items() if s.stands(seen) and s.entered(seen)}
+        self._passing = {g: s for g, s in self._passing.items() if s.shown.stands(seen) and s.entered(seen)}
         if self._obstacles.look(seen, dt_ms, {s for run in self.runs for s in run.near}):
             self._holding.obstacles = self._obstacles.things
             self._holding.forget()
@@ -176,23 +176,23 @@ class Dispatcher:
             self.said.append(f"{run.name} has not passed {run.granted[run.at].entry}: something else was reported")
         if run.ahead:
             stage = run.granted[run.at]
-            if stage.open(seen) and run.at not in run.opened:
+            if stage.shown.open(seen) and run.at not in run.opened:
                 run.opened.add(run.at)
                 self.said.append(f"{run.name}: {stage.route} is open")
                 run.waited_ms = run.reopened = 0
                 run.by_hand = False
-            if run.at in run.opened and stage.entered(seen) and stage.stands(seen):
-                if stage.rear is not None:  # the train that passes is not yet the next one
+            if run.at in run.opened and stage.entered(seen) and stage.shown.stands(seen):
+                if stage.shown.rear is not None:  # the train that passes is not yet the next one
                     self._passing[stage.entry] = stage
                 run.at += 1
                 run.entering = stage
             elif run.cancelling and not any(s.taken(seen) for s in run.granted[run.at :]):
                 self._taken_back(run)
-            elif run.at in run.opened and not stage.held(seen):
+            elif run.at in run.opened and not stage.shown.held(seen):
                 self.said.append(f"{run.name} is given up: {stage.route} was taken back before its train came")
                 self._remove(run)
                 return
-            elif run.at not in run.opened and not stage.is_set(seen) and not stage.entered(seen):
+            elif run.at not in run.opened and not stage.shown.is_set(seen) and not stage.entered(seen):
                 self._taken_back(run)  # it was refused, and what was locked there was an overlap
             elif not run.cancelling and (why := self._shut(run, stage, seen, dt_ms)):
                 self.said.append(f"{run.name}: {stage.route} is taken back, since {why}")
@@ -205,17 +205,17 @@ class Dispatcher:
         """Why a route that is set will not take its train on, if it is to be taken back: so that another may come out
         of the way, or the train take another way."""
         run.reason = ""
-        if stage.open(seen):
+        if stage.shown.open(seen):
             run.shut_ms = 0
             return ""
         run.shut_ms += dt_ms
-        if stage.waits(seen):  # whoever has the direction may take his time
+        if stage.shown.waits(seen):  # whoever has the direction may take his time
             run.reason = f"{stage.route} is set; the direction of the line beyond is not here"
             run.shut_ms = min(run.shut_ms, STRANGER_MS + 1)
-        machine = stage.fails(seen)
+        machine = stage.shown.fails(seen)
         if machine is not None:
             return f"{machine} is not detected"
-        full = next((n for n in stage.beyond if not seen.get(n, 1)), None)
+        full = next((n for n in stage.shown.beyond if not seen.get(n, 1)), None)
         return "a train stands on the line beyond" if full and run.shut_ms > STRANGER_MS else ""
 
     def _taken_back(self, run: Run) -> None:
@@ -249,7 +249,7 @@ class Dispatcher:
         step = run.step
         if run not in self.runs or step is None:
             return
-        if not stage.is_set(seen):
+        if not stage.shown.is_set(seen):
             run.rest_ms = AGAIN_MS
             run.reason = f"{stage.route} was refused"
             if len(run.asking) == len(step.routes):
@@ -299,7 +299,7 @@ class Dispatcher:
         """Begin to ask for what a run wants, if it may."""
         if run.rest_ms or run.cancelling:
             return False
-        if run.ahead and not run.by_hand and run.shut_ms >= REOPENS_MS and run.granted[run.at].closed(seen):
+        if run.ahead and not run.by_hand and run.shut_ms >= REOPENS_MS and run.granted[run.at].shown.closed(seen):
             return self._reopens(run)
         if run.name in self.held:
             run.reason = self.held[run.name]
@@ -332,7 +332,7 @@ class Dispatcher:
         for step, move in self._holding.steps(run):
             order = [self.stages[r.id] for r in step.routes]
             first = order[0]
-            if not run.granted and (not first.stands(seen) or first.entry in self._passing):
+            if not run.granted and (not first.shown.stands(seen) or first.entry in self._passing):
                 run.reason = f"no train stands before {first.entry}"
                 continue
             if (why := next((w for s in order if (w := s.hindered(seen))), "")) or (
@@ -360,7 +360,7 @@ class Dispatcher:
             if other is run or line is None or not enters(step, line) or other.uses(line) or other.past(line):
                 continue
             first = self.stages[other.journey.steps[other.place][0].routes[0].id]
-            there = other.set_out or first.stands(seen)
+            there = other.set_out or first.shown.stands(seen)
             if there and yields(self._policy, run, other, order) and self._holding.passes(other, line):
                 return f"{other.name} goes first ({self._policy})"
         return ""
@@ -376,7 +376,7 @@ class Dispatcher:
         for run in tuple(self.pending):
             start = run.journey.start.under
             first = run.journey.steps[run.journey.start][0].routes[0]
-            there = not run.coming or self.stages[first.id].stands(seen)
+            there = not run.coming or self.stages[first.id].shown.stands(seen)
             if start in waits or not (there or changed):
                 waits.add(start)
                 continue

@@ -112,7 +112,7 @@ class Holding:
 
         One that is being taken back takes it nowhere.
         """
-        if run.ahead and (run.cancelling or run.granted[run.at].beyond):
+        if run.ahead and (run.cancelling or run.granted[run.at].shown.beyond):
             assert self.built is not None
             nodes = self.built.bits[self.runs.index(run)]
             return nodes.get(run.places[run.at], nodes[run.place])  # one that is caught has one node

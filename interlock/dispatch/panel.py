@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from interlock.logic.symbols import Symbols
 from interlock.model.elements import MachineId, RouteId, SectionId, SignalId
@@ -14,28 +14,21 @@ Indications = Mapping[str, int]
 
 
 @dataclass(frozen=True)
-class Stage:
-    """A route: its number, the section in rear of its signal, the indications that tell what it does."""
+class RouteIndications:
+    """What a panel shows of a route, by the names of inputs and outputs, and what these tell in a scan.
 
-    route: RouteId
-    number: int
-    entry: SignalId
+    rear: the section before its signal reported clear; clear, locked: by section of the route; late: by machine;
+    beyond: sections over its boundary reported clear.
+    """
+
     rear: str | None
     clear: Mapping[SectionId, str]
     locked: Mapping[SectionId, str]
-    lamps: tuple[str, ...]
-    sections: tuple[SectionId, ...]
-    berth: SectionId | None
-    late: Mapping[MachineId, str]
-    beyond: tuple[str, ...]
-    out: tuple[SectionId, ...] = ()
-    """The sections beyond the boundary over which it leads out."""
-    on_sight: bool = False
-    """A call-on: its sections may be reported occupied."""
+    lamps: tuple[str, ...] = ()
+    late: Mapping[MachineId, str] = field(default_factory=dict)
+    beyond: tuple[str, ...] = ()
     direction: str = ""
     """What tells that the direction of the line beyond is here, where a token tells it."""
-    own: frozenset[SectionId] = frozenset()
-    """Sections that may be locked as the overlap of its own signal: the route may be set over it all the same."""
 
     def stands(self, seen: Indications) -> bool:
         """A train is before the signal; where nothing detects it, the command says so."""
@@ -45,10 +38,6 @@ class Stage:
         """All sections are locked and the signal shows proceed."""
         return self.is_set(seen) and any(seen.get(n, 0) for n in self.lamps)
 
-    def taken(self, seen: Indications) -> bool:
-        """It is set, as far as anybody can tell: where all of it may be locked as an overlap, only its lamp tells."""
-        return self.open(seen) or (self.is_set(seen) and not self.own.issuperset(self.locked))
-
     def is_set(self, seen: Indications) -> bool:
         """All sections are locked."""
         return all(seen.get(n, 0) for n in self.locked.values())
@@ -56,11 +45,6 @@ class Stage:
     def held(self, seen: Indications) -> bool:
         """Some of its sections are locked, or its signal is open."""
         return any(seen.get(n, 0) for n in (*self.locked.values(), *self.lamps))
-
-    def entered(self, seen: Indications) -> bool:
-        """The train has passed the signal."""
-        name = self.clear.get(self.sections[0])
-        return name is not None and not seen.get(name, 1)
 
     def closed(self, seen: Indications) -> bool:
         """It is set and shows stop, though its sections are clear and the direction is here: it closed while something
@@ -72,25 +56,49 @@ class Stage:
         """It leads over a line whose direction is not here."""
         return bool(self.direction) and not seen.get(self.direction, 0)
 
-    def left(self, seen: Indications) -> bool:
-        """Nothing is locked or occupied."""
-        return not self.held(seen) and all(seen.get(n, 0) for n in self.clear.values())
-
-    def hindered(self, seen: Indications) -> str:
-        """What is seen that keeps the route from being set; empty where nothing is."""
-        for s, n in self.clear.items():
-            if s != self.berth and not self.on_sight and not seen.get(n, 0):
-                return f"{s} is not clear"
-        for s, n in self.locked.items():
-            if seen.get(n, 1) and s not in self.own:
-                return f"{s} is locked"
-        if any(not seen.get(n, 0) for n in self.beyond):
-            return "the line beyond is not clear"
-        return ""
-
     def fails(self, seen: Indications) -> MachineId | None:
         """A machine of the route that was not detected in time."""
         return next((m for m, n in self.late.items() if seen.get(n, 0)), None)
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A route as a train is sent over it: its number, its sections, and what the panel shows of it."""
+
+    route: RouteId
+    number: int
+    entry: SignalId
+    sections: tuple[SectionId, ...]
+    berth: SectionId | None
+    shown: RouteIndications
+    out: tuple[SectionId, ...] = ()
+    """The sections beyond the boundary over which it leads out."""
+    on_sight: bool = False
+    """A call-on: its sections may be reported occupied."""
+    own: frozenset[SectionId] = frozenset()
+    """Sections that may be locked as the overlap of its own signal: the route may be set over it all the same."""
+
+    def taken(self, seen: Indications) -> bool:
+        """It is set, as far as anybody can tell: where all of it may be locked as an overlap, only its lamp tells."""
+        told = self.shown
+        return told.open(seen) or (told.is_set(seen) and not self.own.issuperset(told.locked))
+
+    def entered(self, seen: Indications) -> bool:
+        """The train has passed the signal."""
+        name = self.shown.clear.get(self.sections[0])
+        return name is not None and not seen.get(name, 1)
+
+    def hindered(self, seen: Indications) -> str:
+        """What is seen that keeps the route from being set; empty where nothing is."""
+        for s, n in self.shown.clear.items():
+            if s != self.berth and not self.on_sight and not seen.get(n, 0):
+                return f"{s} is not clear"
+        for s, n in self.shown.locked.items():
+            if seen.get(n, 1) and s not in self.own:
+                return f"{s} is locked"
+        if any(not seen.get(n, 0) for n in self.shown.beyond):
+            return "the line beyond is not clear"
+        return ""
 
 
 def stages(table: InterlockingTable, symbols: Symbols) -> dict[RouteId, Stage]:
@@ -114,17 +122,19 @@ def stages(table: InterlockingTable, symbols: Symbols) -> dict[RouteId, Stage]:
             route=r.id,
             number=r.number,
             entry=r.entry,
-            rear=None if before is None else symbols.sections.clear.get(before),
-            clear={s: symbols.sections.clear[s] for s in r.section_ids if s in symbols.sections.clear},
-            locked={s: symbols.indication[f"locked {s}"] for s, _ in r.locked},
-            lamps=tuple(x[r.entry] for x in lamps if r.entry in x),
             sections=r.section_ids,
             berth=r.berth,
-            late={m: symbols.indication[n] for m, n in late.items() if n in symbols.indication},
-            on_sight=r.kind is RouteKind.CALL_ON,
-            direction="" if r.token is None else symbols.token[r.token.boundary].tells["has"],
-            own=frozenset(s for s, k in r.traversals if (SectionId(s), k) in overlaps.get(r.entry, ())),
+            shown=RouteIndications(
+                rear=None if before is None else symbols.sections.clear.get(before),
+                clear={s: symbols.sections.clear[s] for s in r.section_ids if s in symbols.sections.clear},
+                locked={s: symbols.indication[f"locked {s}"] for s, _ in r.locked},
+                lamps=tuple(x[r.entry] for x in lamps if r.entry in x),
+                late={m: symbols.indication[n] for m, n in late.items() if n in symbols.indication},
+                beyond=tuple(symbols.sections.clear[c.section] for c in r.block if c.section in symbols.sections.clear),
+                direction="" if r.token is None else symbols.token[r.token.boundary].tells["has"],
+            ),
             out=tuple(c.section for c in r.block),
-            beyond=tuple(symbols.sections.clear[c.section] for c in r.block if c.section in symbols.sections.clear),
+            on_sight=r.kind is RouteKind.CALL_ON,
+            own=frozenset(s for s, k in r.traversals if (SectionId(s), k) in overlaps.get(r.entry, ())),
         )
     return found

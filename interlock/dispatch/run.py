@@ -86,13 +86,13 @@ class Run:
         meanwhile.  A train leaves that first, and is in the next section when the first becomes clear."""
         stage = self.entering
         if stage is None or stage.entered(seen):
-            if stage is not None and not stage.stands(seen):
+            if stage is not None and not stage.shown.stands(seen):
                 self.entering = None
             return False
         self.entering = None
         on = self.granted[self.at].entered(seen) if self.ahead else False
-        there = on or not all(seen.get(n, 0) for n in stage.clear.values())
-        return stage.rear is not None and stage.stands(seen) and bool(self.at) and not there
+        there = on or not all(seen.get(n, 0) for n in stage.shown.clear.values())
+        return stage.shown.rear is not None and stage.shown.stands(seen) and bool(self.at) and not there
 
     def wanted(self, seen: Indications) -> set[SectionId]:
         """The sections ahead of its train in the route over which it runs, and those of routes set for it and not being
@@ -101,7 +101,7 @@ class Run:
         found = {s for stage in self.granted[self.at : end] for s in stage.sections}
         if self.at:
             last = self.granted[self.at - 1]
-            there = [k for k, s in enumerate(last.sections) if not seen.get(last.clear.get(s, ""), 1)]
+            there = [k for k, s in enumerate(last.sections) if not seen.get(last.shown.clear.get(s, ""), 1)]
             found |= set(last.sections[max(there) + 1 :] if there else last.sections)
         return found
 
@@ -126,6 +126,6 @@ class Run:
         if not self.finished or self.ahead:
             return False
         stay = {s for s, _ in self.place.under}
-        return all(
-            seen.get(n, 0) for stage in self.granted[-2:] for s, n in stage.clear.items() if s not in stay
-        ) and not any(seen.get(n, 0) for stage in self.granted[-2:] for s, n in stage.locked.items() if s not in stay)
+        last = [stage.shown for stage in self.granted[-2:]]
+        left = all(seen.get(n, 0) for told in last for s, n in told.clear.items() if s not in stay)
+        return left and not any(seen.get(n, 0) for told in last for s, n in told.locked.items() if s not in stay)
