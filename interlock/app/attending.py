@@ -66,7 +66,7 @@ class Attendant:
     def operate(self) -> None:
         """What stays locked for nobody is cancelled and released by hand, points that were trailed are confirmed."""
         seen = self.seen()
-        near = {s for run in self.dispatcher.runs for s in run.wanted(seen)}
+        near = {s for run in self.dispatcher.runs for s in run.way.wanted(seen)}
         for s in self.setting.layout.sections:
             name = self.setting.release.get(s.id)
             locked = self.setting.symbols.indication.get(f"locked {s.id}")
@@ -76,7 +76,7 @@ class Attendant:
             if seen.get(locked) and clear and s.id not in near:
                 self._press(name, RELEASE_S)
                 self._cancel(s.id)
-        ahead = {s.entry for run in self.dispatcher.runs for s in run.granted[run.at :]}
+        ahead = {s.entry for run in self.dispatcher.runs for s in run.way.granted[run.way.at :]}
         opened = {s.entry for s in self.dispatcher.stages.values() if s.entry not in ahead and s.shown.open(seen)}
         for g in sorted(opened):
             self._press(self.setting.symbols.cancellation.cancel[g], 1.0)

@@ -170,7 +170,7 @@ class Ground:
             if dispatcher.plan != held:
                 held = dispatcher.plan
                 outcome.plans.append((tuple(dispatcher.asked), held))
-            outcome.ahead = max(outcome.ahead, max((r.ahead for r in dispatcher.runs), default=0))
+            outcome.ahead = max(outcome.ahead, max((r.way.ahead for r in dispatcher.runs), default=0))
             while dispatcher.turns:
                 name, section = dispatcher.turns.pop(0)
                 trains[name].turns.add(section)

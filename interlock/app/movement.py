@@ -112,7 +112,7 @@ class Movement:
     def stands(self, trip: Trip, where: Where | None, now_ms: int, load: str, boundary: str) -> None:
         """It is under way: where it was reported last, and what is set for it from there."""
         run = trip.run
-        ahead = [str(x) for stage in run.granted[run.at :] for x in stage.sections]
+        ahead = [str(x) for stage in run.way.granted[run.way.at :] for x in stage.sections]
         if trip.phase != "to load" and (where is None or where.section == load):
             self.begins(load)
         elif where is None or where.section not in self._metres:
@@ -121,8 +121,8 @@ class Movement:
             self._comes(metres, now_ms - since, bool(ahead))
             self._hold(f"before {boundary}", None, self._seconds + self._tail + self._released)
         else:
-            path = [str(x) for stage in run.granted for x in stage.sections]
-            since = sum(len(stage.sections) for stage in run.granted[: max(0, run.at - 1)])
+            path = [str(x) for stage in run.way.granted for x in stage.sections]
+            since = sum(len(stage.sections) for stage in run.way.granted[: max(0, run.way.at - 1)])
             if where.section not in path[since:]:
                 path, since = [where.section, *ahead], 0
             here = path.index(where.section, since)

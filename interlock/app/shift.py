@@ -184,7 +184,7 @@ class Shift:
         self._turn()
         self._come()
         self._wait()
-        rests = [r.rest_ms / 1000 for r in d.runs if r.rest_ms]
+        rests = [r.asking.rest_ms / 1000 for r in d.runs if r.asking.rest_ms]
         if d.runs or d.pending or self._guide is not None:
             self.agenda.after(min([LOOKS_S, *rests]), self._look, "dispatch")
 
@@ -203,7 +203,12 @@ class Shift:
                 del self._dispatcher.held[run.name]
             r = self.yard.rolling.get(trip.train)
             live = run in self._dispatcher.runs or run in self._dispatcher.pending
-            if r is not None and not live and (run.ahead or not run.finished) and r.motion.stands <= self.yard.clock:
+            if (
+                r is not None
+                and not live
+                and (run.way.ahead or not run.finished)
+                and r.motion.stands <= self.yard.clock
+            ):
                 self._again(trip, r)
 
     def _again(self, trip: Trip, r: Rolling) -> None:
@@ -228,7 +233,7 @@ class Shift:
             name, section = self._dispatcher.turns.pop(0)
             trip = next(t for t in self._trips.values() if t.run.name == name)
             r = self.yard.rolling[trip.train]
-            if r.train.target == self._setting.track.signals.index(trip.run.granted[-1].entry):
+            if r.train.target == self._setting.track.signals.index(trip.run.way.granted[-1].entry):
                 continue  # it has turned for a route that was taken back
             self._say("turns", train=trip.train, section=section)
             self.yard.turns(r)

@@ -22,7 +22,7 @@ from interlock.dispatch.obstacles import STRANGER_MS, Obstacles
 from interlock.dispatch.panel import Indications, Stage, stages
 from interlock.dispatch.plan.railway import Errand, Railway, Step
 from interlock.dispatch.plan.search import BUDGET, Verdict
-from interlock.dispatch.policy import Policy, enters, yields
+from interlock.dispatch.policy import Policy, enters, past, yields
 from interlock.dispatch.run import Run
 from interlock.logic.symbols import Symbols
 from interlock.model.elements import Lane, SectionId, SignalId
@@ -136,8 +136,8 @@ class Dispatcher:
         rear = self._symbols.cancellation.approach_of
         found = []
         for run in self.runs:
-            for k, stage in enumerate(run.granted[max(0, run.at - 1) :], max(0, run.at - 1)):
-                before = rear.get(stage.entry) if k >= run.at else None
+            for k, stage in enumerate(run.way.granted[max(0, run.way.at - 1) :], max(0, run.way.at - 1)):
+                before = rear.get(stage.entry) if k >= run.way.at else None
                 found.append(stage.sections if before is None else (before, *stage.sections))
         return found
 
@@ -146,13 +146,13 @@ class Dispatcher:
     def step(self, seen: Indications, dt_ms: int) -> dict[str, int]:
         """What to write after a scan, from what was seen in it; `dt_ms` milliseconds after the step before."""
         for run in self.runs:
-            name = self._symbols.cancellation.cancel[run.granted[run.at].entry] if run.ahead else ""
-            run.by_hand |= bool(name and seen.get(name, 0) and not self._cancels.get(name, 0))
+            name = self._symbols.cancellation.cancel[run.way.granted[run.way.at].entry] if run.way.ahead else ""
+            run.way.by_hand |= bool(name and seen.get(name, 0) and not self._cancels.get(name, 0))
         for name in self._cancels:
             self._cancels[name] = 0
         for run in tuple(self.runs):
             self._follow(run, seen, dt_ms)
-            for stage in run.granted[run.at :] if run.cancelling else ():
+            for stage in run.way.granted[run.way.at :] if run.way.cancelling else ():
                 self._cancels[self._symbols.cancellation.cancel[stage.entry]] = 1
         self._passing = {g: s for g, s in self._passing.items() if s.shown.stands(seen) and s.entered(seen)}
         if self._obstacles.look(seen, dt_ms, {s for run in self.runs for s in run.near}):
@@ -168,35 +168,37 @@ class Dispatcher:
 
     def _follow(self, run: Run, seen: Indications, dt_ms: int) -> None:
         """Where the train of a run has come to, and whether what was set for it is open."""
-        run.waited_ms += dt_ms
-        run.rest_ms = max(0, run.rest_ms - dt_ms)
-        if run.not_passed(seen):
-            run.at -= 1
-            self._passing.pop(run.granted[run.at].entry, None)
-            self.said.append(f"{run.name} has not passed {run.granted[run.at].entry}: something else was reported")
-        if run.ahead:
-            stage = run.granted[run.at]
-            if stage.shown.open(seen) and run.at not in run.opened:
-                run.opened.add(run.at)
+        run.asking.waited_ms += dt_ms
+        run.asking.rest_ms = max(0, run.asking.rest_ms - dt_ms)
+        if run.way.not_passed(seen):
+            run.way.at -= 1
+            self._passing.pop(run.way.granted[run.way.at].entry, None)
+            self.said.append(
+                f"{run.name} has not passed {run.way.granted[run.way.at].entry}: something else was reported"
+            )
+        if run.way.ahead:
+            stage = run.way.granted[run.way.at]
+            if stage.shown.open(seen) and run.way.at not in run.way.opened:
+                run.way.opened.add(run.way.at)
                 self.said.append(f"{run.name}: {stage.route} is open")
-                run.waited_ms = run.reopened = 0
-                run.by_hand = False
-            if run.at in run.opened and stage.entered(seen) and stage.shown.stands(seen):
+                run.asking.waited_ms = run.way.reopened = 0
+                run.way.by_hand = False
+            if run.way.at in run.way.opened and stage.entered(seen) and stage.shown.stands(seen):
                 if stage.shown.rear is not None:  # the train that passes is not yet the next one
                     self._passing[stage.entry] = stage
-                run.at += 1
-                run.entering = stage
-            elif run.cancelling and not any(s.taken(seen) for s in run.granted[run.at :]):
+                run.way.at += 1
+                run.way.entering = stage
+            elif run.way.cancelling and not any(s.taken(seen) for s in run.way.granted[run.way.at :]):
                 self._taken_back(run)
-            elif run.at in run.opened and not stage.shown.held(seen):
+            elif run.way.at in run.way.opened and not stage.shown.held(seen):
                 self.said.append(f"{run.name} is given up: {stage.route} was taken back before its train came")
                 self._remove(run)
                 return
-            elif run.at not in run.opened and not stage.shown.is_set(seen) and not stage.entered(seen):
+            elif run.way.at not in run.way.opened and not stage.shown.is_set(seen) and not stage.entered(seen):
                 self._taken_back(run)  # it was refused, and what was locked there was an overlap
-            elif not run.cancelling and (why := self._shut(run, stage, seen, dt_ms)):
+            elif not run.way.cancelling and (why := self._shut(run, stage, seen, dt_ms)):
                 self.said.append(f"{run.name}: {stage.route} is taken back, since {why}")
-                run.cancelling = True
+                run.way.cancelling = True
         if run.through(seen):
             self.said.append(f"{run.name} is done")
             self._remove(run)
@@ -206,32 +208,32 @@ class Dispatcher:
         of the way, or the train take another way."""
         run.reason = ""
         if stage.shown.open(seen):
-            run.shut_ms = 0
+            run.way.shut_ms = 0
             return ""
-        run.shut_ms += dt_ms
+        run.way.shut_ms += dt_ms
         if stage.shown.waits(seen):  # whoever has the direction may take his time
             run.reason = f"{stage.route} is set; the direction of the line beyond is not here"
-            run.shut_ms = min(run.shut_ms, STRANGER_MS + 1)
+            run.way.shut_ms = min(run.way.shut_ms, STRANGER_MS + 1)
         machine = stage.shown.fails(seen)
         if machine is not None:
             return f"{machine} is not detected"
         full = next((n for n in stage.shown.beyond if not seen.get(n, 1)), None)
-        return "a train stands on the line beyond" if full and run.shut_ms > STRANGER_MS else ""
+        return "a train stands on the line beyond" if full and run.way.shut_ms > STRANGER_MS else ""
 
     def _taken_back(self, run: Run) -> None:
         """A route that did not open was cancelled: its train stands where it stood."""
-        run.place = run.places[run.at]
-        back = [(run.name, s.route) for s in run.granted[run.at :]]
+        run.place = run.way.places[run.way.at]
+        back = [(run.name, s.route) for s in run.way.granted[run.way.at :]]
         self.asked = [x for k, x in enumerate(self.asked) if x not in back or x in self.asked[k + 1 :]]
-        del run.granted[run.at :], run.places[run.at :]
-        run.asking.clear()
-        run.cancelling = False
+        del run.way.granted[run.way.at :], run.way.places[run.way.at :]
+        run.asking.routes.clear()
+        run.way.cancelling = False
         self._holding.forget()
 
     def _remove(self, run: Run) -> None:
         self.runs.remove(run)
-        if not run.place.under and run.granted:
-            beyond = self.railway.approach.get(self.railway.table.route[run.granted[-1].route].exit)
+        if not run.place.under and run.way.granted:
+            beyond = self.railway.approach.get(self.railway.table.route[run.way.granted[-1].route].exit)
             if beyond is not None:
                 self._obstacles.leaving.add(beyond)
         self._holding.forget()
@@ -246,27 +248,27 @@ class Dispatcher:
             return
         run, stage = self._for
         self._for = None
-        step = run.step
+        step = run.asking.step
         if run not in self.runs or step is None:
             return
         if not stage.shown.is_set(seen):
-            run.rest_ms = AGAIN_MS
+            run.asking.rest_ms = AGAIN_MS
             run.reason = f"{stage.route} was refused"
-            if len(run.asking) == len(step.routes):
-                run.asking.clear()
+            if len(run.asking.routes) == len(step.routes):
+                run.asking.routes.clear()
             return
         self.asked.append((run.name, stage.route))
         run.reason = ""
-        run.asking.remove(stage)
-        if run.asking:
+        run.asking.routes.remove(stage)
+        if run.asking.routes:
             return
         taken = {(run.name, r.id) for r in step.routes}
         self._holding.plan = tuple(x for x in self.plan if x not in taken)
         if step.turned:
             self.turns.append((run.name, run.place.under[-1][0]))
         for r in step.routes:
-            run.granted.append(self.stages[r.id])
-            run.places.append(run.place)
+            run.way.granted.append(self.stages[r.id])
+            run.way.places.append(run.place)
         run.place = step.after
         if not run.started:
             self._started += 1
@@ -292,19 +294,24 @@ class Dispatcher:
     def _key(self, run: Run, k: int) -> Key:
         """Where a run comes among the requests: its class of priority, then the order of the commands."""
         rank = run.priority if self._priorities and run.priority else 4
-        waited = run.waited_ms if bool(self._wait_ms) and run.waited_ms >= self._wait_ms else 0
+        waited = run.asking.waited_ms if bool(self._wait_ms) and run.asking.waited_ms >= self._wait_ms else 0
         return key(Source.PLANNED, self.arbiter.numbers + k + 1, rank < 3, rank % 2 == 1, waited, self._wait_ms)
 
     def _asks(self, run: Run, seen: Indications) -> bool:
         """Begin to ask for what a run wants, if it may."""
-        if run.rest_ms or run.cancelling:
+        if run.asking.rest_ms or run.way.cancelling:
             return False
-        if run.ahead and not run.by_hand and run.shut_ms >= REOPENS_MS and run.granted[run.at].shown.closed(seen):
+        if (
+            run.way.ahead
+            and not run.way.by_hand
+            and run.way.shut_ms >= REOPENS_MS
+            and run.way.granted[run.way.at].shown.closed(seen)
+        ):
             return self._reopens(run)
         if run.name in self.held:
             run.reason = self.held[run.name]
             return False
-        stage = run.asking[0] if run.asking else self._wanted(run, seen)
+        stage = run.asking.routes[0] if run.asking.routes else self._wanted(run, seen)
         if stage is None:
             return False
         why = stage.hindered(seen)
@@ -316,23 +323,25 @@ class Dispatcher:
 
     def _reopens(self, run: Run) -> bool:
         """A route that has closed is asked for again, twice; then it is taken back."""
-        run.shut_ms = 0
-        run.reopened += 1
-        if run.reopened > 2:
-            self.said.append(f"{run.name}: {run.granted[run.at].route} is taken back, since it does not open again")
-            run.cancelling = True
+        run.way.shut_ms = 0
+        run.way.reopened += 1
+        if run.way.reopened > 2:
+            self.said.append(
+                f"{run.name}: {run.way.granted[run.way.at].route} is taken back, since it does not open again"
+            )
+            run.way.cancelling = True
             return False
-        self._for, self._writes = None, run.granted[run.at].number
+        self._for, self._writes = None, run.way.granted[run.way.at].number
         return True
 
     def _wanted(self, run: Run, seen: Indications) -> Stage | None:
         """The first route of the step that a train takes next, if it may; sets `run.asking`."""
-        if run.finished or run.ahead >= self._look_ahead or run.caught:
+        if run.finished or run.way.ahead >= self._look_ahead or run.caught:
             return None
         for step, move in self._holding.steps(run):
             order = [self.stages[r.id] for r in step.routes]
             first = order[0]
-            if not run.granted and (not first.shown.stands(seen) or first.entry in self._passing):
+            if not run.way.granted and (not first.shown.stands(seen) or first.entry in self._passing):
                 run.reason = f"no train stands before {first.entry}"
                 continue
             if (why := next((w for s in order if (w := s.hindered(seen))), "")) or (
@@ -345,9 +354,9 @@ class Dispatcher:
             ):
                 run.reason = f"{first.route}: {why}" if why else run.reason
                 continue
-            run.step = step
-            run.asking = order[::-1] if self._far_first(run) else order
-            return run.asking[0]
+            run.asking.step = step
+            run.asking.routes = order[::-1] if self._far_first(run) else order
+            return run.asking.routes[0]
         return None
 
     def _waits(self, run: Run, step: Step, seen: Indications) -> str:
@@ -357,10 +366,10 @@ class Dispatcher:
         order = {r.name: k for k, r in enumerate(self.runs)}
         for other in self.runs:
             line = run.lines.get(other.voyage)
-            if other is run or line is None or not enters(step, line) or other.uses(line) or other.past(line):
+            if other is run or line is None or not enters(step, line) or other.way.uses(line) or past(other, line):
                 continue
             first = self.stages[other.journey.steps[other.place][0].routes[0].id]
-            there = other.set_out or first.shown.stands(seen)
+            there = bool(other.way.granted) or first.shown.stands(seen)
             if there and yields(self._policy, run, other, order) and self._holding.passes(other, line):
                 return f"{other.name} goes first ({self._policy})"
         return ""
@@ -396,4 +405,4 @@ class Dispatcher:
 def waiting(dispatcher: Dispatcher) -> Mapping[str, str]:
     """Why each train that waits does so."""
     held = {r.name: r.reason for r in dispatcher.pending}
-    return held | {r.name: r.reason for r in dispatcher.runs if not r.finished and r.ahead == 0}
+    return held | {r.name: r.reason for r in dispatcher.runs if not r.finished and r.way.ahead == 0}

@@ -95,7 +95,7 @@ class Holding:
             source = next(p for p, b in self.built.bits[m.train].items() if b == m.source)
             step = options[source][int(m.label)]  # type: ignore[index]
             found += [(name, r.id) for r in step.routes]
-        is_set = {(r.name, stage.route) for r in self.runs for stage in r.granted[r.at :]}
+        is_set = {(r.name, stage.route) for r in self.runs for stage in r.way.granted[r.way.at :]}
         return tuple(x for x in found if x not in is_set)
 
     def _names(self, bits: int) -> list[str]:
@@ -112,10 +112,10 @@ class Holding:
 
         One that is being taken back takes it nowhere.
         """
-        if run.ahead and (run.cancelling or run.granted[run.at].shown.beyond):
+        if run.way.ahead and (run.way.cancelling or run.way.granted[run.way.at].shown.beyond):
             assert self.built is not None
             nodes = self.built.bits[self.runs.index(run)]
-            return nodes.get(run.places[run.at], nodes[run.place])  # one that is caught has one node
+            return nodes.get(run.way.places[run.way.at], nodes[run.place])  # one that is caught has one node
         return self._bit(run)
 
     def state(self, without: Sequence[str] | set[str] = ()) -> int:
@@ -160,7 +160,7 @@ class Holding:
         drafts: list[Draft] = []
         for k, run in enumerate(self.runs):
             if run.caught:
-                back = run.places[run.at].under if run.ahead and run.cancelling else ()
+                back = run.way.places[run.way.at].under if run.way.ahead and run.way.cancelling else ()
                 drafts.append(self._railway.still(run.name, run.place, run.coming, back))
             else:
                 same = [r.name for r in self.runs[:k] if r.coming and r.journey.start.under == run.journey.start.under]

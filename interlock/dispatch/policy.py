@@ -32,6 +32,19 @@ def enters(step: Step, line: frozenset[SectionId]) -> bool:
     return any(not line.isdisjoint(r.section_ids) for r in step.routes)
 
 
+def past(run: Run, line: frozenset[SectionId]) -> bool:
+    """A train has run over a line and does not come to it any more."""
+    todo, seen = [run.place], {run.place}
+    while todo:
+        for step in run.journey.steps[todo.pop()]:
+            if enters(step, line):
+                return False
+            if step.after not in seen:
+                seen.add(step.after)
+                todo.append(step.after)
+    return not run.way.uses(line)
+
+
 def yields(policy: Policy, run: Run, other: Run, order: dict[str, int]) -> bool:
     """Of two trains of which neither is on the line that they share, the first waits for the second.
 

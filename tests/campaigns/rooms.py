@@ -67,7 +67,6 @@ LARGE = {
     "dispatch/arbiter.py Arbiter": (16, "to be taken apart: what waits, and what is said of it"),
     "dispatch/dispatcher.py Dispatcher": (19, "to be taken apart: voyages, their errands, and what holds them"),
     "dispatch/holding.py Holding": (16, "to be taken apart: the plan that is held, and who may go"),
-    "dispatch/run.py Run": (32, "to be taken apart: an errand's fields, and its orders"),
     "model/layout.py Layout": (81, "to be taken apart: elements of a layout (46 fields), and 35 ways to find them"),
     "panel/commands.py Buttons": (21, "one method a command of the panel"),
     "panel/desk.py Desk": (25, "to be taken apart: what runs, and who looks on"),
