@@ -114,7 +114,7 @@ def test_each_route_of_a_voyage_is_opened_for_the_train_that_stands_before_it() 
     p.drive("q1", "q2", "q4")
     assert p.opened() == {"X5"} and len(p.asked) == 3
     p.drive("q4", "q6", "q8", "q10", "q11", "ap_E", "")
-    assert p.dispatcher.runs == [] and p.dispatcher.said[-1] == "in is done"
+    assert p.dispatcher.runs == [] and p.dispatcher.journal.said[-1] == "in is done"
     assert len(p.asked) == 3, "each route was asked for once"
 
 
@@ -182,7 +182,7 @@ def test_who_is_caught_by_a_train_without_a_command_is_named_and_goes_on_when_it
     p.dispatcher.begin("in")
     p.run(60)
     assert p.asked == [] and p.opened() == set()
-    assert p.dispatcher.said[-1] == "no plan exists: in cannot go on, with q4 in the way"
+    assert p.dispatcher.journal.said[-1] == "no plan exists: in cannot go on, with q4 in the way"
     p.stand("ap_W")
     p.run(60)
     assert p.opened() == {"X7"}
@@ -197,9 +197,9 @@ def test_a_point_that_fails_makes_another_plan() -> None:
     p.run(20)
     p.drive("ap_W", "q1")
     p.run(500)
-    taken_back = [x for x in p.dispatcher.said if "is taken back, since P1 is not detected" in x]
+    taken_back = [x for x in p.dispatcher.journal.said if "is taken back, since P1 is not detected" in x]
     assert len(taken_back) == 1 and p.opened() == set()
-    assert p.dispatcher.said[-1] == "no plan exists: 7 cannot go on, with P1 in the way"
+    assert p.dispatcher.journal.said[-1] == "no plan exists: 7 cannot go on, with P1 in the way"
     p.failing = ""
     p.run(400)
     assert p.opened() & {"X1"}
@@ -216,7 +216,7 @@ def test_a_train_that_runs_out_is_not_in_the_way_of_plans() -> None:
         p.drive(*way)
     p.stand("q11", "ap_E", "ap_W")
     p.run(100)
-    assert not [x for x in p.dispatcher.said if "no plan exists" in x], p.dispatcher.said
+    assert not [x for x in p.dispatcher.journal.said if "no plan exists" in x], p.dispatcher.journal.said
 
 
 def test_a_route_waits_for_the_direction_of_the_line_beyond_and_is_not_taken_back() -> None:
@@ -224,10 +224,10 @@ def test_a_route_waits_for_the_direction_of_the_line_beyond_and_is_not_taken_bac
     p.dispatcher.carry_out(errand(p.dispatcher.railway, "7:IG/S1>W", 60.0)[0])
     p.stand("IG")
     p.run(400, LC_W=1)
-    assert p.dispatcher.said == [] and p.opened() == set() and len(p.asked) == 1
+    assert p.dispatcher.journal.said == [] and p.opened() == set() and len(p.asked) == 1
     assert p.dispatcher.runs[0].reason == "S1-W is set; the direction of the line beyond is not here"
     p.run(400, LC_W=1, TKN_W=1)
-    assert p.dispatcher.said == ["7: S1-W is open"] and p.opened() == {"S1"}
+    assert p.dispatcher.journal.said == ["7: S1-W is open"] and p.opened() == {"S1"}
     assert p.dispatcher.runs[0].reason == "" and len(p.asked) == 1
 
 
@@ -267,10 +267,10 @@ def test_a_failed_point_or_a_lost_detection_makes_another_plan_or_says_who_is_ca
 ) -> None:
     """What is told, word for word; where no plan is said to exist, every state was searched by something else."""
     p = driven_to_the_points(falsely, stays)
-    assert p.dispatcher.said == said
+    assert p.dispatcher.journal.said == said
     assert p.opened() == ({"X1"} if said[-1].endswith("is open") else set())
     if said[-1].startswith("no plan"):
-        run, things = p.dispatcher.runs[0], p.dispatcher._holding.obstacles
+        run, things = p.dispatcher.runs[0], p.dispatcher.holding.obstacles
         built = build([run.journey.nodes(), in_the_way(things)])
         start = sum(x[key] for x, key in zip(built.bits, (run.place, "in the way"), strict=True))
         assert start in explore(built.problem, start).unsafe
@@ -278,11 +278,11 @@ def test_a_failed_point_or_a_lost_detection_makes_another_plan_or_says_who_is_ca
 
 def test_what_was_not_searched_to_its_end_is_unknown_and_nothing_is_asked() -> None:
     p = panel("mine11")
-    p.dispatcher._holding.budget = 0
+    p.dispatcher.holding.budget = 0
     p.dispatcher.carry_out(errand(p.dispatcher.railway, "7:W>E", 60.0)[0])
     p.stand("ap_W")
     p.run(60)
-    assert p.dispatcher.said == ["UNKNOWN: whether all trains can go on was not found out"] and p.asked == []
+    assert p.dispatcher.journal.said == ["UNKNOWN: whether all trains can go on was not found out"] and p.asked == []
     assert p.dispatcher.runs[0].reason == "X7-X1: whether all could go on then was not found out"
 
 

@@ -397,9 +397,9 @@ def test_numbers_step_with_the_sections_of_real_substations(ready: Ready) -> Non
         west.put("CLR_q1", 0)
         cycles()
         assert "ALARM, train ?q1: something stands in q1 that came from nowhere" in told
-        asked = len(operator.dispatcher.asked)
+        asked = len(operator.dispatcher.journal.asked)
         cycles(10)
-        assert len(operator.dispatcher.asked) == asked
+        assert len(operator.dispatcher.journal.asked) == asked
         for line, why in (("train 7 q9", "q9 is clear"), ("train 7 q99", "no section q99"), ("train 7", "write train")):
             with pytest.raises(BadCommand, match=why):
                 operator.type(line)

@@ -167,12 +167,12 @@ class Ground:
                 fresh = True
             if fresh or any(inputs.values()) or slept >= SLEEP_MS:
                 inputs, slept = dispatcher.step(seen, slept), 0
-            if dispatcher.plan != held:
-                held = dispatcher.plan
-                outcome.plans.append((tuple(dispatcher.asked), held))
+            if dispatcher.holding.plan != held:
+                held = dispatcher.holding.plan
+                outcome.plans.append((tuple(dispatcher.journal.asked), held))
             outcome.ahead = max(outcome.ahead, max((r.way.ahead for r in dispatcher.runs), default=0))
-            while dispatcher.turns:
-                name, section = dispatcher.turns.pop(0)
+            while dispatcher.journal.turns:
+                name, section = dispatcher.journal.turns.pop(0)
                 trains[name].turns.add(section)
             if not dispatcher.runs and not dispatcher.pending and not todo:
                 break
@@ -191,8 +191,8 @@ class Ground:
         outcome.stuck = {
             r.name: why.get(r.name, "its signal does not open") for r in (*dispatcher.runs, *dispatcher.pending)
         }
-        outcome.asked, outcome.said = tuple(dispatcher.asked), tuple(dispatcher.said)
-        outcome.refused, outcome.troubles = dispatcher.refused, tuple(lane.troubles())
+        outcome.asked, outcome.said = tuple(dispatcher.journal.asked), tuple(dispatcher.journal.said)
+        outcome.refused, outcome.troubles = dispatcher.holding.refused, tuple(lane.troubles())
         return None
 
     def _wishes(self, lane: Lane, trains: Iterable[Train]) -> list[Name]:

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.describer import DOUBT, Describer
 from interlock.dispatch.plan.railway import OUTSIDE
-from interlock.dispatch.run import Run
+from interlock.dispatch.run import Run, ways
 from interlock.logic.symbols import Symbols
 from interlock.model.elements import SectionId
 from interlock.model.layout import Layout
@@ -23,6 +23,7 @@ class Numbers:
     def __init__(self, layout: Layout, symbols: Symbols, dispatcher: Dispatcher) -> None:
         self.describer = Describer(layout, symbols)
         self.dispatcher = dispatcher
+        self._rear = symbols.cancellation.approach_of
         self.kept = False
         self._seen: Mapping[str, int] = {}
         self._news: list[str] = []
@@ -72,7 +73,7 @@ class Numbers:
         self._seen = seen
         if not self.kept:
             return
-        self.describer.step(seen, self.dispatcher.ways)
+        self.describer.step(seen, self._ways())
         for run in (*self.dispatcher.runs, *self.dispatcher.pending):
             why = self.describer.alarms.get(run.name)
             if why is not None:
@@ -94,8 +95,12 @@ class Numbers:
         found, self._news = self._news, []
         return found
 
+    def _ways(self) -> list[tuple[SectionId, ...]]:
+        """Over which sections trains are to run, by the routes that are set for them."""
+        return ways(self.dispatcher.runs, self._rear)
+
     def _keep(self) -> None:
         if not self.kept:
             self.kept = True
             if self._seen:
-                self.describer.step(self._seen, self.dispatcher.ways)
+                self.describer.step(self._seen, self._ways())

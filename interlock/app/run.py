@@ -140,8 +140,8 @@ class Operator:
 
     def news(self) -> list[str]:
         """What became of the voyages, and of the numbers of trains, since this was last asked."""
-        said = [*self.dispatcher.said, *self.numbers.news()]
-        self.dispatcher.said.clear()
+        said = [*self.dispatcher.journal.said, *self.numbers.news()]
+        self.dispatcher.journal.said.clear()
         return said
 
 

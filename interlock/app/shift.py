@@ -25,6 +25,7 @@ from interlock.dispatch.describer import DOUBT, Describer
 from interlock.dispatch.dispatcher import waiting
 from interlock.dispatch.orders import Derived
 from interlock.dispatch.plan.railway import NoVoyage, TooManyPlaces
+from interlock.dispatch.run import ways
 from interlock.model.elements import RouteId, SectionId
 from interlock.record.log import END, Chain
 from interlock.simulate.agenda import Agenda
@@ -152,7 +153,8 @@ class Shift:
         if self.scans.scan(self.agenda.now_ms):
             self._fresh = True
             self.yard.shown(self.scans.outputs)
-            self._describer.step(self.scans.seen, self._dispatcher.ways)
+            rear = self._setting.symbols.cancellation.approach_of
+            self._describer.step(self.scans.seen, ways(self._dispatcher.runs, rear))
         return True
 
     # --- the dispatcher ----------------------------------------------------------------------------
@@ -162,7 +164,7 @@ class Shift:
         d = self._dispatcher
         dt = self.agenda.now_ms - self._stepped_ms
         self._stepped_ms = self.agenda.now_ms
-        before, asked, said = d.refused, len(d.asked), len(d.said)
+        before, asked, said = d.holding.refused, len(d.journal.asked), len(d.journal.said)
         self._attendant.in_doubt()
         if self._guide is not None:
             self._guide.look(self._now)
@@ -171,13 +173,13 @@ class Shift:
             self.yard.write(name, value)
         for name, value in self._describer.writes().items():
             self.yard.write(name, value)  # taken back by whoever has looked
-        if d.refused != before:
-            self.worked.refused += d.refused - before
-        for train, route in d.asked[asked:]:
+        if d.holding.refused != before:
+            self.worked.refused += d.holding.refused - before
+        for train, route in d.journal.asked[asked:]:
             if self._guide is not None:
                 self._guide.granted(train, [str(x) for x in self._dispatcher.stages[RouteId(route)].sections])
             self._say("granted", train=train, route=route)
-        for text in d.said[said:]:
+        for text in d.journal.said[said:]:
             if text.startswith(("no plan", "UNKNOWN")) or "taken back" in text:
                 self._alarm(text)
         self._holds()
@@ -229,8 +231,8 @@ class Shift:
         self._fresh = True
 
     def _turn(self) -> None:
-        while self._dispatcher.turns:
-            name, section = self._dispatcher.turns.pop(0)
+        while self._dispatcher.journal.turns:
+            name, section = self._dispatcher.journal.turns.pop(0)
             trip = next(t for t in self._trips.values() if t.run.name == name)
             r = self.yard.rolling[trip.train]
             if r.train.target == self._setting.track.signals.index(trip.run.way.granted[-1].entry):

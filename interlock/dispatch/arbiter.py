@@ -119,17 +119,6 @@ class Arbiter:
             free = not r.rest_ms and not r.hindered(seen)
             self._free_ms[r] = self._free_ms.get(r, 0) + dt_ms if free else 0
 
-    def next(self, seen: Indications) -> Request | None:
-        """The request that is made now: the first that nothing seen keeps back."""
-        for r in self.in_order():
-            if self.may(r, seen):
-                return self.make(r)
-        return None
-
-    def in_order(self) -> list[Request]:
-        """All that wait, the first one first."""
-        return sorted(self.waiting, key=lambda x: x.key(self.wait_ms))
-
     def may(self, r: Request, seen: Indications) -> bool:
         """Nothing seen keeps a request back; what does is kept with it."""
         if r.rest_ms:

@@ -18,6 +18,7 @@ from dataclasses import replace
 from interlock.dispatch.arbiter import Arbiter, Key, Request, Source, key
 from interlock.dispatch.commands import errand
 from interlock.dispatch.holding import Holding
+from interlock.dispatch.journal import Journal
 from interlock.dispatch.obstacles import STRANGER_MS, Obstacles
 from interlock.dispatch.panel import Indications, Stage, stages
 from interlock.dispatch.plan.railway import Errand, Railway, Step
@@ -25,7 +26,7 @@ from interlock.dispatch.plan.search import BUDGET, Verdict
 from interlock.dispatch.policy import Policy, enters, past, yields
 from interlock.dispatch.run import Run
 from interlock.logic.symbols import Symbols
-from interlock.model.elements import Lane, SectionId, SignalId
+from interlock.model.elements import Lane, SignalId
 
 REOPENS_MS = 15_000
 """A route that is set, and nothing seen keeps shut, is asked for again after this time (our choice)."""
@@ -70,28 +71,14 @@ class Dispatcher:
         """Trains for which nothing is asked, and why: their numbers are in doubt."""
         self.other: deque[int] = deque()
         """Numbers that are asked for by hand and are no routes: overlaps that are to swing."""
-        self.said: list[str] = []
-        self.asked: list[tuple[str, str]] = []
-        """Train and route of every request that was granted, in order."""
+        self.journal = Journal()
         self.guide: Callable[[Run, Step], str] = lambda run, step: ""
         """Why a train is to wait though it could go on; whoever gives one sees to it that it ends."""
-        self.turns: list[tuple[str, SectionId]] = []
-        """Trains that change direction for a route that was granted, and where; in order."""
         self._writes, self._for = 0, None  # type: tuple[int, tuple[Run, Stage] | None]
         self._cancels: dict[str, int] = {}
         self._passing: dict[SignalId, Stage] = {}
         self._obstacles = Obstacles(symbols)
-        self._holding = Holding(railway, self.runs, rule, budget, self.said)
-
-    @property
-    def refused(self) -> int:
-        """Requests held back since no plan would exist after them."""
-        return self._holding.refused
-
-    @property
-    def plan(self) -> tuple[tuple[str, str], ...]:
-        """The completion plan that is held: train and route, in order, once all trains are where their routes lead."""
-        return self._holding.plan
+        self.holding = Holding(railway, self.runs, rule, budget, self.journal.said)
 
     # --- commands ------------------------------------------------------------------------------
 
@@ -110,7 +97,7 @@ class Dispatcher:
         if row is not None:
             run.voyage, run.lines = voyage, {m.voyage: frozenset(m.sections) for m in row.meetings}
         self.pending.append(run)
-        self._holding.forget()
+        self.holding.forget()
         return run
 
     def end(self, name: str) -> bool:
@@ -130,17 +117,6 @@ class Dispatcher:
         lanes = {s.id for s in self.railway.layout.sections if s.lane is Lane.INCLINED}
         self.arbiter.add(self.stages[row.id], source, self._priorities and not lanes.isdisjoint(row.section_ids))
 
-    @property
-    def ways(self) -> list[tuple[SectionId, ...]]:
-        """The sections of routes that are set and not yet run over, each from the one in rear of its signal on."""
-        rear = self._symbols.cancellation.approach_of
-        found = []
-        for run in self.runs:
-            for k, stage in enumerate(run.way.granted[max(0, run.way.at - 1) :], max(0, run.way.at - 1)):
-                before = rear.get(stage.entry) if k >= run.way.at else None
-                found.append(stage.sections if before is None else (before, *stage.sections))
-        return found
-
     # --- one scan ------------------------------------------------------------------------------
 
     def step(self, seen: Indications, dt_ms: int) -> dict[str, int]:
@@ -156,8 +132,8 @@ class Dispatcher:
                 self._cancels[self._symbols.cancellation.cancel[stage.entry]] = 1
         self._passing = {g: s for g, s in self._passing.items() if s.shown.stands(seen) and s.entered(seen)}
         if self._obstacles.look(seen, dt_ms, {s for run in self.runs for s in run.near}):
-            self._holding.obstacles = self._obstacles.things
-            self._holding.forget()
+            self.holding.obstacles = self._obstacles.things
+            self.holding.forget()
         self.arbiter.tick(seen, dt_ms)
         acknowledged = seen.get(self._symbols.requests.seen[self._symbols.requests.request], 0)
         if self._writes and acknowledged:
@@ -173,14 +149,14 @@ class Dispatcher:
         if run.way.not_passed(seen):
             run.way.at -= 1
             self._passing.pop(run.way.granted[run.way.at].entry, None)
-            self.said.append(
+            self.journal.said.append(
                 f"{run.name} has not passed {run.way.granted[run.way.at].entry}: something else was reported"
             )
         if run.way.ahead:
             stage = run.way.granted[run.way.at]
             if stage.shown.open(seen) and run.way.at not in run.way.opened:
                 run.way.opened.add(run.way.at)
-                self.said.append(f"{run.name}: {stage.route} is open")
+                self.journal.said.append(f"{run.name}: {stage.route} is open")
                 run.asking.waited_ms = run.way.reopened = 0
                 run.way.by_hand = False
             if run.way.at in run.way.opened and stage.entered(seen) and stage.shown.stands(seen):
@@ -191,16 +167,16 @@ class Dispatcher:
             elif run.way.cancelling and not any(s.taken(seen) for s in run.way.granted[run.way.at :]):
                 self._taken_back(run)
             elif run.way.at in run.way.opened and not stage.shown.held(seen):
-                self.said.append(f"{run.name} is given up: {stage.route} was taken back before its train came")
+                self.journal.said.append(f"{run.name} is given up: {stage.route} was taken back before its train came")
                 self._remove(run)
                 return
             elif run.way.at not in run.way.opened and not stage.shown.is_set(seen) and not stage.entered(seen):
                 self._taken_back(run)  # it was refused, and what was locked there was an overlap
             elif not run.way.cancelling and (why := self._shut(run, stage, seen, dt_ms)):
-                self.said.append(f"{run.name}: {stage.route} is taken back, since {why}")
+                self.journal.said.append(f"{run.name}: {stage.route} is taken back, since {why}")
                 run.way.cancelling = True
         if run.through(seen):
-            self.said.append(f"{run.name} is done")
+            self.journal.said.append(f"{run.name} is done")
             self._remove(run)
 
     def _shut(self, run: Run, stage: Stage, seen: Indications, dt_ms: int) -> str:
@@ -223,12 +199,11 @@ class Dispatcher:
     def _taken_back(self, run: Run) -> None:
         """A route that did not open was cancelled: its train stands where it stood."""
         run.place = run.way.places[run.way.at]
-        back = [(run.name, s.route) for s in run.way.granted[run.way.at :]]
-        self.asked = [x for k, x in enumerate(self.asked) if x not in back or x in self.asked[k + 1 :]]
+        self.journal.taken_back(run.name, [s.route for s in run.way.granted[run.way.at :]])
         del run.way.granted[run.way.at :], run.way.places[run.way.at :]
         run.asking.routes.clear()
         run.way.cancelling = False
-        self._holding.forget()
+        self.holding.forget()
 
     def _remove(self, run: Run) -> None:
         self.runs.remove(run)
@@ -236,7 +211,7 @@ class Dispatcher:
             beyond = self.railway.approach.get(self.railway.table.route[run.way.granted[-1].route].exit)
             if beyond is not None:
                 self._obstacles.leaving.add(beyond)
-        self._holding.forget()
+        self.holding.forget()
 
     # --- asking --------------------------------------------------------------------------------
 
@@ -257,15 +232,15 @@ class Dispatcher:
             if len(run.asking.routes) == len(step.routes):
                 run.asking.routes.clear()
             return
-        self.asked.append((run.name, stage.route))
+        self.journal.asked.append((run.name, stage.route))
         run.reason = ""
         run.asking.routes.remove(stage)
         if run.asking.routes:
             return
         taken = {(run.name, r.id) for r in step.routes}
-        self._holding.plan = tuple(x for x in self.plan if x not in taken)
+        self.holding.plan = tuple(x for x in self.holding.plan if x not in taken)
         if step.turned:
-            self.turns.append((run.name, run.place.under[-1][0]))
+            self.journal.turns.append((run.name, run.place.under[-1][0]))
         for r in step.routes:
             run.way.granted.append(self.stages[r.id])
             run.way.places.append(run.place)
@@ -280,7 +255,7 @@ class Dispatcher:
             self._writes = self.other.popleft()
             return
         self._admit(seen)
-        self._holding.prepare()
+        self.holding.prepare()
         found: list[tuple[Key, Request | Run]] = [(r.key(self._wait_ms), r) for r in self.arbiter.waiting]
         found += [(self._key(run, k), run) for k, run in enumerate(self.runs)]
         for _, one in sorted(found, key=lambda x: x[0]):
@@ -326,7 +301,7 @@ class Dispatcher:
         run.way.shut_ms = 0
         run.way.reopened += 1
         if run.way.reopened > 2:
-            self.said.append(
+            self.journal.said.append(
                 f"{run.name}: {run.way.granted[run.way.at].route} is taken back, since it does not open again"
             )
             run.way.cancelling = True
@@ -338,19 +313,19 @@ class Dispatcher:
         """The first route of the step that a train takes next, if it may; sets `run.asking`."""
         if run.finished or run.way.ahead >= self._look_ahead or run.caught:
             return None
-        for step, move in self._holding.steps(run):
+        for step, move in self.holding.steps(run):
             order = [self.stages[r.id] for r in step.routes]
             first = order[0]
             if not run.way.granted and (not first.shown.stands(seen) or first.entry in self._passing):
                 run.reason = f"no train stands before {first.entry}"
                 continue
             if (why := next((w for s in order if (w := s.hindered(seen))), "")) or (
-                why := self._holding.behind(run, move)
+                why := self.holding.behind(run, move)
             ):
                 run.reason = f"{first.route}: {why}"
                 continue
             if (why := self._waits(run, step, seen) or self.guide(run, step)) or (
-                self._rule and not self._holding.safe(run, move)
+                self._rule and not self.holding.safe(run, move)
             ):
                 run.reason = f"{first.route}: {why}" if why else run.reason
                 continue
@@ -361,7 +336,7 @@ class Dispatcher:
 
     def _waits(self, run: Run, step: Step, seen: Indications) -> str:
         """For whom a train waits before a single line, by the policy."""
-        if self._policy is None or self._holding.planner is None:
+        if self._policy is None:
             return ""
         order = {r.name: k for k, r in enumerate(self.runs)}
         for other in self.runs:
@@ -370,7 +345,7 @@ class Dispatcher:
                 continue
             first = self.stages[other.journey.steps[other.place][0].routes[0].id]
             there = bool(other.way.granted) or first.shown.stands(seen)
-            if there and yields(self._policy, run, other, order) and self._holding.passes(other, line):
+            if there and yields(self._policy, run, other, order) and self.holding.passes(other, line):
                 return f"{other.name} goes first ({self._policy})"
         return ""
 
@@ -381,7 +356,7 @@ class Dispatcher:
     def _admit(self, seen: Indications) -> None:
         """Take up the commands with which a plan still exists; one whose train is there is taken up in any case."""
         waits: set[object] = set()
-        changed = self._holding.built is None
+        changed = self.holding.built is None
         for run in tuple(self.pending):
             start = run.journey.start.under
             first = run.journey.steps[run.journey.start][0].routes[0]
@@ -390,12 +365,12 @@ class Dispatcher:
                 waits.add(start)
                 continue
             self.runs.append(run)
-            self._holding.forget()
+            self.holding.forget()
             if self._rule and not there:
-                self._holding.make()
-                if self._holding.answer(self._holding.state()).verdict is not Verdict.PLAN:
+                self.holding.make()
+                if self.holding.answer(self.holding.state()).verdict is not Verdict.PLAN:
                     self.runs.remove(run)
-                    self._holding.forget()
+                    self.holding.forget()
                     run.reason = "no plan exists with it yet: it waits outside"
                     waits.add(start)
                     continue

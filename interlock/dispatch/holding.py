@@ -22,7 +22,7 @@ class Holding:
         self.plan: tuple[tuple[str, str], ...] = ()
         self.obstacles: frozenset[object] = frozenset()
         self.built: Built | None = None
-        self.planner: Planner | None = None
+        self._planner: Planner | None = None
         self._answers: dict[int, Answer] = {}
 
     def forget(self) -> None:
@@ -31,13 +31,13 @@ class Holding:
 
     def passes(self, run: Run, line: frozenset[SectionId]) -> bool:
         """A train could run over a line now, while all others stand."""
-        assert self.planner is not None and self.built is not None
+        assert self._planner is not None and self.built is not None
         beyond = 0
         for place, bit in self.built.bits[self.runs.index(run)].items():
             ahead = run.journey.steps[place]  # type: ignore[index]
             if not any(enters(s, line) for s in ahead) and place is not run.place:
                 beyond |= bit
-        return self.planner.alone(self.state(), self._bit(run), beyond & ~self._bit(run)) is not None
+        return self._planner.alone(self.state(), self._bit(run), beyond & ~self._bit(run)) is not None
 
     def steps(self, run: Run) -> list[tuple[Step, Move]]:
         """The steps that a train could take next, that of the held plan first."""
@@ -79,9 +79,9 @@ class Holding:
         return False
 
     def answer(self, state: int) -> Answer:
-        assert self.planner is not None
+        assert self._planner is not None
         if state not in self._answers:
-            self._answers[state] = self.planner.solve(state)
+            self._answers[state] = self._planner.solve(state)
         return self._answers[state]
 
     def _told(self, answer: Answer) -> tuple[tuple[str, str], ...]:
@@ -168,5 +168,5 @@ class Holding:
         if self.obstacles:
             drafts.append(in_the_way(self.obstacles))
         self.built = build(drafts, self._railway.zones)
-        self.planner = Planner(self.built.problem, self.budget)
+        self._planner = Planner(self.built.problem, self.budget)
         self._answers = {}

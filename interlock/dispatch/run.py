@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from interlock.dispatch.panel import Indications, Stage
 from interlock.dispatch.plan.railway import OUTSIDE, Journey, Place, Step
-from interlock.model.elements import SectionId
+from interlock.model.elements import SectionId, SignalId
 
 
 @dataclass(eq=False)
@@ -128,3 +129,14 @@ class Run:
     def through(self, seen: Indications) -> bool:
         """The train has passed all its signals and left all but the place where it may stay."""
         return self.finished and not self.way.ahead and self.way.left(seen, {s for s, _ in self.place.under})
+
+
+def ways(runs: Iterable[Run], rear: Mapping[SignalId, SectionId | None]) -> list[tuple[SectionId, ...]]:
+    """The sections of routes that are set and not yet run over, each from the one in rear of its signal on; rear: by
+    signal."""
+    found = []
+    for way in (r.way for r in runs):
+        for k, stage in enumerate(way.granted[max(0, way.at - 1) :], max(0, way.at - 1)):
+            before = rear.get(stage.entry) if k >= way.at else None
+            found.append(stage.sections if before is None else (before, *stage.sections))
+    return found

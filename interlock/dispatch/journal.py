@@ -1,0 +1,24 @@
+"""What a dispatcher has done, for whoever watches it: sentences, routes granted, trains that change ends."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from interlock.model.elements import RouteId, SectionId
+
+
+@dataclass(eq=False)
+class Journal:
+    """In the order in which it happened."""
+
+    said: list[str] = field(default_factory=list)
+    """What is told to people."""
+    asked: list[tuple[str, str]] = field(default_factory=list)
+    """Train and route of every request that was granted."""
+    turns: list[tuple[str, SectionId]] = field(default_factory=list)
+    """Trains that change direction for a route that was granted, and where."""
+
+    def taken_back(self, train: str, routes: list[RouteId]) -> None:
+        """Routes granted to a train were cancelled before it came: they count as not asked for."""
+        back = [(train, r) for r in routes]
+        self.asked = [x for k, x in enumerate(self.asked) if x not in back or x in self.asked[k + 1 :]]
