@@ -288,7 +288,8 @@ class Reader:
                     out[f"rest.{section}"] = section in self.stood.get(t.number, ())
                 if section and k + 1 < len(body):
                     out[f"x.{body[k + 1][1]}.{section}"] = True
-            g = self.track.signals[t.target] if t.target != NONE and (t.accepted or t.committed) else ""
+            called = t.view.target != NONE and (t.driver.accepted or t.driver.committed)
+            g = self.track.signals[t.view.target] if called else ""
             near = self.before_signal.get(g)
             if near and body and body[-1][0] == near and any(s == near for s, _ in self.earlier.get(t.number, ())):
                 out[f"go.{g}"] = True
@@ -297,7 +298,7 @@ class Reader:
     def begin(self, outputs: Mapping[str, int]) -> None:
         """The restart delay is over: whoever is inside stands."""
         inside = [t for t in self.world.trains if not self.track.stretches[t.body[0]].outside]
-        kept = next((t for t in inside if t.target != NONE and self._plain(t)), None)
+        kept = next((t for t in inside if t.view.target != NONE and self._plain(t)), None)
         for t in inside:
             if t is not kept:
                 self.world.trains.remove(t)  # moved under local rules before the restart
@@ -323,7 +324,7 @@ class Reader:
     def _plain(self, t: Train) -> bool:
         """No points under a train that stands across a joint."""
         pointed = {s.section for s in self.track.stretches if s.machine != NONE}
-        return len(t.sections) == 1 or pointed.isdisjoint(t.sections)
+        return len(t.under.sections) == 1 or pointed.isdisjoint(t.under.sections)
 
     def _keep(self, outputs: Mapping[str, int]) -> None:
         self.controller = {n: bool(v) for n, v in self.life.controller.state.items()}
@@ -394,7 +395,7 @@ def steps(case: Case, words: Words, seed: int, scans: int, hostile: bool) -> lis
 
     def watch(world: World, outputs: Mapping[str, int]) -> None:
         for t in world.trains:
-            t.patience = inf
+            t.handling.patience = inf
         elapsed = life.controller.elapsed["RST"]
         if elapsed is None or elapsed < restart - 1000:
             return

@@ -276,7 +276,7 @@ def test_trains_pass_the_light_and_stop_at_stop(hostile: bool) -> None:
 
     def watch(world: World, shown: Mapping[str, int]) -> None:
         nonlocal astride, passed
-        under = [{world.track.sections[s] for s in t.sections} for t in world.trains]
+        under = [{world.track.sections[s] for s in t.under.sections} for t in world.trains]
         before, astride = astride, any({"p1", "p2"} <= x for x in under)
         passed += astride and not before and any(lit)
         lit[:] = [*lit[1:], bool(shown.get("YI_Y"))]

@@ -519,9 +519,9 @@ def test_a_train_starts_however_far_it_stands_from_where_it_meant_to_stand(metre
     field = SimulatedField(ready.layout, ready.allocation, inputs, outputs, 0.4)
     train, drivers = field.train(field.stand("s7", "XI9", 40.0, "7")), field.world.drivers
     drivers.sight.look(train)
-    train.called, train.head = True, train.head + train.gap - train.margin - metres
+    train.driver.called, train.head = True, train.head + train.view.gap - train.handling.margin - metres
     drivers.sight.look(train)
-    clear, *others = drivers.lit[train.target]
+    clear, *others = drivers.lit[train.view.target]
     field.shown |= {clear: 1} | dict.fromkeys(others, 0)
     for _ in range(300):
         field.step(0.1, {})

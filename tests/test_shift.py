@@ -137,7 +137,7 @@ def test_a_train_that_comes_into_sight_of_a_signal_at_a_whole_millisecond_runs_o
         stood = run_on(yard)
         assert len(stood) == 1, f"reacts within {k} ms"
         yard.sight.look(stood[0].train)
-        assert stood[0].train.gap == pytest.approx(MARGIN_M)
+        assert stood[0].train.view.gap == pytest.approx(MARGIN_M)
 
 
 @pytest.mark.parametrize("accepted", [False, True])

@@ -235,7 +235,7 @@ class Shift:
             name, section = self._dispatcher.journal.turns.pop(0)
             trip = next(t for t in self._trips.values() if t.run.name == name)
             r = self.yard.rolling[trip.train]
-            if r.train.target == self._setting.track.signals.index(trip.run.way.granted[-1].entry):
+            if r.train.view.target == self._setting.track.signals.index(trip.run.way.granted[-1].entry):
                 continue  # it has turned for a route that was taken back
             self._say("turns", train=trip.train, section=section)
             self.yard.turns(r)

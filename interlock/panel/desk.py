@@ -303,7 +303,7 @@ class Desk:
                 if not s.outside:
                     lo, hi = t.span(track, d)
                     spans.append([str(f.layout.edges[s.edge].id), round(lo, 1), round(hi, 1)])
-            under = [track.sections[x] for x in t.sections]
+            under = [track.sections[x] for x in t.under.sections]
             head = track.stretches[t.body[-1]]
             way = -1 if t.body[-1] & 1 else 1
             front = None if head.outside else way

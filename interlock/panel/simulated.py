@@ -21,7 +21,7 @@ from interlock.simulate.faults import NO_FAULTS
 from interlock.simulate.neighbour import Neighbour
 from interlock.simulate.track import NONE, Beyond, Track
 from interlock.simulate.traffic import Traffic
-from interlock.simulate.train import Train
+from interlock.simulate.train import Handling, Train
 from interlock.simulate.world import World
 
 LENGTH_M = 40.0
@@ -62,8 +62,9 @@ class _OnCommand(Traffic):
     def new(self, body: list[int], head: float, tail: float) -> Train:
         """A train whose driver is as all others here, and waits as long as he has to."""
         t = super().new(body, head, tail)
-        t.brakes, t.gathers, t.fastest = 1.2 * self.world.rules.braking_ms2, 0.6, self.fastest
-        t.clear_view, t.margin, t.patience = 1.0, 2.0, inf
+        t.handling = Handling(
+            brakes=1.2 * self.world.rules.braking_ms2, gathers=0.6, fastest=self.fastest, patience=inf
+        )
         return t
 
     def come(self, dt: float) -> None:
@@ -175,7 +176,7 @@ class SimulatedField:
         s = self.world.track.stretches[d]
         head = s.metres - min(5.0, s.metres / 4)
         length = min(metres, head - min(1.0, s.metres / 8))
-        if any(s.edge in t.edges and self._near(t, d, head - length, head) for t in self.world.trains):
+        if any(s.edge in t.under.edges and self._near(t, d, head - length, head) for t in self.world.trains):
             raise Impossible(f"another train stands there in {section}")
         t = self.world.traffic.new([d], head, head - length)
         self.names[t.number] = name = self._named(name)
@@ -251,7 +252,7 @@ class SimulatedField:
             far = line.comes
             head = w.track.stretches[far].metres - 60.0
             t = w.traffic.new([far], head, head - metres)
-            t.called, t.speed = True, 0.4 * t.fastest
+            t.driver.called, t.speed = True, 0.4 * t.handling.fastest
             self.names[t.number] = name
             self.coming.remove(one)
 
@@ -259,10 +260,10 @@ class SimulatedField:
         """Let a train run as signals permit, or bring it to a stand."""
         t = self.train(name)
         if go:
-            t.fastest = self._fastest.pop(t.number, t.fastest)
-            t.stuck = False
+            t.handling.fastest = self._fastest.pop(t.number, t.handling.fastest)
+            t.driver.stuck = False
         elif t.number not in self._fastest:
-            self._fastest[t.number], t.fastest = t.fastest, 0.0
+            self._fastest[t.number], t.handling.fastest = t.handling.fastest, 0.0
 
     def held(self, t: Train) -> bool:
         """Whether somebody holds a train."""

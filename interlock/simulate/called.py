@@ -64,7 +64,7 @@ class Called:
             return not now.get(name, 1) and not before.get(name, 1)
 
         clear, caution, *_, identifier = w.drivers.lit[signal]
-        trusts = not t.shunting and any(map(shown.get, (clear, caution, identifier)))
+        trusts = not t.driver.shunting and any(map(shown.get, (clear, caution, identifier)))
         wrong: list[str] = []
         if lacking("VALID"):
             wrong.append("while inputs are lost")
@@ -88,7 +88,7 @@ class Called:
             d = sight.follows(s[d])
             if d == NONE or d in found:
                 break
-            if s[d].signal != NONE and (sight.main[s[d].signal] or t.shunting):
+            if s[d].signal != NONE and (sight.main[s[d].signal] or t.driver.shunting):
                 return found, s[d].signal
             found.append(d)
         return found, NONE
@@ -102,12 +102,12 @@ class Called:
             wrong += [f"over {self.track.machines[m]}, open" for m in self.devices.get(x, ()) if self._undetected(m, 1)]
             if all(past.get(self.blocked[x], 0) for past, _ in self.world.past):
                 wrong.append(f"into {name}, blocked")
-            berth = t.shunting and x in self.track.berths
+            berth = t.driver.shunting and x in self.track.berths
             if self._occupied(t, x, trusts or n == 0) and not berth:
                 wrong.append(f"into {name}, occupied")
         wrong += self._points(path)
         last = s[path[-1]]
-        if last.outside and not t.shunting:
+        if last.outside and not t.driver.shunting:
             wrong += [f"against {e}" for e in self.at_exit.get(path[-1], ()) if lacking(e)]
             if last.section != NONE and self._occupied(t, last.section, True):
                 wrong.append(f"onto {self.track.sections[last.section]}, occupied")
@@ -118,9 +118,9 @@ class Called:
         s, wrong = self.track.stretches, []
         over = {s[d].section for d in path}
         for name, most, inside in self.world.watch.limits:
-            if over.isdisjoint(inside) or not inside.isdisjoint(t.sections):
+            if over.isdisjoint(inside) or not inside.isdisjoint(t.under.sections):
                 continue
-            others = {o.origin for o in self.world.trains if not inside.isdisjoint(o.sections)} - {t.origin}
+            others = {o.origin for o in self.world.trains if not inside.isdisjoint(o.under.sections)} - {t.origin}
             if len(others) >= most:
                 wrong.append(f"into {name}, where {len(others)} are")
         return wrong
@@ -148,7 +148,7 @@ class Called:
 
     def _occupied(self, t: Train, x: int, trusts: bool) -> bool:
         """Whether another vehicle was in a section in both scans; where reports are trusted, and was reported."""
-        if x in t.sections:
+        if x in t.under.sections:
             return False
         clear = self.world.clear[x]
         return all(count[x] and not (trusts and past.get(clear)) for past, count in self.world.past)

@@ -97,7 +97,7 @@ class Drivers:
             self._world.watch.contradicts(self._world, signal)
         if green or yellow or shown.get(call) or passes:
             return False
-        if shown.get(white) and (t.shunting or t.speed == 0.0):
+        if shown.get(white) and (t.driver.shunting or t.speed == 0.0):
             return True
         return None
 
@@ -109,27 +109,28 @@ class Drivers:
     # --- running ---------------------------------------------------------------------------------
 
     def _drive(self, t: Train, dt: float, shown: Mapping[str, int]) -> None:
+        driver = t.driver
         t.moved = False
-        if t.seen_at != self._world.machines.version:
+        if t.view.at != self._world.machines.version:
             self.sight.look(t)
         if t.speed == 0.0:
-            t.rests += dt
-            if t.stuck or not t.called or t.gap - t.margin < NEAR_M:
+            driver.rests += dt
+            if driver.stuck or not driver.called or t.view.gap - t.handling.margin < NEAR_M:
                 self._stands(t, dt, shown)
-                if not t.accepted:
+                if not driver.accepted:
                     return
-            elif t.rests < 1.0 + 3.0 * t.margin and not t.accepted:
+            elif driver.rests < 1.0 + 3.0 * t.handling.margin and not driver.accepted:
                 return
         self._reads(t, dt, shown)
         before, ds, free = t.speed, *self._runs(t, dt)
         if t.speed < 0.15 and free < NEAR_M:
             ds, t.speed = min(ds, max(free, 0.0)), 0.0
-            t.overruns = 0.0
+            driver.overruns = 0.0
         if ds <= 0.0:
             t.speed = 0.0
             return
-        if before == 0.0 and t.rests > 0.0:
-            t.rests = 0.0
+        if before == 0.0 and driver.rests > 0.0:
+            driver.rests = 0.0
             self._world.watch.starts(self._world, t)
         self._advance(t, ds)
         if self._rng.random() < self._world.faults.divide * dt:
@@ -137,32 +138,38 @@ class Drivers:
 
     def _runs(self, t: Train, dt: float) -> tuple[float, float]:
         """Changes its speed; the metres that it runs, and those in which its driver means to stand."""
+        how = t.handling
         free = self._free(t)
-        if t.shunting or self.track.stretches[t.body[-1]].outside:
+        if t.driver.shunting or self.track.stretches[t.body[-1]].outside:
             free = min(free, self.sight.vehicle(t, 200.0, False) - 3.0)
         seen = t.length(self.track) / self._world.scan_s  # no faster than a scan can see it (A-SCAN)
-        top = min(t.fastest, self._limit(t), seen)
-        if t.shunting:
+        top = min(how.fastest, self._limit(t), seen)
+        if t.driver.shunting:
             top = min(top, self._shunt_speed)
         before = t.speed
-        wanted = min(top, sqrt(2 * t.brakes * max(0.0, free - before * dt))) if free < inf else top
+        wanted = min(top, sqrt(2 * how.brakes * max(0.0, free - before * dt))) if free < inf else top
         if wanted >= before:
-            t.speed = min(wanted, before + t.gathers * dt)
+            t.speed = min(wanted, before + how.gathers * dt)
             return (before + t.speed) / 2 * dt, free
-        t.speed = max(wanted, before - t.brakes * dt)
-        slows = (before - t.speed) / t.brakes
+        t.speed = max(wanted, before - how.brakes * dt)
+        slows = (before - t.speed) / how.brakes
         return (before + t.speed) / 2 * slows + t.speed * (dt - slows), free
 
     def _free(self, t: Train) -> float:
         """Metres in which the driver means to stand, if nothing more is shown to him."""
-        if t.stuck:
-            return t.overruns
-        if not t.accepted:
-            return max(0.0, t.gap - t.margin + t.overruns)
-        ahead = 1 if not t.announced else 2
-        if len(t.further) < ahead:
-            return inf if t.target != NONE and not t.further else t.gap + (t.further[-1] if t.further else 0.0)
-        return max(0.0, t.gap + t.further[ahead - 1] - t.margin)
+        driver, view = t.driver, t.view
+        if driver.stuck:
+            return driver.overruns
+        if not driver.accepted:
+            return max(0.0, view.gap - t.handling.margin + driver.overruns)
+        ahead = 1 if not driver.announced else 2
+        if len(view.further) < ahead:
+            return (
+                inf
+                if view.target != NONE and not view.further
+                else view.gap + (view.further[-1] if view.further else 0.0)
+            )
+        return max(0.0, view.gap + view.further[ahead - 1] - t.handling.margin)
 
     def _limit(self, t: Train) -> float:
         section = self.track.stretches[t.body[-1]].section
@@ -172,92 +179,102 @@ class Drivers:
 
     def _reads(self, t: Train, dt: float, shown: Mapping[str, int]) -> None:
         """What the driver makes of the next signal."""
-        if t.target == NONE:
-            t.accepted = False
+        driver, view = t.driver, t.view
+        if view.target == NONE:
+            driver.accepted = False
             return
-        if t.gap > self._view * (t.clear_view if t.expects else 1.0):
-            t.accepted = t.expects
+        if view.gap > self._view * (t.handling.clear_view if driver.expects else 1.0):
+            driver.accepted = driver.expects
             return
-        t.accepted = t.accepted or t.expects
-        told = self.proceed(t, t.target, shown)
+        driver.accepted = driver.accepted or driver.expects
+        told = self.proceed(t, view.target, shown)
         if told is None:
             self._closed(t, dt)
             return
-        if not t.accepted:
+        if not driver.accepted:
             if t.speed == 0.0:
                 return  # see `_stands`
-            t.reads = t.reads + dt if self.sight.vehicle(t, t.gap, True) >= t.gap else 0.0
-            if t.reads < READS_S:
+            driver.reads = driver.reads + dt if self.sight.vehicle(t, view.gap, True) >= view.gap else 0.0
+            if driver.reads < READS_S:
                 return
-        announced = self.three and bool(shown.get(self.lit[t.target][0]))
-        if shown.get(self.lit[t.target][5]):  # what the signal before has told him goes on
-            announced = self.three and t.expects
-        if t.announced and not announced and t.accepted and t.read == t.target:
+        announced = self.three and bool(shown.get(self.lit[view.target][0]))
+        if shown.get(self.lit[view.target][5]):  # what the signal before has told him goes on
+            announced = self.three and driver.expects
+        if driver.announced and not announced and driver.accepted and driver.read == view.target:
             if not self._reacted(t, dt):
                 return
-            t.late = not self._stops_within(t, t.gap + sum(t.further[:1]))  # clear has gone back to caution before him
+            driver.late = not self._stops_within(
+                t, view.gap + sum(view.further[:1])
+            )  # clear has gone back to caution before him
         self.accepts(t, told, shown)
-        t.announced = announced
+        driver.announced = announced
 
     def accepts(self, t: Train, shunting: bool, shown: Mapping[str, int]) -> None:
         """A driver takes proceed for himself; the first time it is looked at what he is called over."""
-        t.accepted, t.reacts, t.overruns = True, -1.0, 0.0
+        driver, view = t.driver, t.view
+        driver.accepted, driver.reacts, driver.overruns = True, -1.0, 0.0
         if t.speed == 0.0 or not shunting:
-            t.shunting = shunting
-        if t.read != t.target:
-            t.read = t.target
-            self._world.called.over(t, t.target, shown)
+            driver.shunting = shunting
+        if driver.read != view.target:
+            driver.read = view.target
+            self._world.called.over(t, view.target, shown)
 
     def _reacted(self, t: Train, dt: float) -> bool:
         """Whether the time is over that a driver needs to act on what has changed before him."""
-        if t.reacts < 0.0:
-            t.reacts = self._rng.uniform(0.0, self._reaction)
-        t.reacts -= dt
-        if t.reacts <= 0.0:
-            t.reacts = -1.0
+        driver = t.driver
+        if driver.reacts < 0.0:
+            driver.reacts = self._rng.uniform(0.0, self._reaction)
+        driver.reacts -= dt
+        if driver.reacts <= 0.0:
+            driver.reacts = -1.0
             return True
         return False
 
     def _closed(self, t: Train, dt: float) -> None:
         """The signal ahead shows stop: to one who had accepted it, to one who brakes for it, or fails to."""
-        t.reads = 0.0
-        if t.accepted:
+        driver, view = t.driver, t.view
+        driver.reads = 0.0
+        if driver.accepted:
             if self._reacted(t, dt):
-                t.late |= t.announced and not self._stops_within(t, t.gap + sum(t.further[:1]))
-                t.committed = not self._stops_within(t, t.gap)
-                t.accepted = t.expects = t.announced = False
-                t.read = NONE
-        elif t.overruns == 0.0 and t.speed > 1.0 and not t.shunting and t.called and not t.committed:
+                driver.late |= driver.announced and not self._stops_within(t, view.gap + sum(view.further[:1]))
+                driver.committed = not self._stops_within(t, view.gap)
+                driver.accepted = driver.expects = driver.announced = False
+                driver.read = NONE
+        elif (
+            driver.overruns == 0.0 and t.speed > 1.0 and not driver.shunting and driver.called and not driver.committed
+        ):
             self._fails(t)
 
     @staticmethod
     def _stops_within(t: Train, metres: float) -> bool:
-        return t.speed**2 / (2 * t.brakes) < metres - 0.2
+        return t.speed**2 / (2 * t.handling.brakes) < metres - 0.2
 
     def _fails(self, t: Train) -> None:
         """A driver fails to stop, within the overlap; not while points of it turn (A-OVERRUN, A-SWING)."""
-        metres = min(self.overlap(t.target).metres, 400.0)
-        near = metres and t.gap < 60.0 and self._rng.random() < self._world.faults.overrun * 0.1
-        if near and self.sight.rails_lie(t, t.gap + metres):
-            t.overruns = t.margin + metres * self._rng.uniform(0.05, 0.95)
+        view = t.view
+        metres = min(self.overlap(view.target).metres, 400.0)
+        near = metres and view.gap < 60.0 and self._rng.random() < self._world.faults.overrun * 0.1
+        if near and self.sight.rails_lie(t, view.gap + metres):
+            t.driver.overruns = t.handling.margin + metres * self._rng.uniform(0.05, 0.95)
 
     # --- standing --------------------------------------------------------------------------------
 
     def _stands(self, t: Train, dt: float, shown: Mapping[str, int]) -> None:
         """A train that may not go: it waits for a signal, turns round, divides, or is taken away in the end."""
+        driver, view = t.driver, t.view
         rng, w = self._rng, self._world
-        if t.stuck or t.rests > t.patience:
-            if t.rests > t.patience:
+        if driver.stuck or driver.rests > t.handling.patience:
+            if driver.rests > t.handling.patience:
                 w.traffic.taken_away(t)
-            t.accepted = False
+            driver.accepted = False
             return
-        if t.target != NONE and not t.accepted and rng.random() < 0.3:
-            told = self.proceed(t, t.target, shown)
-            if told is not None and self.sight.vehicle(t, t.gap, True) >= t.gap:  # it calls the vehicle before it
+        if view.target != NONE and not driver.accepted and rng.random() < 0.3:
+            told = self.proceed(t, view.target, shown)
+            if told is not None and self.sight.vehicle(t, view.gap, True) >= view.gap:  # it calls the vehicle before it
                 self.accepts(t, told, shown)
-                t.rests = 0.0
+                driver.rests = 0.0
                 return
-        if not t.accepted and rng.random() < 0.02 * dt:
+        if not driver.accepted and rng.random() < 0.02 * dt:
             w.traffic.turns(t)
         if rng.random() < w.faults.divide * dt * 10:
             w.traffic.divide(t)
@@ -266,13 +283,14 @@ class Drivers:
 
     def _advance(self, t: Train, ds: float) -> None:
         """The head goes on over points as they lie, the tail follows."""
+        driver, view = t.driver, t.view
         s, w = self.track.stretches, self._world
         changed = False
         t.moved = True
         t.head += ds
-        t.gap -= ds
-        if t.stuck:
-            t.overruns = max(0.0, t.overruns - ds)
+        view.gap -= ds
+        if driver.stuck:
+            driver.overruns = max(0.0, driver.overruns - ds)
         while t.head > s[t.body[-1]].metres:
             here = s[t.body[-1]]
             on = self._onto(t, t.body[-1])
@@ -280,14 +298,14 @@ class Drivers:
                 if here.derails:
                     w.watch.derails(w, t)
                 over = t.head - here.metres
-                t.head, ds, t.speed, t.rests = here.metres, ds - over, 0.0, 0.01
+                t.head, ds, t.speed, driver.rests = here.metres, ds - over, 0.0, 0.01
                 break
             t.head -= here.metres
             t.body.append(on)
             changed = True
-            if s[on].signal != NONE and (not t.called or self.sight.obeys(t, s[on].signal)):
+            if s[on].signal != NONE and (not driver.called or self.sight.obeys(t, s[on].signal)):
                 self._passes(t, s[on].signal)
-                t.seen_at = -1
+                view.at = -1
             if s[on].section != here.section and not s[on].outside:
                 w.watch.comes_in(w, t, s[on].section)
         t.tail += ds
@@ -296,13 +314,13 @@ class Drivers:
             t.body.pop(0)
             changed = True
         if changed:
-            t.looks(self.track)
+            t.under.looks(self.track, t.body)
         if s[t.body[-1]].outside and s[t.body[0]].outside and t.body[0] == t.body[-1] and s[t.body[0]].on == NONE:
             if t.head > s[t.body[0]].metres - 50.0:
                 w.trains.remove(t)
             return
         t.fouls(self.track)
-        if t.seen_at == -1:
+        if view.at == -1:
             self.sight.look(t)
 
     def _onto(self, t: Train, d: int) -> int:
@@ -321,13 +339,20 @@ class Drivers:
 
     def _passes(self, t: Train, signal: int) -> None:
         """The head passes a signal that counts: accepted, or closed when it was too late to stop, or overrun."""
-        if t.accepted or t.committed:
-            self._world.movements += t.accepted
-            t.expects, t.called, t.overruns = t.accepted and t.announced, True, 0.0
+        driver = t.driver
+        if driver.accepted or driver.committed:
+            self._world.movements += driver.accepted
+            driver.expects, driver.called, driver.overruns = driver.accepted and driver.announced, True, 0.0
         else:
-            if not t.overruns:
+            if not driver.overruns:
                 self._world.passed_at_stop.append(f"train {t.number} at {self.track.signals[signal]}")
-            t.overruns, t.stuck = max(1.0, t.overruns - t.margin - t.head), True
-        t.accepted, t.announced, t.reacts, t.reads, t.read = False, False, -1.0, 0.0, NONE
-        t.committed, t.late = t.late, False
-        t.rests = 0.0
+            driver.overruns, driver.stuck = max(1.0, driver.overruns - t.handling.margin - t.head), True
+        driver.accepted, driver.announced, driver.reacts, driver.reads, driver.read = (
+            False,
+            False,
+            -1.0,
+            0.0,
+            NONE,
+        )
+        driver.committed, driver.late = driver.late, False
+        driver.rests = 0.0

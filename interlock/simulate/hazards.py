@@ -58,15 +58,15 @@ class Watch:
             for j, b in enumerate(trains):
                 if i == j or (b.moved and j < i):
                     continue
-                if not a.edges.isdisjoint(b.edges):
+                if not a.under.edges.isdisjoint(b.under.edges):
                     self._same(world, a, b)
-                fouled = (a.zones[0] & b.zones[1]) | (a.zones[1] & b.zones[0])
+                fouled = (a.under.zones[0] & b.under.zones[1]) | (a.under.zones[1] & b.under.zones[0])
                 if fouled:
                     name = self.track.names_of_zones[fouled.bit_length() - 1]
                     text = f"trains {a.number} and {b.number} are foul of each other at {name}"
                     self.tell(world.clock, f"foul {a.number} {b.number} {name}", text)
             for m, over in self._devices:
-                if world.machines.position[m] != 1 and not over.isdisjoint(a.sections):
+                if world.machines.position[m] != 1 and not over.isdisjoint(a.under.sections):
                     name = self.track.machines[m]
                     self.tell(world.clock, f"open {a.number} {name}", f"train {a.number} runs over {name}, not closed")
 
@@ -74,15 +74,15 @@ class Watch:
         """A head comes into a section in which another vehicle is (a shunting movement may, on sight in a berth), or
         into a zone in which there are as many trains as there may be; what stands there at a restart may be more."""
         for name, most, inside in self.limits:
-            if section in inside and inside.isdisjoint(x for x in t.sections if x != section):
-                within = {o.origin for o in world.trains if not inside.isdisjoint(o.sections)} - {t.origin}
+            if section in inside and inside.isdisjoint(x for x in t.under.sections if x != section):
+                within = {o.origin for o in world.trains if not inside.isdisjoint(o.under.sections)} - {t.origin}
                 if len(within) >= most:
                     text = f"train {t.number} comes into {name}, where {len(within)} are, {most} allowed"
                     self.tell(world.clock, f"zone {name} {t.number}", text)
-        if t.shunting and section in self.track.berths:
+        if t.driver.shunting and section in self.track.berths:
             return
         for o in world.trains:
-            if o is not t and section in o.sections:
+            if o is not t and section in o.under.sections:
                 text = f"train {t.number} comes into {self.track.sections[section]}, where train {o.number} is"
                 self.tell(world.clock, f"comes {t.number} {o.number} {section}", text)
 
@@ -99,7 +99,7 @@ class Watch:
     def _same(self, world: Scene, a: Train, b: Train) -> None:
         stretches = self.track.stretches
         for d in a.body:
-            if stretches[d].outside or d >> 1 not in b.edges:
+            if stretches[d].outside or d >> 1 not in b.under.edges:
                 continue
             lo, hi = a.span(self.track, d)
             for e in b.body:
@@ -114,7 +114,7 @@ class Watch:
         """A train that lies over one of a machine's points."""
         for legs in self._machine_nodes[machine]:
             for t in world.trains:
-                if len(t.edges & legs) > 1 and self._over(t, legs):
+                if len(t.under.edges & legs) > 1 and self._over(t, legs):
                     return t
         return None
 
@@ -128,7 +128,7 @@ class Watch:
         if under is not None:
             self.tell(world.clock, f"under {name} {under.number}", f"{name} moves under train {under.number}")
         for t in world.trains:
-            if t.called and self._ahead(world, t, machine):
+            if t.driver.called and self._ahead(world, t, machine):
                 text = f"{name} moves ahead of train {t.number}, which was called over it"
                 self.tell(world.clock, f"ahead {name} {t.number}", text)
 

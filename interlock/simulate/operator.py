@@ -91,7 +91,7 @@ class Operator:
             if number:
                 return number
         if rng.random() < 0.95:
-            waiting = [t.ahead for t in self.world.trains if t.ahead and not t.stuck]
+            waiting = [t.view.signals for t in self.world.trains if t.view.signals and not t.driver.stuck]
             if waiting:
                 signals = rng.choice(waiting)
                 numbers = self._routes[signals[0] if rng.random() < 0.6 else rng.choice(signals)]
@@ -103,18 +103,19 @@ class Operator:
         """A train is called on past signal after signal, so that the last can be closed before it has come near."""
         rng, trains = self._rng, self.world.trains
         prey = next((t for t in trains if t.number == self._prey), None)
-        if prey is None or prey.stuck or len(prey.ahead) < 2 or self._caught:
-            run = [t for t in trains if t.called and t.speed > 1.0 and len(t.ahead) > 1 and t.number != self._prey]
+        if prey is None or prey.driver.stuck or len(prey.view.signals) < 2 or self._caught:
+            fast = [t for t in trains if t.driver.called and t.speed > 1.0 and t.number != self._prey]
+            run = [t for t in fast if len(t.view.signals) > 1]
             self._prey, self._caught = (rng.choice(run).number if run else NONE), False
             return 0
-        numbers = self._routes[prey.ahead[1] if rng.random() < 0.5 else prey.ahead[0]]
+        numbers = self._routes[prey.view.signals[1] if rng.random() < 0.5 else prey.view.signals[0]]
         return rng.choice(numbers) if numbers else 0
 
     def _baits(self) -> int:
         """A route is set long before a train comes to it; once it is taken back under one, others are asked for."""
         rng = self._rng
         if self._bait == NONE and rng.random() < 0.2:
-            met = {g for t in self.world.trains for g in t.ahead}
+            met = {g for t in self.world.trains for g in t.view.signals}
             free = [g for g, numbers in enumerate(self._routes) if numbers and self._cancels[g] and g not in met]
             if free:
                 self._bait, self._age, self._sprung = rng.choice(free), 0, 0
@@ -132,7 +133,9 @@ class Operator:
             return
         self._age += 1
         late = (
-            t.target == self._bait and t.accepted and t.gap < self._near * t.speed**2 / (2 * t.brakes)
+            t.view.target == self._bait
+            and t.driver.accepted
+            and t.view.gap < self._near * t.speed**2 / (2 * t.handling.brakes)
             for t in self.world.trains
         )
         if self._sprung:
@@ -147,8 +150,14 @@ class Operator:
     def _springs(self) -> None:
         """The signal after the next is cancelled under a train that was told that it is open."""
         for t in self.world.trains:
-            if t.number == self._prey and t.announced and len(t.ahead) > 1 and not self._caught and t.gap < self._reach:
-                self.hold(self._cancels[t.ahead[1]], 1, 2)
+            if (
+                t.number == self._prey
+                and t.driver.announced
+                and len(t.view.signals) > 1
+                and not self._caught
+                and t.view.gap < self._reach
+            ):
+                self.hold(self._cancels[t.view.signals[1]], 1, 2)
                 self._caught, self._reach = True, self._rng.choice((5.0, 50.0, 200.0, 400.0))
 
     def _some(self, names: list[str], chance: float, longest: int) -> None:
@@ -168,7 +177,7 @@ class Operator:
                 if outputs.get("YT_" + name[3:]):
                     self.hold(name, 1, 2)
         elif what < 0.08:
-            wanted = {g for t in self.world.trains if t.called or t.gap < 300.0 for g in t.ahead}
+            wanted = {g for t in self.world.trains if t.driver.called or t.view.gap < 300.0 for g in t.view.signals}
             idle = [g for g in range(len(self._cancels)) if g not in wanted and g != self._bait and self._cancels[g]]
             for g in rng.sample(idle, min(3, len(idle))):
                 self.hold(self._cancels[g], 1, 1)
@@ -186,11 +195,11 @@ class Operator:
         rng = self._rng
         self._springs()
         for t in self.world.trains:
-            if t.target == NONE:
+            if t.view.target == NONE:
                 continue
-            close = t.accepted and t.gap < 300.0
+            close = t.driver.accepted and t.view.gap < 300.0
             if rng.random() < (0.01 if close else 0.002):
-                g = rng.choice(t.ahead)
+                g = rng.choice(t.view.signals)
                 if g != self._bait:
                     self.hold(self._cancels[g], 1, rng.choice((1, 1, 2, 20, 400)))
         self._some([n for g, n in enumerate(self._cancels) if n and g != self._bait], 0.002, 4)

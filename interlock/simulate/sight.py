@@ -24,7 +24,7 @@ class Sight:
 
     def obeys(self, t: Train, signal: int) -> bool:
         """A train obeys main signals, a shunting movement all."""
-        return signal != NONE and (self.main[signal] or t.shunting)
+        return signal != NONE and (self.main[signal] or t.driver.shunting)
 
     def follows(self, here: Stretch, moving: bool = False) -> int:
         """The stretch after one, or NONE; over moving rails where they move to, if that is asked for."""
@@ -58,13 +58,14 @@ class Sight:
 
     def look(self, t: Train) -> None:
         """How far to the next thing to stop for (a signal, the end of the track), and from there to the next ones."""
+        view = t.view
         s, w = self.track.stretches, self.world
         d, gap = t.body[-1], -t.head
         first = s[d].section
-        t.target, t.further = NONE, ()
+        view.target, view.further = NONE, ()
         signals: list[int] = []
-        t.seen_at = w.machines.version
-        called = t.called
+        view.at = w.machines.version
+        called = t.driver.called
         stops: list[float] = []
         while gap < LOOK_M and len(stops) < 3:
             gap += s[d].metres
@@ -75,7 +76,7 @@ class Sight:
             signal = s[on].signal
             if signal != NONE and (self.obeys(t, signal) or not called):
                 if not stops:
-                    t.target = signal
+                    view.target = signal
                 stops.append(gap)
                 signals.append(signal)
                 called = True
@@ -85,9 +86,9 @@ class Sight:
             if s[on].outside and s[on].on == NONE:
                 break
             d = on
-        t.ahead = tuple(signals)
-        t.gap = stops[0] if stops else inf
-        t.further = tuple(x - t.gap for x in stops[1:])
+        view.signals = tuple(signals)
+        view.gap = stops[0] if stops else inf
+        view.further = tuple(x - view.gap for x in stops[1:])
 
     def vehicle(self, t: Train, reach: float, anywhere: bool) -> float:
         """Metres to the next vehicle ahead within reach: anywhere, or where it is looked out for (lines, berths)."""
@@ -99,7 +100,7 @@ class Sight:
             if anywhere or s[d].outside or s[d].section in self.track.berths:
                 nearest = inf
                 for o in w.trains:
-                    if o is not t and d >> 1 in o.edges:
+                    if o is not t and d >> 1 in o.under.edges:
                         nearest = min(nearest, self._on(o, d, gap))
                 if nearest < inf:
                     return nearest

@@ -24,13 +24,13 @@ class Traffic:
         rng, rules = self.rng, self.world.rules
         t = Train(self.world.new_number(), body, head, tail)
         t.origin = t.number
-        t.brakes = rules.braking_ms2 * rng.uniform(1.0, 1.5)
-        t.gathers = rng.uniform(0.3, 0.8)
-        t.fastest = self.fastest * rng.choice((0.4, 0.8, 1.0, 1.0))
-        t.clear_view = rng.choice((1.0, 1.0, 0.3))
-        t.margin = rng.choice((1.0, 2.0, 5.0, 15.0))
-        t.patience = rng.uniform(100.0, 500.0)
-        t.looks(self.track)
+        t.handling.brakes = rules.braking_ms2 * rng.uniform(1.0, 1.5)
+        t.handling.gathers = rng.uniform(0.3, 0.8)
+        t.handling.fastest = self.fastest * rng.choice((0.4, 0.8, 1.0, 1.0))
+        t.handling.clear_view = rng.choice((1.0, 1.0, 0.3))
+        t.handling.margin = rng.choice((1.0, 2.0, 5.0, 15.0))
+        t.handling.patience = rng.uniform(100.0, 500.0)
+        t.under.looks(self.track, t.body)
         t.fouls(self.track)
         self.world.trains.append(t)
         return t
@@ -52,16 +52,17 @@ class Traffic:
         t = self.new(body, s[d].metres + left, tail)
         w = self.world
         self.waits_on(t)
-        if any(o is not t and (not t.edges.isdisjoint(o.edges) or self._foul(t, o)) for o in w.trains):
+        if any(o is not t and (not t.under.edges.isdisjoint(o.under.edges) or self._foul(t, o)) for o in w.trains):
             w.trains.remove(t)
 
     def waits_on(self, t: Train) -> None:
         """It stands at a restart, and is called after it, or taken away before or after."""
-        t.rests, t.patience = 0.0, t.patience + self.world.rules.restart_delay_s * self.rng.uniform(0.3, 1.5)
+        t.driver.rests = 0.0
+        t.handling.patience += self.world.rules.restart_delay_s * self.rng.uniform(0.3, 1.5)
 
     @staticmethod
     def _foul(a: Train, b: Train) -> bool:
-        return bool((a.zones[0] & b.zones[1]) | (a.zones[1] & b.zones[0]))
+        return bool((a.under.zones[0] & b.under.zones[1]) | (a.under.zones[1] & b.under.zones[0]))
 
     def come(self, dt: float) -> None:
         """Trains appear on the lines, as long as there are not too many."""
@@ -87,13 +88,13 @@ class Traffic:
         length = self.rng.choice((12.0, 30.0, 60.0, 120.0, 250.0))
         head = s[far].metres - (self.rng.random() * 100.0 if line.approach_m else 100.0)
         t = self.new([far], head, head - length)
-        t.called, t.speed = True, 0.5 * t.fastest
-        t.patience = self.rng.uniform(60.0, 400.0)
+        t.driver.called, t.speed = True, 0.5 * t.handling.fastest
+        t.handling.patience = self.rng.uniform(60.0, 400.0)
 
     def turns(self, t: Train) -> None:
         """It changes ends, wholly within one section at the end of which a signal governs its new way (A-REVERSE)."""
         s, sight = self.track.stretches, self.world.sight
-        if len(t.sections) != 1 or any(s[d].outside for d in t.body):
+        if len(t.under.sections) != 1 or any(s[d].outside for d in t.body):
             return
         d = t.body[0] ^ 1
         first = s[d].section
@@ -119,18 +120,18 @@ class Traffic:
             d += 1
             body.append(t.body[d])
         left = self.new(body, at, t.tail)
-        left.origin, left.shunting, left.called, left.moved = t.origin, t.shunting, False, False
-        left.stuck = not set(left.sections) <= self.track.berths  # wagons without an engine
+        left.origin, left.driver.shunting, left.driver.called, left.moved = t.origin, t.driver.shunting, False, False
+        left.driver.stuck = not set(left.under.sections) <= self.track.berths  # wagons without an engine
         t.body, t.tail = t.body[d:], at + 0.5
         if t.tail > s[t.body[0]].metres and len(t.body) > 1:
             t.tail -= s[t.body[0]].metres
             t.body = t.body[1:]
-        t.looks(self.track)
+        t.under.looks(self.track, t.body)
         t.fouls(self.track)
 
     def taken_away(self, t: Train) -> None:
         """It is moved under local rules, and may run through points of the sections that it stood in (挤岔, R10)."""
         self.world.trains.remove(t)
-        for m in {x.machine for x in self.track.stretches if x.section in t.sections and x.machine != NONE}:
+        for m in {x.machine for x in self.track.stretches if x.section in t.under.sections and x.machine != NONE}:
             if self.rng.random() < self.world.faults.trail:
                 self.world.run_through(m)

@@ -209,7 +209,7 @@ class World:
         """The controller has gone dark: whoever stands needs a new call; points may be cranked, devices open."""
         for t in self.trains:
             if t.speed == 0.0:
-                t.called = t.accepted = t.expects = False
+                t.driver.called = t.driver.accepted = t.driver.expects = False
                 self.traffic.waits_on(t)
         self.machines.lost.clear()
         self.machines.driven.clear()
@@ -222,7 +222,7 @@ class World:
         contact = machines.contacts[m][position]
         if not all(past["VALID"] and past[contact] for past, _ in self.past):
             return
-        if any((t.speed or t.accepted) and self.sight.meets(t, m, 1500.0) for t in self.trains):
+        if any((t.speed or t.driver.accepted) and self.sight.meets(t, m, 1500.0) for t in self.trains):
             return
         if self.watch.under_train(self, m) is None:
             machines.damage(m, self.rng.uniform(6.0, 20.0))
@@ -279,7 +279,7 @@ class World:
         """Sections as reported: late by a scan where a train has just come in or left, false where a fault says so."""
         count = [0] * len(self.count)
         for t in self.trains:
-            for s in t.sections:
+            for s in t.under.sections:
                 count[s] += 1
         rng, late = self.rng, self.faults.late
         held: list[int] = []

@@ -21,7 +21,7 @@ from interlock.simulate.motion import Motion, runs, standing
 from interlock.simulate.points import Points
 from interlock.simulate.sight import Sight
 from interlock.simulate.track import NONE, Track
-from interlock.simulate.train import Train
+from interlock.simulate.train import Handling, Train
 
 MARGIN_M = 2.0
 """Metres before a signal in which a driver stands (our choice)."""
@@ -133,7 +133,7 @@ class Yard:
                 self._open[g] = now
                 self.say("signal", signal=self.track.signals[g], open=now)
                 for r in self.rolling.values():
-                    if r.train.target == g:
+                    if r.train.view.target == g:
                         self.agenda.after(r.build.reaction, partial(self._read, r), f"reads {r.name}")
 
     # --- trains come, turn, go ---------------------------------------------------------------------
@@ -149,15 +149,10 @@ class Yard:
         first = line.comes_by[0]
         metres = self.track.stretches[first].metres
         self._numbers += 1
-        t = Train(self._numbers, [first], metres - 1.0, metres - 1.0 - build.length, called=True)
-        t.origin, t.brakes, t.gathers, t.fastest, t.margin = (
-            t.number,
-            build.brakes,
-            build.gathers,
-            build.speed,
-            MARGIN_M,
-        )
-        t.looks(self.track)
+        t = Train(self._numbers, [first], metres - 1.0, metres - 1.0 - build.length, origin=self._numbers)
+        t.driver.called = True
+        t.handling = Handling(build.brakes, build.gathers, build.speed, MARGIN_M)
+        t.under.looks(self.track, t.body)
         r = Rolling(name, build, t, standing(self.clock, 0.0), -t.head, -t.tail)
         self.trains.append(t)
         self.rolling[name] = r
@@ -201,17 +196,17 @@ class Yard:
     def _read(self, r: Rolling) -> None:
         """A driver looks at the signal ahead, and acts."""
         t = r.train
-        if r.name not in self.rolling or t.target == NONE:
+        if r.name not in self.rolling or t.view.target == NONE:
             return
         self._sync(r)
         self.sight.look(t)
-        if t.target == NONE:
+        if t.view.target == NONE:
             return
-        told = self._open[t.target]
+        told = self._open[t.view.target]
         if told == r.accepted or (told and t.speed > 0 and not self._in_sight(r)):
             return
         if not told:
-            if t.speed**2 / (2 * t.brakes) >= t.gap - 0.2:
+            if t.speed**2 / (2 * t.handling.brakes) >= t.view.gap - 0.2:
                 return  # too late: he passes it, and the route behind it must hold
             self._closed_before += 1
         if told and t.speed == 0.0:
@@ -223,7 +218,7 @@ class Yard:
 
     def _in_sight(self, r: Rolling) -> bool:
         """Whether a driver is so near to the signal ahead that he reads it."""
-        return r.train.gap <= self._view(r) + ROUNDED_M
+        return r.train.view.gap <= self._view(r) + ROUNDED_M
 
     def _view(self, r: Rolling) -> float:
         top = min(r.build.speed, self.line_speed)
@@ -235,8 +230,8 @@ class Yard:
         self._sync(r)
         ran = r.motion.at(now)[0]
         self.sight.look(t)
-        near = t.target != NONE and (t.speed == 0.0 or self._in_sight(r))
-        if near and not r.accepted and self._open[t.target]:
+        near = t.view.target != NONE and (t.speed == 0.0 or self._in_sight(r))
+        if near and not r.accepted and self._open[t.view.target]:
             r.accepted = True
         to = self._until(r)
         top = min([r.build.speed, self.line_speed, *self._limits(t, to)])
@@ -251,10 +246,10 @@ class Yard:
         """Metres in which a driver means to stand."""
         t = r.train
         if r.accepted:
-            return max(0.0, t.gap + t.further[0] - MARGIN_M) if t.further else inf
-        if t.target == NONE:
-            return max(0.0, t.gap) if t.called else 0.0
-        return max(0.0, t.gap - MARGIN_M) if t.called else 0.0
+            return max(0.0, t.view.gap + t.view.further[0] - MARGIN_M) if t.view.further else inf
+        if t.view.target == NONE:
+            return max(0.0, t.view.gap) if t.driver.called else 0.0
+        return max(0.0, t.view.gap - MARGIN_M) if t.driver.called else 0.0
 
     def _limits(self, t: Train, metres: float) -> list[float]:
         found = []
@@ -272,8 +267,8 @@ class Yard:
             self.agenda.forget(f"train {r.name}")
             return
         times = [m.when(r.head_0 + s[t.body[-1]].metres), m.when(r.tail_0 + s[t.body[0]].metres)]
-        if t.target != NONE and not r.accepted and not self._in_sight(r):
-            times.append(m.when(m.at(self.clock)[0] + t.gap - self._view(r)))
+        if t.view.target != NONE and not r.accepted and not self._in_sight(r):
+            times.append(m.when(m.at(self.clock)[0] + t.view.gap - self._view(r)))
         stands = m.stands
         if stands > self.clock or t.speed > 0.0:
             times.append(stands)
@@ -304,7 +299,7 @@ class Yard:
             section = s[t.body[-1]].section
             t.body.append(on)
             changed = True
-            if s[on].signal != NONE and (not t.called or self.sight.obeys(t, s[on].signal)):
+            if s[on].signal != NONE and (not t.driver.called or self.sight.obeys(t, s[on].signal)):
                 self._passes(r, s[on].signal)
                 passed = True
             if s[on].section != section and s[on].section != NONE:
@@ -315,7 +310,7 @@ class Yard:
             t.body.pop(0)
             changed = True
         if changed:
-            t.looks(self.track)
+            t.under.looks(self.track, t.body)
             t.fouls(self.track)
             self._recount(r)
             for o in self.rolling.values():
@@ -326,7 +321,7 @@ class Yard:
                 self.say("stands", train=r.name, section=self._where(r))
                 self.stopped(r)
             self._plan(r)
-        elif passed or (not r.accepted and t.target != NONE):
+        elif passed or (not r.accepted and t.view.target != NONE):
             self._drives(r)
         else:
             self._plan(r)
@@ -348,7 +343,7 @@ class Yard:
         name = self.track.signals[signal]
         if r.accepted:
             self.movements += 1
-            r.train.called = True
+            r.train.driver.called = True
         else:
             self.passed_at_stop.append(f"{self.clock:.1f} s: train {r.name} at {name}")
         r.accepted = False

@@ -114,10 +114,10 @@ class Hostile:
     def _turns(self, r: Rolling) -> None:
         """It changes ends where it stands wholly in one section, at the end of which a signal governs its new way."""
         t, s = r.train, self.track.stretches
-        if r.name not in self.yard.rolling or r.motion.stands > self.yard.clock or len(t.sections) != 1:
+        if r.name not in self.yard.rolling or r.motion.stands > self.yard.clock or len(t.under.sections) != 1:
             return
         self.agenda.after(self.rng.uniform(30, 120), partial(self._turns, r))
-        if any(s[d].outside for d in t.body) or r.accepted or (t.target != NONE and self.rng.random() < 0.7):
+        if any(s[d].outside for d in t.body) or r.accepted or (t.view.target != NONE and self.rng.random() < 0.7):
             return
         d = t.body[0] ^ 1
         for _ in range(50):
@@ -148,7 +148,7 @@ class Hostile:
 
     def _wish(self) -> int:
         rng = self.rng
-        waiting = [t.target for t in self.yard.trains if t.target != NONE]
+        waiting = [t.view.target for t in self.yard.trains if t.view.target != NONE]
         if waiting and rng.random() < 0.8:
             numbers = self.case.routes.get(self.track.signals[rng.choice(waiting)], ())
             if numbers:

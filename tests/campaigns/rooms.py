@@ -75,7 +75,6 @@ LARGE = {
         28,
         "the transition system; each reader sees a part of it through a protocol (SystemView, Located, HasFamilies)",
     ),
-    "simulate/train.py Train": (39, "to be taken apart: what a train is, where it is, and what its driver intends"),
     "simulate/world.py Machines": (16, "to be taken apart: drives, detection, and what fails of them"),
     "simulate/world.py World": (35, "to be taken apart: trains, machines, the runtime, and what fails"),
     "simulate/yard.py Yard": (25, "to be taken apart: what stands in a yard, and the scans of its controller"),
