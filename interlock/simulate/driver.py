@@ -164,11 +164,8 @@ class Drivers:
             return max(0.0, view.gap - t.handling.margin + driver.overruns)
         ahead = 1 if not driver.announced else 2
         if len(view.further) < ahead:
-            return (
-                inf
-                if view.target != NONE and not view.further
-                else view.gap + (view.further[-1] if view.further else 0.0)
-            )
+            open_ended = view.target != NONE and not view.further
+            return inf if open_ended else view.gap + (view.further[-1] if view.further else 0.0)
         return max(0.0, view.gap + view.further[ahead - 1] - t.handling.margin)
 
     def _limit(self, t: Train) -> float:
@@ -203,9 +200,8 @@ class Drivers:
         if driver.announced and not announced and driver.accepted and driver.read == view.target:
             if not self._reacted(t, dt):
                 return
-            driver.late = not self._stops_within(
-                t, view.gap + sum(view.further[:1])
-            )  # clear has gone back to caution before him
+            # clear has gone back to caution before him
+            driver.late = not self._stops_within(t, view.gap + sum(view.further[:1]))
         self.accepts(t, told, shown)
         driver.announced = announced
 
@@ -240,9 +236,7 @@ class Drivers:
                 driver.committed = not self._stops_within(t, view.gap)
                 driver.accepted = driver.expects = driver.announced = False
                 driver.read = NONE
-        elif (
-            driver.overruns == 0.0 and t.speed > 1.0 and not driver.shunting and driver.called and not driver.committed
-        ):
+        elif driver.called and not driver.committed and not driver.overruns and t.speed > 1.0 and not driver.shunting:
             self._fails(t)
 
     @staticmethod
@@ -347,12 +341,7 @@ class Drivers:
             if not driver.overruns:
                 self._world.passed_at_stop.append(f"train {t.number} at {self.track.signals[signal]}")
             driver.overruns, driver.stuck = max(1.0, driver.overruns - t.handling.margin - t.head), True
-        driver.accepted, driver.announced, driver.reacts, driver.reads, driver.read = (
-            False,
-            False,
-            -1.0,
-            0.0,
-            NONE,
-        )
+        driver.accepted = driver.announced = False
+        driver.reacts, driver.reads, driver.read = -1.0, 0.0, NONE
         driver.committed, driver.late = driver.late, False
         driver.rests = 0.0
