@@ -302,7 +302,7 @@ class Reader:
         for t in inside:
             if t is not kept:
                 self.world.trains.remove(t)  # moved under local rules before the restart
-        self.world.most = 4
+        self.world.traffic.most = 4
         self.bodies = self.earlier = {t.number: self._body(t) for t in self.world.trains}
         self.stood = {n: {s for s, e in body if s and e} for n, body in self.bodies.items()}
         self.last = self._state()
@@ -319,7 +319,7 @@ class Reader:
         for t in self.world.trains:
             for d in t.body:
                 if d in self.goes_over and s[d].section != NONE:
-                    yield self.world.clear[s[d].section]
+                    yield self.world.reports.clear[s[d].section]
 
     def _plain(self, t: Train) -> bool:
         """No points under a train that stands across a joint."""
@@ -363,7 +363,7 @@ class Reader:
         step = Step(
             before=self.last,
             after=state,
-            inputs=dict(self.world.inputs),
+            inputs=dict(self.world.reports.inputs),
             timers={n: elapsed[n] is not None and elapsed[n] >= ms for n, ms in presets.items()},
             controller=self.controller,
             controller_after={n: bool(v) for n, v in self.life.controller.state.items()},

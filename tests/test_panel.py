@@ -334,7 +334,7 @@ def test_a_computer_that_is_busy_slows_the_railway_down_and_no_cycle_is_too_long
         valid.append(cycle.valid)
         long.append(desk._dt_ms)
     assert all(valid[2:]) and max(long) <= round(1000 * desk.clock.most_s)
-    assert desk.field is not None and desk.field.world.scan_s == desk.clock.most_s
+    assert desk.field is not None and desk.field.world.drivers.scan_s == desk.clock.most_s
 
 
 def test_a_port_in_use_and_a_missing_extra_are_messages(monkeypatch: pytest.MonkeyPatch) -> None:

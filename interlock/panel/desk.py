@@ -468,4 +468,4 @@ def _waits(world: World, line: Beyond) -> str:
     if any(t.body[0] in line.comes_by for t in world.trains):
         return " (a train is on the line)"
     token = line.block is BlockKind.TOKEN
-    return " (the neighbour has not got the direction)" if token and not world.token_at[line.name].have else ""
+    return " (the neighbour has not got the direction)" if token and not world.neighbours[line.name].have else ""

@@ -18,6 +18,7 @@ from interlock.model.elements import BlockKind
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
 from interlock.simulate.faults import NO_FAULTS
+from interlock.simulate.local_rules import power_cut
 from interlock.simulate.neighbour import Neighbour
 from interlock.simulate.track import NONE, Beyond, Track
 from interlock.simulate.traffic import Traffic
@@ -63,7 +64,7 @@ class _OnCommand(Traffic):
         """A train whose driver is as all others here, and waits as long as he has to."""
         t = super().new(body, head, tail)
         t.handling = Handling(
-            brakes=1.2 * self.world.rules.braking_ms2, gathers=0.6, fastest=self.fastest, patience=inf
+            brakes=1.2 * self.world.layout.principles.braking_ms2, gathers=0.6, fastest=self.fastest, patience=inf
         )
         return t
 
@@ -90,15 +91,13 @@ class _World(World):
         track = Track.of(layout)
         super().__init__(layout, track, inputs, outputs, Random(layout.name), NO_FAULTS)
         self.trains.clear()
-        self.numbers = 0
         self.watch.found.clear()
         for m in range(len(self.machines.names)):
             self.machines.position[m] = self.machines.target[m] = 0
             self.machines.lay(m, 0)
         self.commanded = _OnCommand(self, self.drivers.fastest)
         self.traffic = self.commanded
-        self.lines = [_Neighbour(self, b) for b in track.beyond if b.block is BlockKind.TOKEN]
-        self.token_at = {n.line.name: n for n in self.lines}
+        self.neighbours = {b.name: _Neighbour(self, b) for b in track.beyond if b.block is BlockKind.TOKEN}
 
 
 class SimulatedField:
@@ -116,7 +115,7 @@ class SimulatedField:
         one scan to the next at most."""
         self.layout, self.allocation = layout, allocation
         self.world = _World(layout, inputs, outputs)
-        self.world.scan_s = scan_s
+        self.world.drivers.scan_s = scan_s
         self.restrictive = {n: int(v) for n, v in outputs.items()}
         self.shown = dict(self.restrictive)
         self.cut: set[str] = set()
@@ -130,18 +129,18 @@ class SimulatedField:
     def step(self, dt: float, operator: Mapping[str, int]) -> None:
         """The railway runs on under the outputs as shown; `operator`: what is written at the operator's place."""
         w = self.world
-        w.inputs |= operator
+        w.reports.inputs |= operator
         self._arrive()
         inputs = w.step(dt, self.shown)
         if w.machines.damaged:
             w.machines.mend(inputs, self.shown)
-        w.past.append((dict(inputs), w.count))
+        w.reports.read()
 
     def dark(self) -> None:
         """The controller has no power: outputs fall back, whoever stands needs a new call."""
         self.shown = dict(self.restrictive)
-        self.world.past.clear()
-        self.world.power_cut()
+        self.world.reports.past.clear()
+        power_cut(self.world)
 
     # --- trains ----------------------------------------------------------------------------------
 
@@ -163,7 +162,7 @@ class SimulatedField:
         return next(n for n in (wanted, *(f"{wanted}.{k}" for k in range(2, 10_000))) if n not in taken)
 
     def _named(self, name: str) -> str:
-        return self._free(name.strip()[:12] or f"T{self.world.numbers + len(self.coming) + 1}")
+        return self._free(name.strip()[:12] or f"T{self.world.traffic.numbers + len(self.coming) + 1}")
 
     def stand(self, section: str, towards: str, metres: float, name: str) -> str:
         """Put a train on a section, standing, with its head in one of the directions of `places`; its name.
@@ -244,7 +243,7 @@ class SimulatedField:
             if any(t.body[0] in line.comes_by for t in w.trains):
                 continue
             if line.block is BlockKind.TOKEN:
-                neighbour = w.token_at[line.name]
+                neighbour = w.neighbours[line.name]
                 neighbour.sends = True
                 if not neighbour.may_send():
                     continue
@@ -316,21 +315,21 @@ class SimulatedField:
 
     def _fail_section(self, name: str, on: bool) -> None:
         w = self.world
-        if name not in w.track.sections or not w.clear_wired[w.track.sections.index(name)]:
+        if name not in w.track.sections or not w.reports.wired[w.track.sections.index(name)]:
             raise Impossible(f"{name} has no detector")
-        w.false[w.track.sections.index(name)] = inf if on else 0.0
+        w.reports.false[w.track.sections.index(name)] = inf if on else 0.0
 
     def _fail_machine(self, name: str, on: bool) -> None:
         w = self.world
         if name not in w.track.machines:
             raise Impossible(f"there is no machine {name}")
-        w.machines.lost[w.track.machines.index(name)] = (inf if on else 0.0, 0)
+        w.machines.contacts.lost[w.track.machines.index(name)] = (inf if on else 0.0, 0)
 
     def _fail_input(self, variable: str, on: bool) -> None:
         w = self.world
-        if variable not in (*w.lamps, *w.conditions):
+        if variable not in (*w.reports.lamps, *w.reports.conditions):
             raise Impossible("no such lamp or condition is reported here")
-        w.out[variable] = inf if on else 0.0
+        w.reports.out[variable] = inf if on else 0.0
 
     def _fail_station(self, name: str, on: bool) -> None:
         if name not in self.links:
@@ -342,7 +341,7 @@ class SimulatedField:
         out: dict[str, dict[str, str]] = {}
         for g in self.layout.signals:
             for what, prefix in (("stop", "RL_"), ("clear", "GL_"), ("caution", "CL_"), ("identifier", "NL_")):
-                if (name := f"{prefix}{portable(g.id)}") in self.world.inputs:
+                if (name := f"{prefix}{portable(g.id)}") in self.world.reports.inputs:
                     out.setdefault(str(g.id), {})[what] = name
         return out
 
@@ -366,7 +365,7 @@ class _Link:
         """Inputs as the railway has them now."""
         self._alive()
         self.beat ^= 1
-        inputs = self.field.world.inputs
+        inputs = self.field.world.reports.inputs
         told = {**{n: inputs[n] for n in self.wired}, **dict.fromkeys(self.beats, self.beat)}
         return {**told, **dict.fromkeys(self.bits, 1)}
 

@@ -56,9 +56,9 @@ class Called:
     def over(self, t: Train, signal: int, shown: Mapping[str, int]) -> None:
         """A driver accepts a signal."""
         w = self.world
-        if len(w.past) < 2:
+        if len(w.reports.past) < 2:
             return
-        (now, _), (before, _) = w.past
+        (now, _), (before, _) = w.reports.past
 
         def lacking(name: str) -> bool:
             return not now.get(name, 1) and not before.get(name, 1)
@@ -100,7 +100,7 @@ class Called:
             name = self.track.sections[x]
             wrong += [f"against {e}" for e in self.over_section.get(x, ()) if lacking(e)]
             wrong += [f"over {self.track.machines[m]}, open" for m in self.devices.get(x, ()) if self._undetected(m, 1)]
-            if all(past.get(self.blocked[x], 0) for past, _ in self.world.past):
+            if all(past.get(self.blocked[x], 0) for past, _ in self.world.reports.past):
                 wrong.append(f"into {name}, blocked")
             berth = t.driver.shunting and x in self.track.berths
             if self._occupied(t, x, trusts or n == 0) and not berth:
@@ -142,16 +142,16 @@ class Called:
 
     def _undetected(self, m: int, position: int) -> bool:
         """Whether a machine was not reported in a position, in both scans."""
-        names = self.world.machines.contacts[m]
+        names = self.world.machines.contacts.names[m]
         yes, no = names[position], names[1 - position]
-        return all(not past[yes] or past[no] for past, _ in self.world.past)
+        return all(not past[yes] or past[no] for past, _ in self.world.reports.past)
 
     def _occupied(self, t: Train, x: int, trusts: bool) -> bool:
         """Whether another vehicle was in a section in both scans; where reports are trusted, and was reported."""
         if x in t.under.sections:
             return False
-        clear = self.world.clear[x]
-        return all(count[x] and not (trusts and past.get(clear)) for past, count in self.world.past)
+        clear = self.world.reports.clear[x]
+        return all(count[x] and not (trusts and past.get(clear)) for past, count in self.world.reports.past)
 
     def _overlap(self, t: Train, end: int) -> list[str]:
         """What stands in the overlap of the signal at the end, and which points of it were not detected."""
@@ -188,7 +188,7 @@ class Called:
             after = w.drivers.lit[end]
             if not any(shown.get(x) for x in after[:2]):
                 wrong.append(f"by clear, though {self.track.signals[end]} is at stop")
-        told = [kmh for kmh, names in w.speeds if shown.get(names[signal])]
+        told = [kmh for kmh, names in w.drivers.speeds if shown.get(names[signal])]
         made = w.drivers.overlap(end).kmh if end != NONE else None
         if made is not None and (not told or max(told) > made):
             wrong.append(f"at {max(told, default='any')} km/h to an overlap for {made} km/h")

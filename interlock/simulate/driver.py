@@ -7,13 +7,14 @@ rear of it or beyond is physics.  Who has passed a signal that he had accepted i
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from math import inf, sqrt
 from typing import TYPE_CHECKING
 
 from interlock.model.portable import portable
 from interlock.model.principles import Caution
+from interlock.simulate.called import Called
 from interlock.simulate.sight import Sight
 from interlock.simulate.track import NONE
 from interlock.simulate.train import Train
@@ -40,10 +41,19 @@ class Ground:
 class Drivers:
     """All drivers of a world."""
 
-    def __init__(self, world: World) -> None:
+    def __init__(self, world: World, outputs: Iterable[str]) -> None:
         self._world, self.track, self._rng = world, world.track, world.rng
         self.sight: Sight = world.sight
-        layout, rules = world.layout, world.rules
+        layout, rules = world.layout, world.layout.principles
+        self.called = Called(world)
+        self.movements = 0
+        """Signals passed at proceed."""
+        self.passed_at_stop: list[str] = []
+        self.scan_s = 0.1
+        """Seconds from one scan to the next, at most, while something moves and nothing is wrong."""
+        kmh = sorted({int(n.split("_", 1)[0][2:]) for n in outputs if n.startswith("YV")})
+        self.speeds = [(v, [f"YV{v}_{portable(g)}" for g in self.track.signals]) for v in kmh]
+        """By km/h: the outputs that show it, by signal."""
         self._reaction = rules.reaction_s
         self.three = rules.caution is not Caution.NEVER
         names = [portable(str(g.id)) for g in layout.signals]
@@ -87,7 +97,7 @@ class Drivers:
         """What a driver reads: None stop, False to trains (an identifier light: nothing is meant for them here), True
         to shunting movements."""
         clear, caution, call, white, stop, identifier = self.lit[signal]
-        out = self._world.out
+        out = self._world.reports.out
         green = shown.get(clear) and self._clear_out[signal] not in out
         yellow = shown.get(caution) and self._caution_out[signal] not in out
         if ((green or yellow or shown.get(white)) and shown.get(stop)) or (shown.get(clear) and shown.get(caution)):
@@ -142,7 +152,7 @@ class Drivers:
         free = self._free(t)
         if t.driver.shunting or self.track.stretches[t.body[-1]].outside:
             free = min(free, self.sight.vehicle(t, 200.0, False) - 3.0)
-        seen = t.length(self.track) / self._world.scan_s  # no faster than a scan can see it (A-SCAN)
+        seen = t.length(self.track) / self.scan_s  # no faster than a scan can see it (A-SCAN)
         top = min(how.fastest, self._limit(t), seen)
         if t.driver.shunting:
             top = min(top, self._shunt_speed)
@@ -213,7 +223,7 @@ class Drivers:
             driver.shunting = shunting
         if driver.read != view.target:
             driver.read = view.target
-            self._world.called.over(t, view.target, shown)
+            self.called.over(t, view.target, shown)
 
     def _reacted(self, t: Train, dt: float) -> bool:
         """Whether the time is over that a driver needs to act on what has changed before him."""
@@ -335,11 +345,11 @@ class Drivers:
         """The head passes a signal that counts: accepted, or closed when it was too late to stop, or overrun."""
         driver = t.driver
         if driver.accepted or driver.committed:
-            self._world.movements += driver.accepted
+            self.movements += driver.accepted
             driver.expects, driver.called, driver.overruns = driver.accepted and driver.announced, True, 0.0
         else:
             if not driver.overruns:
-                self._world.passed_at_stop.append(f"train {t.number} at {self.track.signals[signal]}")
+                self.passed_at_stop.append(f"train {t.number} at {self.track.signals[signal]}")
             driver.overruns, driver.stuck = max(1.0, driver.overruns - t.handling.margin - t.head), True
         driver.accepted = driver.announced = False
         driver.reacts, driver.reads, driver.read = -1.0, 0.0, NONE

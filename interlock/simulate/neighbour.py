@@ -74,8 +74,8 @@ class Neighbour:
         late = rng.random() < 0.2 and len(self._to_us) < 6
         heard = self._to_us[0] if late else self._to_us.popleft()
         for name, word in zip(self._inputs, heard, strict=True):
-            self.world.inputs[name] = word if rng.random() < 0.97 else 0
-        self.world.inputs[self._clear] = int(clear and (self._was_clear or rng.random() < 0.7))
+            self.world.reports.inputs[name] = word if rng.random() < 0.97 else 0
+        self.world.reports.inputs[self._clear] = int(clear and (self._was_clear or rng.random() < 0.7))
         self._was_clear = clear
 
     def agreed(self) -> bool:

@@ -47,17 +47,17 @@ class Operator:
         self._bait, self._age, self._ripe, self._sprung, self._near = NONE, 0, 0, 0, 0.6
         self._held: dict[str, int] = {}
         for n in self._blocks:
-            world.inputs[n] = 0
+            world.reports.inputs[n] = 0
 
     def hold(self, name: str, value: int, scans: int) -> None:
         """Hold a button for some scans."""
         if name:
-            self.world.inputs[name] = value
+            self.world.reports.inputs[name] = value
             self._held[name] = scans
 
     def act(self, outputs: Mapping[str, int]) -> None:
         """Once before every scan; `outputs`: those of the last one, as lamps on the panel."""
-        rng, inputs = self._rng, self.world.inputs
+        rng, inputs = self._rng, self.world.reports.inputs
         for name, left in tuple(self._held.items()):
             if left <= 0:
                 del self._held[name]
@@ -80,7 +80,7 @@ class Operator:
             self._play()
         if not self._hostile or rng.random() < 0.5:
             self._works(outputs)
-        for line in self.world.lines:
+        for line in self.world.neighbours.values():
             inputs[line.hand] = int(line.agreed() and (inputs[line.hand] or rng.random() < 0.05))
 
     def _wish(self, name: str) -> int:
@@ -169,7 +169,11 @@ class Operator:
         rng = self._rng
         what = rng.random()
         if what < 0.03:
-            locked = [n for n in self._releases if outputs.get("YL_" + n[4:]) and self.world.inputs.get("CLR_" + n[4:])]
+            locked = [
+                n
+                for n in self._releases
+                if outputs.get("YL_" + n[4:]) and self.world.reports.inputs.get("CLR_" + n[4:])
+            ]
             if locked:
                 self.hold(rng.choice(locked), 1, rng.choice((5, 100, 600)))
         elif what < 0.05:
@@ -203,7 +207,7 @@ class Operator:
                 if g != self._bait:
                     self.hold(self._cancels[g], 1, rng.choice((1, 1, 2, 20, 400)))
         self._some([n for g, n in enumerate(self._cancels) if n and g != self._bait], 0.002, 4)
-        self.world.inputs["RELALL"] = 1
+        self.world.reports.inputs["RELALL"] = 1
         self._some(self._releases, 0.1, 1000)
         self._some(self._blocks, 0.0005, 20)
         for _ in range(3):

@@ -9,6 +9,7 @@ from typing import Any
 
 from interlock.model.layout import Layout
 from interlock.simulate.faults import Faults
+from interlock.simulate.local_rules import cranked, power_cut
 from interlock.simulate.operator import Operator
 from interlock.simulate.track import Track
 from interlock.simulate.world import World
@@ -80,7 +81,7 @@ class Life:
         self.world = World(layout, track, names["INPUTS"], names["OUTPUTS"], rng, faults)
         self.operator = Operator(self.world, names["INPUTS"], rng, routes, hostile)
         self.cycle = rng.choice((0.2, 0.4, 0.6, 0.8))
-        self.world.scan_s = 1.1 * self.cycle
+        self.world.drivers.scan_s = 1.1 * self.cycle
         self.controller = names["Controller"]()
         self.longest_s = float(names["Controller"].cycle_max_ms) / 1000
 
@@ -107,17 +108,17 @@ class Life:
             self.operator.act(new)
             if world.machines.damaged:
                 world.machines.mend(inputs, new)
-            world.past.append((dict(inputs), world.count))
+            world.reports.read()
             old, new = new, self.controller.scan(inputs, round(1000 * dt))
             total.scans += 1
             if watch is not None:
                 watch(world, new)
             if total.hazards and until(total):
                 break
-        total.movements += world.movements
-        total.trains += world.numbers
+        total.movements += world.drivers.movements
+        total.trains += world.traffic.numbers
         total.world_s += world.clock
-        total.passed_at_stop += world.passed_at_stop
+        total.passed_at_stop += world.drivers.passed_at_stop
 
     def _cycle(self, stopped: float) -> float:
         """Seconds until the next scan: about the same each time, longer while nothing moves, too long in a fault."""
@@ -131,10 +132,10 @@ class Life:
         """The controller goes dark, the railway runs on; then it starts with nothing in its memory."""
         total.power_cuts += 1
         world = self.world
-        world.power_cut()
+        power_cut(world)
         for _ in range(self.rng.choice((2, 20, 400))):
             world.step(0.4, self.restrictive)
         if not any(t.speed for t in world.trains):
-            world.cranked()
-        world.past.clear()
+            cranked(world)
+        world.reports.past.clear()
         self.controller = self.names["Controller"]()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from interlock.model.elements import BlockKind
+from interlock.simulate.local_rules import run_through
 from interlock.simulate.track import NONE, Beyond
 from interlock.simulate.train import Train
 
@@ -18,12 +19,16 @@ class Traffic:
     def __init__(self, world: World, fastest: float) -> None:
         self.world, self.track, self.rng = world, world.track, world.rng
         self.fastest = fastest
+        self.most = max(3, min(10, len(self.track.sections) * 2 // 3))
+        """Trains at one time."""
+        self.numbers = 0
+        """Of trains so far."""
 
     def new(self, body: list[int], head: float, tail: float) -> Train:
         """A train with a temper of its own."""
-        rng, rules = self.rng, self.world.rules
-        t = Train(self.world.new_number(), body, head, tail)
-        t.origin = t.number
+        rng, rules = self.rng, self.world.layout.principles
+        self.numbers += 1
+        t = Train(self.numbers, body, head, tail, origin=self.numbers)
         t.handling.brakes = rules.braking_ms2 * rng.uniform(1.0, 1.5)
         t.handling.gathers = rng.uniform(0.3, 0.8)
         t.handling.fastest = self.fastest * rng.choice((0.4, 0.8, 1.0, 1.0))
@@ -58,7 +63,7 @@ class Traffic:
     def waits_on(self, t: Train) -> None:
         """It stands at a restart, and is called after it, or taken away before or after."""
         t.driver.rests = 0.0
-        t.handling.patience += self.world.rules.restart_delay_s * self.rng.uniform(0.3, 1.5)
+        t.handling.patience += self.world.layout.principles.restart_delay_s * self.rng.uniform(0.3, 1.5)
 
     @staticmethod
     def _foul(a: Train, b: Train) -> bool:
@@ -67,7 +72,7 @@ class Traffic:
     def come(self, dt: float) -> None:
         """Trains appear on the lines, as long as there are not too many."""
         w, rng = self.world, self.rng
-        if len(w.trains) < w.most and rng.random() < 0.1 * dt:
+        if len(w.trains) < self.most and rng.random() < 0.1 * dt:
             lines = [b for b in self.track.beyond if b.comes != NONE]
             full = sum(any(t.body[0] in b.comes_by for t in w.trains) for b in lines)
             if lines and 2 * full < len(lines) + 1 - rng.randrange(2):
@@ -80,9 +85,9 @@ class Traffic:
         if any(t.body[0] == far for t in w.trains):
             return
         if line.block is BlockKind.TOKEN:
-            if not w.token_at[line.name].may_send():
+            if not w.neighbours[line.name].may_send():
                 return
-            w.token_at[line.name].sends = False
+            w.neighbours[line.name].sends = False
         elif any(t.body[0] in line.comes_by for t in w.trains) and self.rng.random() < 0.6:
             return
         length = self.rng.choice((12.0, 30.0, 60.0, 120.0, 250.0))
@@ -134,4 +139,4 @@ class Traffic:
         self.world.trains.remove(t)
         for m in {x.machine for x in self.track.stretches if x.section in t.under.sections and x.machine != NONE}:
             if self.rng.random() < self.world.faults.trail:
-                self.world.run_through(m)
+                run_through(self.world, m)
