@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import re
 from pathlib import Path
 
@@ -11,6 +12,7 @@ from interlock.derivation import derive
 from interlock.diag import Severity, Sink
 from interlock.diag.codes import LINTS
 from interlock.frontend import load_text
+from interlock.logic import rules
 from interlock.table.columns import COLUMNS, VOYAGE_COLUMNS
 
 FOLDER = Path("interlock/docs/rules")
@@ -45,3 +47,22 @@ def test_the_page_shows_what_the_derivation_gives(name: str) -> None:
 
 def test_every_rule_has_a_page() -> None:
     assert {f"R{n}" for n in range(1, 19)} <= set(PAGES)
+
+
+def test_the_logic_names_rules_by_the_titles_of_their_pages() -> None:
+    named = {k: v for k, v in vars(rules).items() if k.isupper()}
+    titles = {p: (FOLDER / f"{p}.md").read_text("utf-8").splitlines()[0].removeprefix(f"# {p} ") for p in PAGES}
+    for name, number in named.items():
+        words = re.findall(r"\w+", titles[number].upper())
+        assert words[: name.count("_") + 1] == name.split("_"), (name, titles[number])
+    assert len(set(named.values())) == len(named)
+
+
+def test_no_number_of_a_rule_is_typed_in_what_is_said_of_a_variable() -> None:
+    """It comes from the cell in the table, or by name from `logic/rules.py`; docstrings may say it."""
+    for path in sorted(Path("interlock/logic").rglob("*.py")):
+        tree = ast.parse(path.read_text("utf-8"))
+        said = {id(n.value) for n in ast.walk(tree) if isinstance(n, ast.Expr)}
+        typed = [n.value for n in ast.walk(tree) if isinstance(n, ast.Constant) and id(n) not in said]
+        found = [x for x in typed if isinstance(x, str) and re.search(r"\bR\d+\b", x)]
+        assert path.name == "rules.py" or not found, (path, found)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from interlock.diag.called import called
-from interlock.logic import names
+from interlock.logic import names, rules
 from interlock.logic.names import Family, Kind, Name
 from interlock.model.elements import Position
 
@@ -35,43 +35,47 @@ class Sentence:
 
 
 SENTENCES: dict[Family, Sentence] = {
-    names.VALID.family: Sentence("inputs are not valid: a substation is lost", "", "R16"),
-    names.RESTART_OVER.family: Sentence("the restart delay is not over", "", "R16"),
-    names.CLEAR: Sentence("{0:section} is occupied", "{0:section} is clear", "R3"),
-    names.LONG_CLEAR: Sentence("{0:section} is not clear for long enough", "{0:section} is steadily clear", "R15"),
-    names.OCCUPIED: Sentence("{0:section} is clear", "{0:section} is occupied", "R3"),
-    names.HEALTHY: Sentence("the detector of {0:section} is out of order", "", "R3"),
-    names.BLOCKED: Sentence("", "{0:section} is blocked", "R3"),
-    names.FREE: Sentence("{0:section} is locked", "", "R6"),
-    names.LOCK: Sentence("", "{0:section} is locked", "R6"),
-    names.RESTART_LOCK: Sentence("", "{0:section} is not released since the restart", "R16"),
-    names.STALE: Sentence("", "{0:section}: inputs were lost, or a train was called on; release it by hand", "R16"),
-    names.USED: Sentence("no train has come into {0:section}", "a train is in {0:section}", "R9"),
-    names.TRAIN_LOCK: Sentence("", "{0:section} is locked for a train", "R2"),
-    names.TRAILED: Sentence("", "{0:points} were trailed: look at them, and confirm it", "R10"),
-    names.CONTACT: Sentence("{0} is not detected {1}", "{0} is detected {1}", "R10"),
-    names.DETECTED: Sentence("{0} is not detected {1}", "{0} is detected {1}", "R10"),
-    names.CONDITION: Sentence("{0:condition} does not hold", "", "R17"),
-    names.STOP_LAMP: Sentence("the stop lamp of {0} is out", "", "R11"),
-    names.CLEAR_LAMP: Sentence("the clear lamp of {0} is out", "", "R11"),
-    names.IDENTIFIER_LAMP: Sentence("the identifier lamp of {0} is out", "", "R11"),
-    names.CAUTION_LAMP: Sentence("the caution lamp of {0} is out", "", "R11"),
-    names.CANCELLING: Sentence("", "the route from {0} is being cancelled", "R8"),
-    names.OVERLAP: Sentence("overlap {1} of {0} is not held", "overlap {1} of {0} is held there", "R4"),
-    names.TOKEN_HERE: Sentence("the direction at {0} is not ours", "", "R12"),
-    names.LINE_CLEAR: Sentence("the line at {0} is not clear", "", "R12"),
+    names.VALID.family: Sentence("inputs are not valid: a substation is lost", "", rules.RESTART),
+    names.RESTART_OVER.family: Sentence("the restart delay is not over", "", rules.RESTART),
+    names.CLEAR: Sentence("{0:section} is occupied", "{0:section} is clear", rules.PROCEED),
+    names.LONG_CLEAR: Sentence(
+        "{0:section} is not clear for long enough", "{0:section} is steadily clear", rules.LOSS_OF_SHUNT
+    ),
+    names.OCCUPIED: Sentence("{0:section} is clear", "{0:section} is occupied", rules.PROCEED),
+    names.HEALTHY: Sentence("the detector of {0:section} is out of order", "", rules.PROCEED),
+    names.BLOCKED: Sentence("", "{0:section} is blocked", rules.PROCEED),
+    names.FREE: Sentence("{0:section} is locked", "", rules.HOSTILE_ROUTES),
+    names.LOCK: Sentence("", "{0:section} is locked", rules.HOSTILE_ROUTES),
+    names.RESTART_LOCK: Sentence("", "{0:section} is not released since the restart", rules.RESTART),
+    names.STALE: Sentence(
+        "", "{0:section}: inputs were lost, or a train was called on; release it by hand", rules.RESTART
+    ),
+    names.USED: Sentence("no train has come into {0:section}", "a train is in {0:section}", rules.SECTIONAL_RELEASE),
+    names.TRAIN_LOCK: Sentence("", "{0:section} is locked for a train", rules.KINDS_OF_ROUTES),
+    names.TRAILED: Sentence("", "{0:points} were trailed: look at them, and confirm it", rules.POINTS),
+    names.CONTACT: Sentence("{0} is not detected {1}", "{0} is detected {1}", rules.POINTS),
+    names.DETECTED: Sentence("{0} is not detected {1}", "{0} is detected {1}", rules.POINTS),
+    names.CONDITION: Sentence("{0:condition} does not hold", "", rules.EXTERNAL_CONDITIONS),
+    names.STOP_LAMP: Sentence("the stop lamp of {0} is out", "", rules.SIGNALS),
+    names.CLEAR_LAMP: Sentence("the clear lamp of {0} is out", "", rules.SIGNALS),
+    names.IDENTIFIER_LAMP: Sentence("the identifier lamp of {0} is out", "", rules.SIGNALS),
+    names.CAUTION_LAMP: Sentence("the caution lamp of {0} is out", "", rules.SIGNALS),
+    names.CANCELLING: Sentence("", "the route from {0} is being cancelled", rules.APPROACH_LOCKING),
+    names.OVERLAP: Sentence("overlap {1} of {0} is not held", "overlap {1} of {0} is held there", rules.OVERLAPS),
+    names.TOKEN_HERE: Sentence("the direction at {0} is not ours", "", rules.LINE_BEYOND),
+    names.LINE_CLEAR: Sentence("the line at {0} is not clear", "", rules.LINE_BEYOND),
 }
 
 RULES = {
-    "flank not held": "R5",
-    "added point not held": "R5",
-    "overlap free": "R4",
-    "no train into the berth": "R2",
-    "no overlap in the berth": "R2",
-    "no other movement into the berth": "R2",
-    "rear released": "R9",
-    "rear device closed": "R16",
-    "stands alone": "R9",
+    "flank not held": rules.FLANK_PROTECTION,
+    "added point not held": rules.FLANK_PROTECTION,
+    "overlap free": rules.OVERLAPS,
+    "no train into the berth": rules.KINDS_OF_ROUTES,
+    "no overlap in the berth": rules.KINDS_OF_ROUTES,
+    "no other movement into the berth": rules.KINDS_OF_ROUTES,
+    "rear released": rules.SECTIONAL_RELEASE,
+    "rear device closed": rules.RESTART,
+    "stands alone": rules.SECTIONAL_RELEASE,
 }
 """The rule behind a condition of several variables that is from no cell of the table, by the sort of its term."""
 

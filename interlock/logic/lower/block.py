@@ -8,7 +8,7 @@ of the telegram has a wire or bit of its own that may always read 0: that it is 
 
 from __future__ import annotations
 
-from interlock.logic import names
+from interlock.logic import names, rules
 from interlock.logic.controller import Input, Join, Output, Term
 from interlock.logic.expr import Expr, conj, disj, neg, var
 from interlock.logic.lower.draft import Draft
@@ -76,9 +76,20 @@ def change(d: Draft) -> None:
             Term(neg(var(x.gives)), "neighbour does not give it"),
             Term(neg(var(x.has)), "neighbour has it not"),
         ]
-        d.wire(names.MANUAL_RUNS(b), Join.ALL, manual, f"line {b}", f"direction at {b}: special manual change (R12)")
+        d.wire(
+            names.MANUAL_RUNS(b),
+            Join.ALL,
+            manual,
+            f"line {b}",
+            f"direction at {b}: special manual change ({rules.LINE_BEYOND})",
+        )
     for b, x in tokens(d).items():
-        d.timer(x.timer, names.MANUAL_RUNS(b), d.layout.principles.token_delay_s, f"{b}: special manual change (R12)")
+        d.timer(
+            x.timer,
+            names.MANUAL_RUNS(b),
+            d.layout.principles.token_delay_s,
+            f"{b}: special manual change ({rules.LINE_BEYOND})",
+        )
     for b, x in tokens(d).items():
         take = [
             valid,
@@ -87,7 +98,9 @@ def change(d: Draft) -> None:
             Term(neg(var(x.have)), "not here"),
             Term(neg(var(x.give)), "not given away"),
         ]
-        d.wire(names.TOKEN_TAKEN(b), Join.ALL, take, f"line {b}", f"the direction at {b} is taken (R12)")
+        d.wire(
+            names.TOKEN_TAKEN(b), Join.ALL, take, f"line {b}", f"the direction at {b} is taken ({rules.LINE_BEYOND})"
+        )
         give = [
             valid,
             Term(var(x.asks), "asked for"),
@@ -97,7 +110,11 @@ def change(d: Draft) -> None:
             Term(neg(_locked_out(d, b)), "no departure", f"nothing is locked towards {b}"),
         ]
         d.wire(
-            names.TOKEN_GOES(b), Join.ALL, give, f"line {b}", f"the direction at {b} is given to the neighbour (R12)"
+            names.TOKEN_GOES(b),
+            Join.ALL,
+            give,
+            f"line {b}",
+            f"the direction at {b} is given to the neighbour ({rules.LINE_BEYOND})",
         )
 
 

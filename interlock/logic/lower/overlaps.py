@@ -6,7 +6,7 @@ What an overlap must find free is in `routes`, with everything else that a grant
 
 from __future__ import annotations
 
-from interlock.logic import names
+from interlock.logic import names, rules
 from interlock.logic.controller import Join, Term
 from interlock.logic.expr import Expr, conj, disj, neg, var
 from interlock.logic.lower import requests, sections, ways
@@ -26,10 +26,18 @@ def standing(d: Draft) -> None:
             Term(to, "locked towards it", f"{b} is locked towards {g}"),
             Term(d.sections.occupied(b), "occupied", f"{b} occupied"),
         ]
-        d.wire(names.STANDING_RUNS(g), Join.ALL, terms, f"overlap {g}", f"the train before {g} is wholly in {b} (R4)")
+        d.wire(
+            names.STANDING_RUNS(g),
+            Join.ALL,
+            terms,
+            f"overlap {g}",
+            f"the train before {g} is wholly in {b} ({rules.OVERLAPS})",
+        )
     for g in signals:
         seconds = d.layout.overlap_release_s(g)
-        d.timer(names.STANDING(g), names.STANDING_RUNS(g), seconds, f"{g}: the train before it stands (R4)")
+        d.timer(
+            names.STANDING(g), names.STANDING_RUNS(g), seconds, f"{g}: the train before it stands ({rules.OVERLAPS})"
+        )
     for g in signals:
         b = d.signals.before(g)
         to = d.sections.locked_out(b, d.layout.signal[g].node)
@@ -38,7 +46,11 @@ def standing(d: Draft) -> None:
             Term(var(names.STANDING(g)), "train stands"),
         ]
         d.wire(
-            names.OVERLAP_OVER(g), Join.ANY, terms, f"overlap {g}", f"the overlap of {g} is not needed any more (R4)"
+            names.OVERLAP_OVER(g),
+            Join.ANY,
+            terms,
+            f"overlap {g}",
+            f"the overlap of {g} is not needed any more ({rules.OVERLAPS})",
         )
 
 
@@ -70,7 +82,9 @@ def swing(d: Draft) -> None:
                 *(x for key in d.overlaps.ways[g, k] for x in ways.swing_terms(d, g, key)),
             ]
             name = ways.swing_wire(d, g, k)
-            before.append(d.wire(name, Join.ALL, terms, f"overlap {g}", f"the overlap of {g} swings to {k} (R4)"))
+            before.append(
+                d.wire(name, Join.ALL, terms, f"overlap {g}", f"the overlap of {g} swings to {k} ({rules.OVERLAPS})")
+            )
 
 
 def _swings(d: Draft, g: SignalId, but: int | None = None) -> list[Expr]:

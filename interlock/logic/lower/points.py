@@ -6,7 +6,7 @@ flank protection.  The command is held; in the initial state there is none, so t
 
 from __future__ import annotations
 
-from interlock.logic import names
+from interlock.logic import names, rules
 from interlock.logic.controller import Input, Join, Output, Term
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.logic.lower import added, ways
@@ -39,7 +39,7 @@ def detection(d: Draft) -> None:
                     Term(neg(var(names.CONTACT(m, x.other))), "no opposite contact"),
                 ),
                 f"point {m}",
-                f"machine {m} lies {x} (R10)",
+                f"machine {m} lies {x} ({rules.POINTS})",
             )
 
 
@@ -67,7 +67,7 @@ def movable(d: Draft) -> None:
         for x in Position:
             held = flank.get((m, x), FALSE)
             terms.append(Term(neg(held), "flank not held", f"nobody needs {m} {x} as flank protection"))
-        d.wire(names.MOVABLE(m), Join.ALL, terms, f"point {m}", f"machine {m} is free to move (R10)")
+        d.wire(names.MOVABLE(m), Join.ALL, terms, f"point {m}", f"machine {m} is free to move ({rules.POINTS})")
         for x in Position:
             closes = [Term(TRUE, "closes", "it can always be closed")] if _closing(d, m, x) else []
             d.wire(
@@ -109,7 +109,9 @@ def commands(d: Draft) -> None:
                 )
             if m in d.layout.device and x is Position.NORMAL:
                 back = conj((var(names.MOVABLE(m)), neg(touched), neg(var(names.MOVE_BY_HAND(m, x.other)))))
-                terms.append(Term(back, "returns", "opens by itself when nothing is locked over it (R13)"))
+                terms.append(
+                    Term(back, "returns", f"opens by itself when nothing is locked over it ({rules.LEVEL_CROSSINGS})")
+                )
             d.wire(names.DEMANDED(m, x), Join.ANY, terms, f"point {m}", f"a grant needs {m} {x}")
             d.wire(
                 names.MOVED_BY_HAND(m, x),
@@ -266,7 +268,7 @@ def starting(d: Draft) -> None:
         (Term(neg(var(names.STARTED)), "none started", "no machine started in the last scan"),),
         "starts",
     )
-    d.timer(names.GAP_OVER, names.GAP_RUNS, gap, "the gap since the last start is over (R10)")
+    d.timer(names.GAP_OVER, names.GAP_RUNS, gap, f"the gap since the last start is over ({rules.POINTS})")
     before: list[Expr] = []
     for m in machines:
         first = neg(before[-1]) if before else TRUE
@@ -275,7 +277,7 @@ def starting(d: Draft) -> None:
             Join.ALL,
             (Term(waits[m], "waits"), Term(var(names.GAP_OVER), "gap over"), Term(first, "none before it waits")),
             "starts",
-            f"machine {m} starts (R10)",
+            f"machine {m} starts ({rules.POINTS})",
         )
         before.append(d.wire(names.WAITS(m), Join.ANY, (Term(waits[m], "waits"), *_terms(before)), "starts"))
         d.kept(

@@ -8,7 +8,7 @@ automatically is asked for, by its number or by its switch.
 
 from __future__ import annotations
 
-from interlock.logic import names
+from interlock.logic import names, rules
 from interlock.logic.controller import Input, Join, Output, Term
 from interlock.logic.expr import Expr, conj, eq, neg, var
 from interlock.logic.lower.draft import Draft
@@ -55,7 +55,13 @@ def requested(d: Draft, r: RouteRow) -> Expr:
     before = d.routes.automatic[: d.routes.automatic.index(r)]
     turn = conj((asked(d, 0), var(switch(r)), *(neg(var(names.GRANTED(x.number))) for x in before)))
     terms = (Term(by_hand, "by hand"), Term(turn, "switched on", "automatic, while nothing is asked for by hand"))
-    return d.wire(names.ASKED(r.number), Join.ANY, terms, f"route {r.id}", f"route {r.id} is asked for (R14)")
+    return d.wire(
+        names.ASKED(r.number),
+        Join.ANY,
+        terms,
+        f"route {r.id}",
+        f"route {r.id} is asked for ({rules.ONE_TRAIN_ONE_ROUTE})",
+    )
 
 
 def inputs_of(d: Draft) -> tuple[names.Name, ...]:

@@ -13,7 +13,7 @@ section before the signal is firmly locked towards it: for the train that is on 
 from __future__ import annotations
 
 from interlock.diag.called import called
-from interlock.logic import names
+from interlock.logic import names, rules
 from interlock.logic.controller import Input, Join, Term
 from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
 from interlock.logic.lower import added, aspects, block, requests, sections, ways, zones
@@ -87,7 +87,9 @@ def grants(d: Draft) -> None:
         beyond = [] if onward is None else _needs(d, onward)
         terms = [Term(requests.requested(d, r), "requested"), *_needs(d, r), *beyond]
         terms = list({t.expr: t for t in reversed(terms)}.values())[::-1] if onward is not None else terms
-        d.wire(names.GRANTED(r.number), Join.ALL, terms, f"route {r.id}", f"grant of route {r.id} (R6)")
+        d.wire(
+            names.GRANTED(r.number), Join.ALL, terms, f"route {r.id}", f"grant of route {r.id} ({rules.HOSTILE_ROUTES})"
+        )
     for r in d.table.routes:
         if r.kind is RouteKind.IDENTIFIER:
             with_ = [Term(var(names.GRANTED(x.number)), "requested", f"route {x.id}") for x in d.routes.leading_past(r)]
@@ -115,7 +117,7 @@ def locking(d: Draft) -> None:
                 *added.detected(d, r),
             ),
             group,
-            f"route {r.id} becomes locked (R3)",
+            f"route {r.id} becomes locked ({rules.PROCEED})",
         )
         d.wire(
             names.CONDITIONS(r.number),
@@ -126,7 +128,7 @@ def locking(d: Draft) -> None:
                 *_beside(d, r),
             ),
             group,
-            f"conditions of proceed for route {r.id} (R3)",
+            f"conditions of proceed for route {r.id} ({rules.PROCEED})",
         )
 
 
@@ -172,18 +174,24 @@ def _beside(d: Draft, r: RouteRow) -> list[Term]:
 def approaches(d: Draft) -> None:
     """Whether a train may be on its way to a signal, where more than one section tells (R8)."""
     for g in d.layout.signals:
-        if d.routes.of_signal[g.id] and (x := d.routes.of_signal[g.id][0].approach.coming).further:
+        if d.routes.of_signal[g.id] and (x := (cell := d.routes.of_signal[g.id][0].approach).coming).further:
+            rule = cell.because.rule
             nobody = (Term(neg(d.signals.coming(x)), "nobody comes", "nothing in the approach, nor called into it"),)
             d.wire(
-                names.APPROACH_CLEAR(g.id), Join.ALL, nobody, f"signal {g.id}", f"no train is on its way to {g.id} (R8)"
+                names.APPROACH_CLEAR(g.id),
+                Join.ALL,
+                nobody,
+                f"signal {g.id}",
+                f"no train is on its way to {g.id} ({rule})",
             )
 
 
 def cancellation(d: Draft) -> None:
     """Cancel: at once while nobody has seen the signal or the approach is clear, else after the delay (R8)."""
     signals = [g for g in d.layout.signals if d.routes.of_signal[g.id]]
-    seconds = {g.id: d.routes.of_signal[g.id][0].approach.delay_s for g in signals}
+    approach = {g.id: d.routes.of_signal[g.id][0].approach for g in signals}
     for g in signals:
+        rule = approach[g.id].because.rule
         first = d.signals.first_section(g.id)
         leaving = disj(
             d.sections.lock(*t.key) if t.exit in d.layout.boundary_at else d.sections.into_berth(t)
@@ -211,14 +219,19 @@ def cancellation(d: Draft) -> None:
                 Term(waiting, "release waits"),
             ),
             f"signal {g.id}",
-            f"{g.id} at stop, waiting for a train that may still come (R8)",
+            f"{g.id} at stop, waiting for a train that may still come ({rule})",
         )
     for g in signals:
+        rule = approach[g.id].because.rule
         d.timer(
-            names.APPROACH_OVER(g.id), names.APPROACH_RUNS(g.id), seconds[g.id], f"{g.id}: approach locking delay (R8)"
+            names.APPROACH_OVER(g.id),
+            names.APPROACH_RUNS(g.id),
+            approach[g.id].delay_s,
+            f"{g.id}: approach locking delay ({rule})",
         )
     for g in signals:
         first = d.signals.first_section(g.id)
+        rule = approach[g.id].because.rule
         seen = disj(var(names.SHOWN(r.number)) for r in d.routes.of_signal[g.id])
         d.wire(
             names.CANCELLED(g.id),
@@ -235,7 +248,7 @@ def cancellation(d: Draft) -> None:
                 ),
             ),
             f"signal {g.id}",
-            f"the route from {g.id} is cancelled (R8)",
+            f"the route from {g.id} is cancelled ({rule})",
         )
 
 
@@ -346,7 +359,7 @@ def _opens(d: Draft, r: RouteRow, stays: Term, stop: tuple[Term, ...]) -> None:
             *past,
         ),
         group,
-        f"proceed for route {r.id} (R3, R11)",
+        f"proceed for route {r.id} ({rules.PROCEED}, {rules.SIGNALS})",
     )
     kept = conj((var(names.CONDITIONS(k)), *(t.expr for t in past)))
     d.wire(
@@ -357,7 +370,7 @@ def _opens(d: Draft, r: RouteRow, stays: Term, stop: tuple[Term, ...]) -> None:
             Term(neg(kept), "conditions lost"),
         ),
         group,
-        f"route {r.id}: a condition was lost; no reopening by itself (R14)",
+        f"route {r.id}: a condition was lost; no reopening by itself ({rules.ONE_TRAIN_ONE_ROUTE})",
     )
 
 

@@ -9,7 +9,7 @@ that automatic release is off and the lock is released by hand.
 from __future__ import annotations
 
 from interlock.diag.called import called
-from interlock.logic import names
+from interlock.logic import names, rules
 from interlock.logic.controller import Input, Join, Output, Term
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.logic.lower import ways
@@ -112,7 +112,13 @@ def three_point(d: Draft) -> None:
                 used, leads = var(names.USED(rear)), d.sections.locked_out(rear, node)
                 terms.append(Term(disj((own, used)), "rear used", f"{rear} itself was used"))
                 terms.append(Term(disj((own, leads)), "rear leads here", f"{rear} is locked towards {s}"))
-            d.wire(_new_use(s, i), Join.ALL, terms, f"section {s}", f"a train comes into {s} at {node} (R9)")
+            d.wire(
+                _new_use(s, i),
+                Join.ALL,
+                terms,
+                f"section {s}",
+                f"a train comes into {s} at {node} ({rules.SECTIONAL_RELEASE})",
+            )
 
 
 def rear_free(d: Draft, s: SectionId) -> list[Term]:
@@ -148,9 +154,18 @@ def restart_delay(d: Draft) -> None:
     on = (Term(TRUE, "running", "since the first scan"),)
     d.kept(names.POWERED, False, "the controller has run a scan since power-up", Join.ALL, on, "restart")
     d.wire(
-        names.RESTART_RUNS, Join.ALL, (Term(var(names.POWERED), "running"),), "restart", "the restart delay runs (R16)"
+        names.RESTART_RUNS,
+        Join.ALL,
+        (Term(var(names.POWERED), "running"),),
+        "restart",
+        f"the restart delay runs ({rules.RESTART})",
     )
-    d.timer(RESTART_DELAY, names.RESTART_RUNS, d.layout.principles.restart_delay_s, "the restart delay is over (R16)")
+    d.timer(
+        RESTART_DELAY,
+        names.RESTART_RUNS,
+        d.layout.principles.restart_delay_s,
+        f"the restart delay is over ({rules.RESTART})",
+    )
 
 
 def detected(d: Draft) -> list[SectionId]:
@@ -166,7 +181,10 @@ def clear_time(d: Draft) -> None:
         d.wire(names.CLEAR_RUNS(s), Join.ALL, (clear,), f"section {s}", f"{s} is reported clear")
     for s in timed:
         d.timer(
-            names.LONG_CLEAR(s), names.CLEAR_RUNS(s), d.layout.principles.release_delay_s, f"{s}: release delay (R15)"
+            names.LONG_CLEAR(s),
+            names.CLEAR_RUNS(s),
+            d.layout.principles.release_delay_s,
+            f"{s}: release delay ({rules.LOSS_OF_SHUNT})",
         )
 
 
@@ -211,7 +229,7 @@ def _after_restart(d: Draft, s: SectionId, ready: list[Term], rear: list[Term]) 
             *(rear if s in d.routes.berths else ()),
         ),
         f"section {s}",
-        f"{s} released after a restart (R16)",
+        f"{s} released after a restart ({rules.RESTART})",
     )
 
 
@@ -227,7 +245,13 @@ def release(d: Draft) -> None:
         )
         used, went_on = Term(var(names.USED(s)), "was used"), Term(var(names.LEAVES(s)), "went on")
         behind = (valid, used, clear, *_closed(d, s), *rear, went_on)
-        d.wire(names.RELEASED_BEHIND(s), Join.ALL, behind, group, f"{s} is released behind the train (R9)")
+        d.wire(
+            names.RELEASED_BEHIND(s),
+            Join.ALL,
+            behind,
+            group,
+            f"{s} is released behind the train ({rules.SECTIONAL_RELEASE})",
+        )
         unsignalled = disj(
             conj(
                 (
@@ -239,20 +263,32 @@ def release(d: Draft) -> None:
             if d.signals.main_at(s, node) is None and d.topo.beyond(s, node) is not None
         )
         if s in d.routes.berths:
-            d.wire(names.ARRIVED(s), Join.ALL, _arrival(d, s, rear), group, f"a train has arrived in {s}, wholly (R2)")
+            d.wire(
+                names.ARRIVED(s),
+                Join.ALL,
+                _arrival(d, s, rear),
+                group,
+                f"a train has arrived in {s}, wholly ({rules.KINDS_OF_ROUTES})",
+            )
         inside = (Term(neg(var(names.USED(s))), "not used"), Term(unsignalled, "locked from inside"))
         d.wire(
             names.WITHDRAWN(s),
             Join.ALL,
             (valid, clear, *inside, *rear),
             group,
-            f"the lock before {s} was withdrawn (R8)",
+            f"the lock before {s} was withdrawn ({rules.APPROACH_LOCKING})",
         )
         by_hand = [valid, clear, *_closed(d, s), *rear, *_by_hand(d, s)]
         cancelled = [
             Term(var(names.CANCELLED(g)), "cancelled", f"route from {g} cancelled") for g, _ in _signals_into(d, s)
         ]
-        d.wire(names.RELEASED_BY_HAND(s), Join.ALL, by_hand, group, f"{s} released by hand (R8, section fault release)")
+        d.wire(
+            names.RELEASED_BY_HAND(s),
+            Join.ALL,
+            by_hand,
+            group,
+            f"{s} released by hand ({rules.APPROACH_LOCKING}, section fault release)",
+        )
         _after_restart(d, s, [valid, clear], rear)
         d.wire(
             names.RELEASED(s),
@@ -366,7 +402,7 @@ def _keep_passage(d: Draft, s: SectionId, stays: Term) -> None:
         var(_new_use(s, i)) for i, node in enumerate(d.topo.ends[s], 1) if d.sections.locked_in(s, node) is not FALSE
     ]
     held = Term(disj((var(names.USED(s)), *uses)), "held or new")
-    d.kept(names.USED(s), True, f"{s} used by a train (R9)", Join.ALL, (held, stays), group)
+    d.kept(names.USED(s), True, f"{s} used by a train ({rules.SECTIONAL_RELEASE})", Join.ALL, (held, stays), group)
     gone = []
     for node in d.topo.ends[s]:
         ahead = d.topo.beyond(s, node)
@@ -374,7 +410,9 @@ def _keep_passage(d: Draft, s: SectionId, stays: Term) -> None:
             gone.append(var(_new_use(ahead, d.topo.ends[ahead].index(node) + 1)))
     going = conj((var(names.USED(s)), d.sections.occupied(s), disj(gone)))
     held = Term(disj((var(names.PASSED(s)), going)), "held or new")
-    d.kept(names.PASSED(s), False, f"{s}: the train went on (R9)", Join.ALL, (held, stays), group)
+    d.kept(
+        names.PASSED(s), False, f"{s}: the train went on ({rules.SECTIONAL_RELEASE})", Join.ALL, (held, stays), group
+    )
 
 
 def keep(d: Draft) -> None:
@@ -390,7 +428,7 @@ def keep(d: Draft) -> None:
         d.kept(
             names.RESTART_LOCK(s),
             True,
-            f"{s}: restart lock (R16)",
+            f"{s}: restart lock ({rules.RESTART})",
             Join.ALL,
             (Term(var(names.RESTART_LOCK(s)), "held"), stays),
             group,

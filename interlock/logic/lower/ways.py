@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from interlock.logic import names
+from interlock.logic import names, rules
 from interlock.logic.controller import Join, Term
 from interlock.logic.expr import Expr, conj, disj, neg, var
 from interlock.logic.lower import added
@@ -45,10 +45,16 @@ def availability(d: Draft) -> None:
         _wire(d, names.WAY_AVAILABLE, t, _availability(d, t), "could be locked")
         free = [Term(var(names.FREE(t.section)), "section free", f"{t.section} not locked")]
         if t.key in routes:
-            _wire(d, names.WAY_FREE, t, [*free, *_unlocked(d, t.key)], "free for a route (R6)")
+            _wire(d, names.WAY_FREE, t, [*free, *_unlocked(d, t.key)], f"free for a route ({rules.HOSTILE_ROUTES})")
     for (g, k), over in d.overlaps.ways.items():
         terms = [x for key in over for x in _overlap_terms(d, g, key)]
-        d.wire(names.OVERLAP_FREE(g, k), Join.ALL, terms, f"overlap {g}", f"overlap {k} of {g} may be held (R4)")
+        d.wire(
+            names.OVERLAP_FREE(g, k),
+            Join.ALL,
+            terms,
+            f"overlap {g}",
+            f"overlap {k} of {g} may be held ({rules.OVERLAPS})",
+        )
 
 
 def _availability(d: Draft, t: TraversalRow) -> list[Term]:
@@ -137,7 +143,7 @@ def detection(d: Draft) -> None:
         _wire(d, names.WAY_LIES, t, [clear, *_detected(d, t.key)], "lies and is clear")
         if t.key in routes:
             terms = [*_lying(t.key, "way lies"), *not_blocked(t.section)]
-            _wire(d, names.WAY_IN_ORDER, t, terms, "proceed may be shown over it (R3)")
+            _wire(d, names.WAY_IN_ORDER, t, terms, f"proceed may be shown over it ({rules.PROCEED})")
 
 
 def _detection(d: Draft, t: TraversalRow) -> list[Term]:
@@ -233,7 +239,13 @@ def swung(d: Draft) -> None:
         for o in d.overlaps.of_signal[g]:
             lies = conj(x.expr for key in d.overlaps.ways[o] for x in _lying(key, "overlap lies"))
             terms.append(Term(conj((d.overlaps.held(o), lies)), "overlap lies", f"overlap {o[1]} of {g}"))
-        d.wire(names.OVERLAP_LIES(g), Join.ANY, terms, f"overlap {g}", f"the overlap of {g} lies and is clear (R4)")
+        d.wire(
+            names.OVERLAP_LIES(g),
+            Join.ANY,
+            terms,
+            f"overlap {g}",
+            f"the overlap of {g} lies and is clear ({rules.OVERLAPS})",
+        )
 
 
 def _overlap_lies(r: RouteRow) -> list[Term]:

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from itertools import chain
 
 from interlock.diag.called import called
-from interlock.logic import names
+from interlock.logic import names, rules
 from interlock.logic.controller import Equation, Join, Term
 from interlock.logic.expr import AND, FALSE, NOT, OR, TRUE, VAR, Expr, conj, disj, neg, var
 from interlock.logic.lower.draft import Draft
@@ -89,7 +89,9 @@ class _Writer:
             said = self._text(x, t)
             if x.op is VAR and self._name(x).family is names.LONG_CLEAR:
                 said = f"{called('section', str(self._name(x).at[0]))} is occupied, or not clear for long enough"
-            return self._code(x, f"{self._called(held)} cannot move: {said}", "R10", (f"m:{held}", *self._at(x)), held)
+            return self._code(
+                x, f"{self._called(held)} cannot move: {said}", rules.POINTS, (f"m:{held}", *self._at(x)), held
+            )
         if x.op is VAR:
             name = self._name(x)
             place = name.at
@@ -157,7 +159,7 @@ class _Writer:
             return t.rule
         inner = x.args[0] if x.op is NOT else x
         known = SENTENCES.get(self._name(inner).family) if inner.op is VAR else None
-        return known.rule if known is not None and t.kind not in RULES else RULES.get(t.kind, "R6")
+        return known.rule if known is not None and t.kind not in RULES else RULES.get(t.kind, rules.HOSTILE_ROUTES)
 
     def _at(self, x: Expr) -> tuple[str, ...]:
         """The elements that a condition is about."""
@@ -183,7 +185,9 @@ class _Writer:
 
     def _waiting(self, m: MachineId) -> int:
         code = WAITING + 1 + self.number[m]
-        self.reasons.setdefault(code, Reason(code, None, f"set, waiting for {self._called(m)}", "R10", (f"m:{m}",)))
+        self.reasons.setdefault(
+            code, Reason(code, None, f"set, waiting for {self._called(m)}", rules.POINTS, (f"m:{m}",))
+        )
         return code
 
     def _set(self, r: RouteRow) -> Name:
@@ -207,7 +211,9 @@ class _Writer:
         alone: Value = FREE
         if r.kind is RouteKind.IDENTIFIER:
             with_ = " or ".join(x.id for x in self.d.routes.leading_past(r))
-            alone = self._code(FALSE, f"it is set with route {with_}, never alone", "R11", (f"g:{r.entry}",), r.id)
+            alone = self._code(
+                FALSE, f"it is set with route {with_}, never alone", rules.SIGNALS, (f"g:{r.entry}",), r.id
+            )
         self.words[name] = Word(name, (*does, *refused), alone, f"route {r.id}", said)
         return name
 
