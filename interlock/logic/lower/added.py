@@ -36,7 +36,7 @@ def free(d: Draft, r: RouteRow) -> list[Term]:
     ]
     for p in r.added:
         free_ = var(names.POINT_AVAILABLE(p.machine, p.position))
-        out.append(Term(free_, "added point available", f"{p.machine} {p.position}: {p.because.text}"))
+        out.append(Term(free_, "added point available", f"{p.machine} {p.position}: {p.because.text}", p.because.rule))
         out += _not_trailed(d, p.machine)
     return out
 
@@ -50,7 +50,7 @@ def detected(d: Draft, r: RouteRow) -> list[Term]:
     out = []
     for p in r.added:
         note = f"{p.machine} {p.position}: {p.because.text}"
-        out.append(Term(d.machines.detected(p.machine, p.position), "added point detected", note))
+        out.append(Term(d.machines.detected(p.machine, p.position), "added point detected", note, p.because.rule))
         out += _not_trailed(d, p.machine)
     return out
 

@@ -122,7 +122,7 @@ def terms(d: Draft, r: RouteRow) -> list[Term]:
     """The direction is ours, where the route leaves over a boundary with a token."""
     if r.token is None:
         return []
-    return [Term(var(tokens(d)[r.token.boundary].have), "direction ours", r.token.because.text)]
+    return [Term(var(tokens(d)[r.token.boundary].have), "direction ours", r.token.because.text, r.token.because.rule)]
 
 
 def keep(d: Draft) -> None:

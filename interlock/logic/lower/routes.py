@@ -157,8 +157,10 @@ def _rear_terms(d: Draft, r: RouteRow) -> list[Term]:
 def _beside(d: Draft, r: RouteRow) -> list[Term]:
     """What proceed needs besides the ways themselves."""
     terms = _rear_terms(d, r)
-    terms += [Term(var(names.CONDITION(c.condition)), "condition", c.because.text) for c in r.conditions]
-    terms += [Term(d.sections.clear(b.section), "line beyond clear", b.because.text) for b in r.block]
+    terms += [
+        Term(var(names.CONDITION(c.condition)), "condition", c.because.text, c.because.rule) for c in r.conditions
+    ]
+    terms += [Term(d.sections.clear(b.section), "line beyond clear", b.because.text, b.because.rule) for b in r.block]
     terms += block.terms(d, r)
     terms += added.detected(d, r)
     if r.kind is not RouteKind.CALL_ON:
@@ -167,7 +169,7 @@ def _beside(d: Draft, r: RouteRow) -> list[Term]:
     if r.overlap:
         some = {r.overlap.option, *r.overlap.swings}
         options = disj(d.overlaps.held(o) for o in d.overlaps.of_signal[r.overlap.signal] if o[1] in some)
-        terms.append(Term(options, "overlap held", r.overlap.because.text))
+        terms.append(Term(options, "overlap held", r.overlap.because.text, r.overlap.because.rule))
     return terms
 
 

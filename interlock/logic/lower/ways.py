@@ -71,7 +71,9 @@ def _availability(d: Draft, t: TraversalRow) -> list[Term]:
         terms.append(Term(neg(held), "exclusion", f"{ex.section}: {ex.because.text}"))
     for p in t.points:
         free = var(names.POINT_AVAILABLE(p.machine, p.position))
-        terms.append(Term(free, f"{p.role} point available", f"{p.machine} {p.position}: {p.because.text}"))
+        terms.append(
+            Term(free, f"{p.role} point available", f"{p.machine} {p.position}: {p.because.text}", p.because.rule)
+        )
     return [*terms, *_trailed(d, t), *_foul(d, t), *_space(d, t)]
 
 
@@ -341,7 +343,9 @@ def swing_terms(d: Draft, g: SignalId, key: TraversalKey) -> list[Term]:
             (d.machines.detected(p.machine, p.position), *(neg(d.machines.command(p.machine, y)) for y in Position))
         )
         free = disj((d.machines.command(p.machine, p.position), _may_swing(d, g, p.machine), there))
-        terms.append(Term(free, f"{p.role} point available", f"{p.machine} {p.position}: {p.because.text}"))
+        terms.append(
+            Term(free, f"{p.role} point available", f"{p.machine} {p.position}: {p.because.text}", p.because.rule)
+        )
     return [*terms, *_trailed(d, t), *_foul(d, t), *_space(d, t)]
 
 
