@@ -517,7 +517,7 @@ def test_a_train_starts_however_far_it_stands_from_where_it_meant_to_stand(metre
     inputs = {i.name: (i.restrictive, i.size or 2) for i in ready.controller.inputs}
     outputs = {o.name: o.restrictive for o in ready.controller.outputs}
     field = SimulatedField(ready.layout, ready.allocation, inputs, outputs, 0.4)
-    train, drivers = field.train(field.stand("s7", "XI9", 40.0, "7")), field.world.drivers
+    train, drivers = field.stock.train(field.stock.stand("s7", "XI9", 40.0, "7")), field.world.drivers
     drivers.sight.look(train)
     train.driver.called, train.head = True, train.head + train.view.gap - train.handling.margin - metres
     drivers.sight.look(train)

@@ -318,9 +318,9 @@ def changes(chromium: Any) -> list[float]:
         page.evaluate(WATCH)
         assert desk.field is not None
         took = []
-        for s in list(desk.field.places())[:160:4]:
+        for s in list(desk.field.stock.places())[:160:4]:
             at = time.time()
-            desk.field.fail("section", s, True)
+            desk.field.faults.fail("section", s, True)
             while (seen := page.evaluate(f"window.seen[{'section-' + s!r}] ?? 0")) == 0:
                 assert time.time() < at + 10
             took.append(seen - 1000 * at)
@@ -341,7 +341,7 @@ def test_a_button_that_is_held_down_is_clicked_whatever_happens_meanwhile(chromi
             middle = page.locator("#acts button:text-is('Block')").bounding_box()
             page.mouse.move(middle["x"] + middle["width"] / 2, middle["y"] + middle["height"] / 2)
             page.mouse.down()
-            desk.field.fail("section", "s3", True)
+            desk.field.faults.fail("section", "s3", True)
             page.wait_for_selector("#section-s3 .track.occupied", state="attached")
             page.wait_for_timeout(200)
             fresh(page)
@@ -408,7 +408,7 @@ def test_nothing_moves_under_the_mouse(chromium: Any, tmp_path: Path, at: str, s
         f = desk.field
         assert f is not None
         page.set_viewport_size({"width": size[0], "height": size[1]})
-        f.stand("s2", desk.still["stands"]["s2"][0], 50.0, "stands")
+        f.stock.stand("s2", desk.still["stands"]["s2"][0], 50.0, "stands")
         desk._once("something happened")
         page.wait_for_selector("#trains li")
         page.locator("#section-s2").focus()
@@ -429,11 +429,11 @@ def test_nothing_moves_under_the_mouse(chromium: Any, tmp_path: Path, at: str, s
         still(f"#alarms li:nth-child({count + 1})")
         desk.ask(Person("another", True), {"do": "acknowledge"}, lambda _: None)
         still("#unseen:not(.new)")
-        f.stand("s10_xc4", desk.still["stands"]["s10_xc4"][0], 50.0, "second")
+        f.stock.stand("s10_xc4", desk.still["stands"]["s10_xc4"][0], 50.0, "second")
         still("#trains li:nth-child(2)")
-        f.take_away("stands")
+        f.stock.take_away("stands")
         still("#section-s2 .track:not(.occupied)")
-        f.fail("station", desk.still["stations"][0], True)
+        f.faults.fail("station", desk.still["stations"][0], True)
         still("#inputs.bad")
         still("#restart:not([hidden])")
         desk.power = False

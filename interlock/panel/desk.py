@@ -31,7 +31,8 @@ from interlock.panel.event import Event, stamp
 from interlock.panel.picture import Picture, Shown, still
 from interlock.panel.reasons import Moment, Reason, Reasons
 from interlock.panel.recorder import Recorder
-from interlock.panel.simulated import LENGTH_M, Impossible, SimulatedField
+from interlock.panel.simulated import SimulatedField
+from interlock.panel.stock import LENGTH_M, Impossible
 from interlock.simulate.track import Beyond
 from interlock.simulate.world import World
 
@@ -284,7 +285,7 @@ class Desk:
                 "releases": self.releases,
                 "speed": self.clock.speed if self.field is not None else 0,
                 "minutes": int(self.clock.now() // 60) if self.field is not None else 0,
-                "failed": [] if self.field is None else sorted(map(list, self.field.failed)),
+                "failed": [] if self.field is None else sorted(map(list, self.field.faults.failed)),
                 "voyages": [[r.name, r.reason] for r in (*dispatcher.runs, *dispatcher.pending)],
                 "numbers": [[n, under] for n, under in self.operator.numbers.sections.items()],
             },
@@ -307,9 +308,12 @@ class Desk:
             head = track.stretches[t.body[-1]]
             way = -1 if t.body[-1] & 1 else 1
             front = None if head.outside else way
-            out.append([f.name_of(t), spans, round(t.speed * 3.6), round(t.length(track)), under, f.held(t), front])
+            out.append(
+                [f.stock.name_of(t), spans, round(t.speed * 3.6), round(t.length(track)), under, f.stock.held(t), front]
+            )
         out += [
-            [name, [], 0, round(m), [f"before {b.name}{_waits(f.world, b)}"], None, None] for b, m, name in f.coming
+            [name, [], 0, round(m), [f"before {b.name}{_waits(f.world, b)}"], None, None]
+            for b, m, name in f.stock.coming
         ]
         return out
 
@@ -423,23 +427,23 @@ class Desk:
         name = str(c.get("train", ""))
         match what:
             case "put":
-                made = f.stand(str(c["section"]), str(c["towards"]), _metres(c), name)
+                made = f.stock.stand(str(c["section"]), str(c["towards"]), _metres(c), name)
                 return f"train {made} stands in {c['section']}"
             case "bring":
-                return f"train {f.bring(str(c['boundary']), _metres(c), name)} comes to {c['boundary']}"
+                return f"train {f.stock.bring(str(c['boundary']), _metres(c), name)} comes to {c['boundary']}"
             case "drive":
-                f.drive(name, bool(c["go"]))
+                f.stock.drive(name, bool(c["go"]))
                 return f"train {name} {'goes on' if c['go'] else 'is stopped'}"
             case "turn train":
-                f.turn(name)
+                f.stock.turn(name)
                 return f"train {name} changes ends"
             case "divide":
-                return f"train {name} is divided: {f.divide(name)} stays"
+                return f"train {name} is divided: {f.stock.divide(name)} stays"
             case "take away":
-                f.take_away(name)
+                f.stock.take_away(name)
                 return f"train {name} is taken away"
             case "fail":
-                f.fail(str(c["kind"]), str(c["name"]), bool(c["on"]))
+                f.faults.fail(str(c["kind"]), str(c["name"]), bool(c["on"]))
                 return f"fault {'of' if c['on'] else 'put right:'} {c['kind']} {c['name']}"
             case "power":
                 self.power = bool(c["on"])

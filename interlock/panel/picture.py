@@ -58,8 +58,8 @@ def still(ready: Ready, field: SimulatedField | None) -> dict[str, Any]:
         "voyages": [v.name for v in table.voyages],
         "swings": [str(g) for g in y.overlaps.swing_request],
         "simulated": field is not None,
-        "stands": {} if field is None else {s: [x for _, x in p] for s, p in field.places().items()},
-        "lamps": {} if field is None else field.lamp_inputs(),
+        "stands": {} if field is None else {s: [x for _, x in p] for s, p in field.stock.places().items()},
+        "lamps": {} if field is None else field.faults.lamp_inputs(),
     }
 
 

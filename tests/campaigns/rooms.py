@@ -67,10 +67,6 @@ LARGE = {
     "model/layout.py Layout": (81, "to be taken apart: elements of a layout (46 fields), and 35 ways to find them"),
     "panel/commands.py Buttons": (21, "one method a command of the panel"),
     "panel/desk.py Desk": (25, "to be taken apart: what runs, and who looks on"),
-    "panel/simulated.py SimulatedField": (
-        24,
-        "to be taken apart: the link to a runtime, and what can be done to trains",
-    ),
     "proof/system/transition.py System": (
         28,
         "the transition system; each reader sees a part of it through a protocol (SystemView, Located, HasFamilies)",

@@ -18,7 +18,7 @@ from interlock.logic.controller import Input, Join, Term
 from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
 from interlock.logic.lower import added, aspects, block, requests, sections, ways, zones
 from interlock.logic.lower.draft import Draft
-from interlock.model.elements import Position, SignalId
+from interlock.model.elements import Position, Signal, SignalId
 from interlock.table.rows import RouteKind, RouteRow
 
 
@@ -188,37 +188,41 @@ def approaches(d: Draft) -> None:
             )
 
 
+def _release_waits(d: Draft, g: Signal) -> Expr:
+    """What is locked behind a signal is to be released, by hand or behind a train that has gone; another may come."""
+    first = d.signals.first_section(g.id)
+    leaving = disj(
+        d.sections.lock(*t.key) if t.exit in d.layout.boundary_at else d.sections.into_berth(t)
+        for t in d.sections.locks_of[first]
+        if t.entry == g.node
+    )
+    return conj(
+        (
+            neg(d.signals.any_active(g.id)),
+            neg(d.signals.passing_signal(g.id)),
+            d.sections.locked_in(first, g.node),
+            disj(
+                (
+                    var(names.RELEASE_BY_HAND(first)),
+                    conj((leaving, var(names.USED(first)), neg(d.sections.occupied(first)))),
+                )
+            ),
+        )
+    )
+
+
 def cancellation(d: Draft) -> None:
     """Cancel: at once while nobody has seen the signal or the approach is clear, else after the delay (R8)."""
     signals = [g for g in d.layout.signals if d.routes.of_signal[g.id]]
     approach = {g.id: d.routes.of_signal[g.id][0].approach for g in signals}
     for g in signals:
         rule = approach[g.id].because.rule
-        first = d.signals.first_section(g.id)
-        leaving = disj(
-            d.sections.lock(*t.key) if t.exit in d.layout.boundary_at else d.sections.into_berth(t)
-            for t in d.sections.locks_of[first]
-            if t.entry == g.node
-        )
-        waiting = conj(
-            (
-                neg(d.signals.any_active(g.id)),
-                neg(d.signals.passing_signal(g.id)),
-                d.sections.locked_in(first, g.node),
-                disj(
-                    (
-                        var(names.RELEASE_BY_HAND(first)),
-                        conj((leaving, var(names.USED(first)), neg(d.sections.occupied(first)))),
-                    )
-                ),
-            )
-        )
         d.wire(
             names.APPROACH_RUNS(g.id),
             Join.ANY,
             (
                 Term(var(names.CANCELLING(g.id)), "cancelling"),
-                Term(waiting, "release waits"),
+                Term(_release_waits(d, g), "release waits"),
             ),
             f"signal {g.id}",
             f"{g.id} at stop, waiting for a train that may still come ({rule})",

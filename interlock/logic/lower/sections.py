@@ -233,6 +233,20 @@ def _after_restart(d: Draft, s: SectionId, ready: list[Term], rear: list[Term]) 
     )
 
 
+def _unsignalled(d: Draft, s: SectionId) -> Expr:
+    """A section is locked from another one, over a joint at which no signal calls whoever it is locked for."""
+    return disj(
+        conj(
+            (
+                d.sections.locked_in(s, node),
+                *([d.sections.train(s)] if d.signals.signal_at(s, node) is not None else []),
+            )
+        )
+        for node in d.topo.ends[s]
+        if d.signals.main_at(s, node) is None and d.topo.beyond(s, node) is not None
+    )
+
+
 def release(d: Draft) -> None:
     """All the ways in which a section is released; none of them before it has been clear for the release delay."""
     valid = Term(var(names.VALID), "inputs valid")
@@ -245,32 +259,12 @@ def release(d: Draft) -> None:
         )
         used, went_on = Term(var(names.USED(s)), "was used"), Term(var(names.LEAVES(s)), "went on")
         behind = (valid, used, clear, *_closed(d, s), *rear, went_on)
-        d.wire(
-            names.RELEASED_BEHIND(s),
-            Join.ALL,
-            behind,
-            group,
-            f"{s} is released behind the train ({rules.SECTIONAL_RELEASE})",
-        )
-        unsignalled = disj(
-            conj(
-                (
-                    d.sections.locked_in(s, node),
-                    *([d.sections.train(s)] if d.signals.signal_at(s, node) is not None else []),
-                )
-            )
-            for node in d.topo.ends[s]
-            if d.signals.main_at(s, node) is None and d.topo.beyond(s, node) is not None
-        )
+        note = f"{s} is released behind the train ({rules.SECTIONAL_RELEASE})"
+        d.wire(names.RELEASED_BEHIND(s), Join.ALL, behind, group, note)
         if s in d.routes.berths:
-            d.wire(
-                names.ARRIVED(s),
-                Join.ALL,
-                _arrival(d, s, rear),
-                group,
-                f"a train has arrived in {s}, wholly ({rules.KINDS_OF_ROUTES})",
-            )
-        inside = (Term(neg(var(names.USED(s))), "not used"), Term(unsignalled, "locked from inside"))
+            note = f"a train has arrived in {s}, wholly ({rules.KINDS_OF_ROUTES})"
+            d.wire(names.ARRIVED(s), Join.ALL, _arrival(d, s, rear), group, note)
+        inside = (Term(neg(var(names.USED(s))), "not used"), Term(_unsignalled(d, s), "locked from inside"))
         d.wire(
             names.WITHDRAWN(s),
             Join.ALL,
