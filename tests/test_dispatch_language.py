@@ -12,7 +12,7 @@ from interlock.diag import Sink
 from interlock.dispatch.language import load_text
 from interlock.dispatch.orders import MARGIN_M, Derivation
 from interlock.dispatch.plan.railway import Railway
-from interlock.simulate import yard
+from interlock.simulate import driving
 from tests.layouts import SHIPPED, built
 
 HEISHAN = Path("layouts/heishan.dispatch").read_text("utf-8")
@@ -173,4 +173,4 @@ def test_a_place_is_long_enough_for_a_train_that_stops_before_its_end() -> None:
     """Longer trains stood across the points before a place, were never loaded, and nothing moved any more."""
     assert "IL6009" in told(HEISHAN.replace("length: 60", "length: 259"))
     assert "IL6009" not in told(HEISHAN.replace("length: 60", "length: 258"))
-    assert MARGIN_M == yard.MARGIN_M
+    assert MARGIN_M == driving.MARGIN_M

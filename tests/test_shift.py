@@ -36,12 +36,13 @@ from interlock.emit.python.runtime import runtime_py
 from interlock.logic.lower import lower
 from interlock.record import read
 from interlock.simulate.agenda import Agenda, not_before
+from interlock.simulate.driving import MARGIN_M, Build, Rolling
 from interlock.simulate.mishaps import TRIAL
 from interlock.simulate.motion import Motion, runs, standing
 from interlock.simulate.run import load
 from interlock.simulate.scans import Scans
 from interlock.simulate.track import NONE, Track
-from interlock.simulate.yard import MARGIN_M, Build, Rolling, Yard
+from interlock.simulate.yard import Yard
 from tests.campaigns.shift import fleet_of
 from tests.layouts import built
 from tests.weakened import WEAKENED
@@ -112,15 +113,15 @@ def yard_with_a_train(reaction: float = 1.0) -> tuple[Yard, Rolling]:
     """Heishan, and a train that comes in."""
     layout = prepared(HEISHAN, None).layout
     track = Track.of(layout)
-    yard = Yard(layout, track, {}, Agenda(), Random(0), lambda kind, **fields: None)
+    yard = Yard(track, {}, Agenda(), Random(0), lambda kind, **fields: None)
     way_in = next(b.name for b in track.beyond if b.comes != NONE)
-    return yard, yard.comes("1", Build(20.0, yard.line_speed, 0.5, 0.5, reaction), way_in)
+    return yard, yard.comes("1", Build(20.0, layout.principles.line_speed_kmh / 3.6, 0.5, 0.5, reaction), way_in)
 
 
 def run_on(yard: Yard) -> list[Rolling]:
     """Who stands, once nothing is left to happen; which takes no more than twenty things."""
     stood: list[Rolling] = []
-    yard.stopped = stood.append
+    yard.driving.stopped = stood.append
     for _ in range(20):
         due = yard.agenda.next_ms()
         if due is None:
@@ -147,7 +148,7 @@ def test_a_train_that_derails_stands_there_and_time_goes_on(accepted: bool) -> N
     metres = yard.track.stretches[end].metres
     r.train.body[:], r.head_0, r.tail_0, r.accepted = [end], 8.0 - metres, 13.0 - metres, accepted
     r.train.speed, r.motion = 5.0, runs(0.0, 0.0, 5.0, 100.0, 5.0, 0.5, 0.5)
-    yard.agenda.at(1600, lambda: yard._happens(r), "train 1")  # eight metres at 5 m/s
+    yard.agenda.at(1600, lambda: yard.driving._happens(r), "train 1")  # eight metres at 5 m/s
     assert run_on(yard) == [r]
     assert yard.watch.found == ["1.6 s: train 1 runs off the rails"]
     assert r.train.body == [end] and not r.accepted
@@ -249,7 +250,7 @@ def test_a_route_that_nobody_uses_is_cancelled_before_its_sections_are_released(
     """Inputs are lost while a train passes XB, so that its route stays set for nobody: no section of it is released by
     hand before the route is cancelled, and the next train waits for them."""
     shift = Shift(prepared(HEISHAN, None), 0, Options(hours=1.5))
-    say, write = shift.yard.say, shift.yard.write
+    say, write = shift.yard.say, shift.yard.inputs.write
 
     def told(kind: str, **fields: object) -> None:
         say(kind, **fields)

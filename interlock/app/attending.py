@@ -60,7 +60,7 @@ class Attendant:
             self.describer.confirm(SectionId(self.setting.track.sections[r.sections[-1]]), number)
         for s in [s for s, n in self.describer.blocked.items() if n == number]:
             self.describer.looked(s)
-            self.yard.write(self.setting.symbols.sections.blocked[s], 0)
+            self.yard.inputs.write(self.setting.symbols.sections.blocked[s], 0)
         self.look()
 
     def operate(self) -> None:
@@ -91,6 +91,6 @@ class Attendant:
             self._press(self.setting.symbols.cancellation.cancel[g], 1.0)
 
     def _press(self, name: str, seconds: float) -> None:
-        self.yard.write(name, 1)
+        self.yard.inputs.write(name, 1)
         self.yard.say("pressed", button=name)
-        self.yard.agenda.after(seconds, lambda: self.yard.write(name, 0), name)
+        self.yard.agenda.after(seconds, lambda: self.yard.inputs.write(name, 0), name)

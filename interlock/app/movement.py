@@ -14,8 +14,8 @@ from math import ceil, floor, inf
 from interlock.app.setting import CYCLE_MS, Setting
 from interlock.app.worked import Trip
 from interlock.planning.stages import Hold, Piece
+from interlock.simulate.driving import SETS_OFF_S, SIGHT_M
 from interlock.simulate.track import LEAVES_M
-from interlock.simulate.yard import SETS_OFF_S, SIGHT_M
 
 RELEASED_MS, ASKED_MS = 2 * CYCLE_MS, 4 * CYCLE_MS
 """Milliseconds from a section's release until it is told, and from asking for a route until its points are driven."""

@@ -29,9 +29,10 @@ from interlock.dispatch.run import ways
 from interlock.model.elements import RouteId, SectionId
 from interlock.record.log import END, Chain
 from interlock.simulate.agenda import Agenda
+from interlock.simulate.driving import Build, Rolling
 from interlock.simulate.mishaps import Mishaps
 from interlock.simulate.scans import Scans
-from interlock.simulate.yard import Build, Rolling, Yard
+from interlock.simulate.yard import Yard
 
 TO_BE_LOADED = "it is to be loaded"
 
@@ -55,10 +56,9 @@ class Shift:
         self._zero_ms = 0
         self._telling = False
         self._work = Random(f"{seed} work")
-        self.yard = Yard(
-            setting.layout, setting.track, self.scans.inputs, self.agenda, Random(f"{seed} yard"), self._say
-        )
-        self.yard.stopped, self.yard.gone, self.yard.entered = self._stopped, self._gone, self._entered
+        self.yard = Yard(setting.track, self.scans.inputs, self.agenda, Random(f"{seed} yard"), self._say)
+        driving = self.yard.driving
+        driving.stopped, driving.gone, driving.entered = self._stopped, self._gone, self._entered
         self._dispatcher = Dispatcher(
             setting.railway, setting.symbols, rule=options.rule, look_ahead=options.look_ahead
         )
@@ -120,12 +120,12 @@ class Shift:
 
     def _restart(self) -> None:
         """Nobody is in yet: everything is released, then the shift begins."""
-        self.yard.write("RELALL", 1)
+        self.yard.inputs.write("RELALL", 1)
         while any(v for n, v in self.scans.outputs.items() if n.startswith("YL_")) or not self.scans.runs:
             self._scan(1_200_000)
-        self.yard.write("RELALL", 0)
+        self.yard.inputs.write("RELALL", 0)
         for s in self._setting.blocked:
-            self.yard.write(self._setting.symbols.sections.blocked[s], 1)
+            self.yard.inputs.write(self._setting.symbols.sections.blocked[s], 1)
         self._zero_ms = self._progress_ms = self._stepped_ms = self.agenda.now_ms
         self._telling = True
 
@@ -140,7 +140,7 @@ class Shift:
 
     def _scan(self, end: int) -> bool:
         """What happens next: an event of the world, or a scan; False where the end comes first."""
-        event, due = self.agenda.next_ms(), self.scans.due(self.yard.changed_ms)
+        event, due = self.agenda.next_ms(), self.scans.due(self.yard.inputs.changed_ms)
         times = [t for t in (event, due) if t is not None]
         if not times or min(times) > end:
             self.agenda.now_ms = end
@@ -149,7 +149,7 @@ class Shift:
         if event is not None and event == self.agenda.now_ms:
             self.agenda.step()
             return True
-        self.yard.changed_ms = None
+        self.yard.inputs.changed_ms = None
         if self.scans.scan(self.agenda.now_ms):
             self._fresh = True
             self.yard.shown(self.scans.outputs)
@@ -170,9 +170,9 @@ class Shift:
             self._guide.look(self._now)
             self._give()
         for name, value in d.step(self.scans.seen, dt).items():
-            self.yard.write(name, value)
+            self.yard.inputs.write(name, value)
         for name, value in self._describer.writes().items():
-            self.yard.write(name, value)  # taken back by whoever has looked
+            self.yard.inputs.write(name, value)  # taken back by whoever has looked
         if d.holding.refused != before:
             self.worked.refused += d.holding.refused - before
         for train, route in d.journal.asked[asked:]:
@@ -238,7 +238,7 @@ class Shift:
             if r.train.view.target == self._setting.track.signals.index(trip.run.way.granted[-1].entry):
                 continue  # it has turned for a route that was taken back
             self._say("turns", train=trip.train, section=section)
-            self.yard.turns(r)
+            self.yard.driving.turns(r)
 
     def _come(self) -> None:
         """The next of those that were commanded comes towards each boundary, once the dispatcher counts on it."""
@@ -436,10 +436,10 @@ class Shift:
         w, yard = self.worked, self.yard
         for train in tuple(self._waits):
             self._ends_wait(train)
-        w.hazards, w.passed_at_stop = list(yard.watch.found), list(yard.passed_at_stop)
+        w.hazards, w.passed_at_stop = list(yard.watch.found), list(yard.driving.passed_at_stop)
         if self._guide is not None:
             w.plans, w.by_rules = self._guide.plans, self._guide.by_rules
-        w.scans, w.movements = self.scans.runs, yard.movements
+        w.scans, w.movements = self.scans.runs, yard.driving.movements
         w.seconds = (self.agenda.now_ms - self._zero_ms) / 1000
         for text in (*w.hazards, *w.passed_at_stop):
             self._say("hazard", text=text)

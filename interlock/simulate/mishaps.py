@@ -71,9 +71,9 @@ class Mishaps:
 
     def _false(self) -> None:
         x = self.rng.randrange(len(self.yard.track.sections))
-        self.yard.hold(x, 1)
+        self.yard.inputs.hold(x, 1)
         name = self.yard.track.sections[x]
-        self._mends(f"{name} is falsely reported occupied", lambda: self.yard.hold(x, -1), self.rates.minutes)
+        self._mends(f"{name} is falsely reported occupied", lambda: self.yard.inputs.hold(x, -1), self.rates.minutes)
 
     def _contact(self) -> None:
         if not self.yard.track.machines:
@@ -85,11 +85,11 @@ class Mishaps:
 
     def _link(self) -> None:
         self._links += 1
-        self.yard.write("VALID", 0)
+        self.yard.inputs.write("VALID", 0)
 
         def again() -> None:
             self._links -= 1
-            self.yard.write("VALID", int(not self._links))
+            self.yard.inputs.write("VALID", int(not self._links))
 
         self._mends("inputs are lost", again, self.rates.minutes / 10)
 
@@ -101,6 +101,7 @@ class Mishaps:
         r = self.rng.choice(sorted(inside, key=lambda r: r.name))
         x = r.sections[0]
         name = self.yard.track.sections[x]
-        self.yard.hold(x, 1)
+        self.yard.inputs.hold(x, 1)
         self.lost(r.name, name)
-        self._mends(f"{r.name} has left a wagon in {name}", lambda: self.yard.hold(x, -1), 2 * self.rates.minutes)
+        text = f"{r.name} has left a wagon in {name}"
+        self._mends(text, lambda: self.yard.inputs.hold(x, -1), 2 * self.rates.minutes)

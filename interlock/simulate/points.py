@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import partial
+from random import Random
 from typing import TYPE_CHECKING
 
 from interlock.model.portable import portable
@@ -16,8 +17,8 @@ if TYPE_CHECKING:
 class Points:
     """All machines of a yard: 0 and 1 are their positions, NONE while they move."""
 
-    def __init__(self, yard: Yard) -> None:
-        self.yard = yard
+    def __init__(self, yard: Yard, rng: Random) -> None:
+        self.yard, self._rng = yard, rng
         n = len(yard.track.machines)
         self.position = [0] * n
         self.lies = [0] * n
@@ -25,7 +26,7 @@ class Points:
         self.version = 0
         self.lost: dict[int, int] = {}
         """Machines whose contacts report nothing, and how many faults make them."""
-        self.run_s = yard.layout.principles.point_run_s
+        self.run_s = yard.track.layout.principles.point_run_s
         names = [portable(m) for m in yard.track.machines]
         self._drives = [(f"YN_{m}", f"YR_{m}") for m in names]
         self._contacts = [(f"DN_{m}", f"DR_{m}") for m in names]
@@ -44,7 +45,7 @@ class Points:
             self.target[m] = to
             self._lay(m, NONE)
             self.yard.watch.machine_moves(self.yard, m)
-            seconds = self.run_s * self.yard.rng.uniform(0.6, 1.0)
+            seconds = self.run_s * self._rng.uniform(0.6, 1.0)
             self.yard.agenda.after(seconds, partial(self._arrives, m), f"machine {m}")
 
     def fault(self, m: int, more: int) -> None:
@@ -64,4 +65,4 @@ class Points:
 
     def _report(self, m: int) -> None:
         for p, name in enumerate(self._contacts[m]):
-            self.yard.write(name, int(self.position[m] == p and not self.lost.get(m)))
+            self.yard.inputs.write(name, int(self.position[m] == p and not self.lost.get(m)))

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Protocol
 
-from interlock.model.layout import Layout
 from interlock.simulate.track import Track
 from interlock.simulate.train import Train
 
@@ -25,8 +24,6 @@ class Rails(Protocol):
 class Scene(Protocol):
     """A world at a moment."""
 
-    @property
-    def layout(self) -> Layout: ...
     @property
     def track(self) -> Track: ...
     @property

@@ -24,11 +24,12 @@ from random import Random
 from textwrap import wrap
 
 from interlock.simulate.agenda import Agenda
+from interlock.simulate.driving import Build, Rolling
 from interlock.simulate.motion import Motion
 from interlock.simulate.run import load
 from interlock.simulate.scans import Scans
 from interlock.simulate.track import NONE, Track
-from interlock.simulate.yard import Build, Rolling, Yard
+from interlock.simulate.yard import Yard
 from tests.campaigns.deadlock import processor
 from tests.campaigns.simulate import Case
 
@@ -61,22 +62,20 @@ class Hostile:
         names = load(case.runtime)
         self.scans, self.inputs = Scans(names, CYCLE_MS), names["INPUTS"]
         self.track = Track.of(case.layout)
-        self.yard = Yard(
-            case.layout, self.track, self.scans.inputs, self.agenda, Random(f"yard {seed}"), lambda kind, **f: None
-        )
-        self.yard.stopped = self._stopped
+        self.yard = Yard(self.track, self.scans.inputs, self.agenda, Random(f"yard {seed}"), lambda kind, **f: None)
+        self.yard.driving.stopped = self._stopped
         self.ways_in = [b.name for b in self.track.beyond if b.comes != NONE]
         self.trains = 0
         self.operator = [n for n in self.inputs if n.startswith(("CAN_", "REL_", "BLK_", "MN_", "MR_", "TC_", "AUTO_"))]
 
     def run(self, scans: int) -> Found:
         """So many scans from the restart on, or until harm is done."""
-        self.yard.write("RELALL", 1)
+        self.yard.inputs.write("RELALL", 1)
         self.agenda.after(1.0, self._acts)
         self.agenda.after(2.0, self._comes)
         at_once = 0
-        while self.scans.runs < scans and not self.yard.watch.found and not self.yard.passed_at_stop:
-            event, due = self.agenda.next_ms(), self.scans.due(self.yard.changed_ms)
+        while self.scans.runs < scans and not self.yard.watch.found and not self.yard.driving.passed_at_stop:
+            event, due = self.agenda.next_ms(), self.scans.due(self.yard.inputs.changed_ms)
             now = min(t for t in (event, due) if t is not None)
             at_once = at_once + 1 if now == self.agenda.now_ms else 0
             if at_once > AT_ONCE:
@@ -85,11 +84,11 @@ class Hostile:
             if event == now:
                 self.agenda.step()
                 continue
-            self.yard.changed_ms = None
+            self.yard.inputs.changed_ms = None
             if self.scans.scan(now):
                 self.yard.shown(self.scans.outputs)
-        harm = [*self.yard.watch.found, *self.yard.passed_at_stop]
-        return Found(self.scans.runs, self.yard.movements, self.trains, harm)
+        harm = [*self.yard.watch.found, *self.yard.driving.passed_at_stop]
+        return Found(self.scans.runs, self.yard.driving.movements, self.trains, harm)
 
     # --- trains ------------------------------------------------------------------------------------
 
@@ -128,12 +127,12 @@ class Hostile:
         else:
             return
         if on != NONE and s[on].signal != NONE:
-            self.yard.turns(r)
+            self.yard.driving.turns(r)
 
     # --- the dispatcher ----------------------------------------------------------------------------
 
     def _acts(self) -> None:
-        rng, write = self.rng, self.yard.write
+        rng, write = self.rng, self.yard.inputs.write
         self.agenda.after(rng.choice((0.5, 1.0, 1.5)), self._acts)
         if self.scans.inputs["REQ"]:
             write("REQ", 0)
