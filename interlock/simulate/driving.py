@@ -223,7 +223,7 @@ class Driving:
         if changed:
             t.under.looks(self._yard.track, t.body)
             t.fouls(self._yard.track)
-            self._yard.recount(r)
+            self.recount(r)
             for o in self._yard.rolling.values():
                 self._sync(o)
             self._yard.watch.trains(self._yard)
@@ -276,3 +276,14 @@ class Driving:
         self._yard.taken_away(r)
         self._yard.say("leaves", train=r.name, at=where)
         self.gone(r, where)
+
+    def recount(self, r: Rolling) -> None:
+        """Sections as occupied by a train now and before."""
+        s = self._yard.track.stretches
+        now = tuple(dict.fromkeys(s[d].section for d in r.train.body if s[d].section != NONE))
+        left = [x for x in r.sections if x not in now]
+        for x in left:
+            self._yard.say("clears", train=r.name, section=self._yard.track.sections[x])
+        self._yard.inputs.occupy(left, -1)
+        self._yard.inputs.occupy([x for x in now if x not in r.sections], 1)
+        r.sections = now

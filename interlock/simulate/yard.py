@@ -15,7 +15,7 @@ from interlock.simulate.inputs import Inputs
 from interlock.simulate.motion import standing
 from interlock.simulate.points import Points
 from interlock.simulate.sight import Sight
-from interlock.simulate.track import NONE, Track
+from interlock.simulate.track import Track
 from interlock.simulate.train import Handling, Train
 
 
@@ -74,15 +74,4 @@ class Yard:
         self.agenda.forget(f"train {r.name}")
         self.agenda.forget(f"reads {r.name}")
         r.train.body = []
-        self.recount(r)
-
-    def recount(self, r: Rolling) -> None:
-        """Sections as occupied by a train now and before."""
-        s = self.track.stretches
-        now = tuple(dict.fromkeys(s[d].section for d in r.train.body if s[d].section != NONE))
-        left = [x for x in r.sections if x not in now]
-        for x in left:
-            self.say("clears", train=r.name, section=self.track.sections[x])
-        self.inputs.occupy(left, -1)
-        self.inputs.occupy([x for x in now if x not in r.sections], 1)
-        r.sections = now
+        self.driving.recount(r)
