@@ -13,7 +13,7 @@ block's own variable, or in the mapping program a terminal.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from interlock.st.ast import (
@@ -396,16 +396,52 @@ class _Core(_Walk):
                 self.body.append(made)
 
 
+class _ProgramNames:
+    """What variables of the mapping program are called in all forms: terminals, the operator's, those of instances."""
+
+    def __init__(self, main: str, wires: Sequence[Declaration], held: Iterable[str], several: bool) -> None:
+        self._main = main
+        self._own, self._before = (f"DB_{main}_", label(main)) if several else ("DB_", "")
+        self._terminals = {d.name for d in wires}
+        self._held = frozenset(held)
+
+    @staticmethod
+    def _after(name: str, before: str) -> str:
+        """A name without what must stand before it."""
+        if not name.startswith(before):
+            raise NotInSubset(f"{name} does not begin with {before}")
+        return name.removeprefix(before)
+
+    def instance(self, name: str) -> str:
+        """An instance, by the name of its data block."""
+        return self._after(name, self._own)
+
+    def terminal(self, name: str) -> str:
+        """A terminal without the interlocking's label."""
+        return self._after(name, self._before)
+
+    def of(self, n: Name, instances: Mapping[str, str]) -> Name:
+        """Any of them; raises `NotInSubset` for what is not declared."""
+        first, last = n.parts[0], n.parts[-1]
+        if len(n.parts) == 1 and first in self._terminals:
+            return Name((first.removeprefix(self._before),))
+        if first == self._main + OPERATOR and last in self._held:
+            return Name((last,))
+        if first == self._main + OUTPUTS:
+            return Name((INSTANCE, last))
+        if first in instances:
+            return Name((self.instance(first), last))
+        raise NotInSubset(f"{n} is not declared")
+
+
 class _Program(_Walk):
     """The mapping program as it is in all forms."""
 
     def __init__(self, unit: Unit, main: str, called: set[str], wires: Sequence[Declaration], several: bool) -> None:
         super().__init__(unit, main, called)
-        self.own, self.before = (f"DB_{main}_", label(main)) if several else ("DB_", "")
-        self.terminals = {d.name for d in wires}
-        self.wires = [replace(d, name=self._after(d.name, self.before)) for d in wires]
         self.operators = self.data.get(main + OPERATOR, ())
-        self.held = {d.name for d in self.operators}
+        self.names = _ProgramNames(main, wires, (d.name for d in self.operators), several)
+        self.wires = [replace(d, name=self.names.terminal(d.name)) for d in wires]
         self.given: list[tuple[str, Expression]] = []
         self.body: list[Statement] = []
 
@@ -415,19 +451,12 @@ class _Program(_Walk):
         if self.given:
             raise NotInSubset("an input is written after the interlocking was called")
         names = {d.name for d in (*self.wires, *self.operators)}
-        used = {self._after(n, self.own): kind for n, kind in self.instances.items() if kind in self._helpers()}
+        used = {self.names.instance(n): kind for n, kind in self.instances.items() if kind in self._helpers()}
         if len(names) != len(self.wires) + len(self.operators) or names & {*used, INSTANCE}:
             raise NotInSubset("two variables of one name")
         instances = (*(Declaration(n, kind) for n, kind in used.items()), Declaration(INSTANCE, self.main))
         locals_ = (*self.wires, *self.operators, *instances)
         return Block(program.name, (), (), locals_, tuple(self.body), kind="PROGRAM")
-
-    @staticmethod
-    def _after(name: str, before: str) -> str:
-        """A name without what must stand before it."""
-        if not name.startswith(before):
-            raise NotInSubset(f"{name} does not begin with {before}")
-        return name.removeprefix(before)
 
     def _helpers(self) -> set[str]:
         return {self.instances[n] for n in self.instances if n.removeprefix("DB_") not in self.blocks}
@@ -450,20 +479,11 @@ class _Program(_Walk):
                 if s.instance not in self.instances:
                     raise NotInSubset(f"{b.name} calls {s.instance}")
                 self.once(s.instance)
-                self.body.append(put(replace(s, instance=self._after(s.instance, self.own)), self._name))
+                self.body.append(put(replace(s, instance=self.names.instance(s.instance)), self._name))
             else:
                 if any(len(n.parts) == 2 and n.parts[0] != self.main + OPERATOR for n in writes(s)):
                     raise NotInSubset(f"{b.name} writes what is not the operator's")
                 self.body.append(put(s, self._name))
 
     def _name(self, n: Name) -> Name:
-        first, last = n.parts[0], n.parts[-1]
-        if len(n.parts) == 1 and first in self.terminals:
-            return Name((first.removeprefix(self.before),))
-        if first == self.main + OPERATOR and last in self.held:
-            return Name((last,))
-        if first == self.main + OUTPUTS:
-            return Name((INSTANCE, last))
-        if first in self.instances:
-            return Name((self._after(first, self.own), last))
-        raise NotInSubset(f"{n} is not declared")
+        return self.names.of(n, self.instances)
