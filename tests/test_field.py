@@ -24,7 +24,8 @@ from interlock.field.alone import InUse, hold
 from interlock.field.modbus import ModbusLink, _runs
 from interlock.field.plc import Cycle, LinkLost, SoftPlc, Watch, runtime_scan
 from interlock.field.polling import LAST_S, Beside, InTurn, Poll
-from interlock.panel.desk import Desk, Person
+from interlock.panel.desk import Desk
+from interlock.panel.operating import Person
 from interlock.st.ast import Unit
 from interlock.st.meaning import Execution, Numbers
 from interlock.st.program import watch
@@ -496,7 +497,7 @@ def test_the_panel_works_real_substations_and_leaves_them_restrictive(ready: Rea
         desk.start()
         until(lambda: ask(do="release all")["ok"])
         until(lambda: not desk._last.memory.state.get("K_q1", True))
-        assert not ask(do="put", section="q1", towards="X1")["ok"] and desk.still["simulated"] is False
+        assert not ask(do="put", section="q1", towards="X1")["ok"] and desk.audience.still["simulated"] is False
         ask(do="set", route="X7-X1")
         until(lambda: west.lamp("YP_X7"))
         desk.stop()

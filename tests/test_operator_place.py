@@ -18,7 +18,8 @@ from interlock.app.run import Ready, prepare
 from interlock.cli.main import cli
 from interlock.field.operator_place import FIRST, NOT_KNOWN, REFUSED, TAKEN, Ask, OperatorPlace, registers
 from interlock.field.plc import Cycle
-from interlock.panel.desk import Desk, Person
+from interlock.panel.desk import Desk
+from interlock.panel.operating import Person
 from tests.layouts import built
 
 WORDS = {1: 1, 2: 3, 3: 10_001, 4: 2}
@@ -155,7 +156,7 @@ def test_at_the_panel_a_request_goes_through_its_queue_and_is_noted(ready: Ready
             time.sleep(0.05)
         assert head_of(client)["answer"] == REFUSED
         time.sleep(0.3)
-        (noted,) = [e for e in desk.events if e.kind == "refusal"]
+        (noted,) = [e for e in desk.audience.events if e.kind == "refusal"]
         assert noted.who.startswith("modbus 127.0.0.1:") and "no route from X1 is set" in noted.text
     finally:
         client.close()

@@ -20,7 +20,8 @@ from interlock.cli.common import told
 from interlock.cli.operator_place import answering
 from interlock.field.operator_place import DOES, Reply
 from interlock.field.plc import Link
-from interlock.panel.desk import Desk, Person
+from interlock.panel.desk import Desk
+from interlock.panel.operating import Person
 from interlock.panel.recorder import Recorder
 from interlock.panel.server import Access, listening, serve
 

@@ -6,55 +6,34 @@ changed goes to whoever listens, as one text.  The desk never stops because of a
 
 from __future__ import annotations
 
-import json
 import os
 import queue
 import threading
 import time
-from collections import deque
 from collections.abc import Callable, Mapping
 from contextlib import closing
-from dataclasses import dataclass
 from typing import Any
 
-from interlock.app.run import Operator, Ready, run
+from interlock.app.run import Ready, run
 from interlock.field.plc import Cycle, Link
 from interlock.field.polling import Beside, InTurn
-from interlock.logic.words import UNKNOWN
-from interlock.model.elements import BlockKind
-from interlock.panel.alarms import Alarm, Alarms
-from interlock.panel.asked import Asked
+from interlock.panel.alarms import Alarm
+from interlock.panel.audience import Audience
 from interlock.panel.causes import causes, fallen_back
 from interlock.panel.clock import MOST_S, SPEEDS, Clock
-from interlock.panel.commands import TEXT, Buttons, Refused
+from interlock.panel.commands import Refused
 from interlock.panel.event import Event, stamp
-from interlock.panel.picture import Picture, Shown, still
-from interlock.panel.reasons import Moment, Reason, Reasons
+from interlock.panel.operating import Operating, Person
+from interlock.panel.picture import Picture, still, trains
+from interlock.panel.reasons import Moment, Reason
 from interlock.panel.recorder import Recorder
 from interlock.panel.simulated import SimulatedField
 from interlock.panel.stock import LENGTH_M, Impossible
-from interlock.simulate.track import Beyond
-from interlock.simulate.world import World
-
-EVENTS = 200
-"""Events that a browser is told when it comes."""
-
-TELL_S = 0.05
-"""Seconds between two messages at least, where simulated time runs fast."""
 
 SETTLES_MS = 1000
 """Milliseconds after a start in which heartbeats are not yet missed."""
 
 Reply = Callable[[dict[str, Any]], None]
-Listener = Callable[[str], None]
-
-
-@dataclass(frozen=True)
-class Person:
-    """Who asks: a name as given, and whether he may operate or only look."""
-
-    name: str
-    operates: bool
 
 
 class Desk:
@@ -69,7 +48,7 @@ class Desk:
     ) -> None:
         """`links` to real substations; without them a railway is simulated."""
         assert ready.layout is not None and ready.controller is not None and ready.allocation is not None
-        self.ready, self.cycle_ms, self.recorder = ready, cycle_ms, recorder
+        self.ready, self._cycle_ms, self._recorder = ready, cycle_ms, recorder
         self.field: SimulatedField | None = None
         self.clock = Clock(max(MOST_S, cycle_ms / 1000))
         if links is None:
@@ -83,30 +62,16 @@ class Desk:
                 self.clock.most_s,
             )
         self.links: Mapping[str, Link] = self.field.links if self.field is not None else links or {}
-        self.still = still(ready, self.field)
-        self.picture, self.reasons = Picture(ready), Reasons(ready.layout, ready.controller)
-        self.operator = Operator(ready)
-        self.buttons = Buttons(ready, self.operator)
-        self.alarms = Alarms()
-        self.reminders: dict[str, list[str]] = {}
-        self.releases = 0 if recorder is None else recorder.releases
-        """Releases by hand, counted; the count goes on with a record that goes on."""
+        self.picture = Picture(ready)
+        self.operating = Operating(ready, self.picture.dark(), 0 if recorder is None else recorder.releases, self._note)
         self.power = True
-        self.events: deque[Event] = deque(maxlen=EVENTS)
         self.longest_s = 0.0
-        self._numbers = 0
-        self._asked = Asked()
         self._queue: queue.SimpleQueue[tuple[Person, dict[str, Any], Reply]] = queue.SimpleQueue()
-        self._lock = threading.Lock()
-        self._shown: Shown = self.picture.dark()
-        self._fresh: list[Event] = []
-        self._listeners: set[Listener] = set()
         self._last = Cycle({}, {}, False, ())
         self._dt_ms = cycle_ms
-        self._told_at = 0.0
         self._hazards = 0
         self._ran_ms = 0
-        self._other = self._rest(None)
+        self.audience = Audience(still(ready, self.field), self.picture.dark(), self._rest(None))
         self._stop = threading.Event()
         self.publish: Callable[[Cycle | None], None] = lambda cycle: None
         """Told of every cycle, and of one without power (None)."""
@@ -120,23 +85,6 @@ class Desk:
     def ask(self, who: Person, command: dict[str, Any], reply: Reply) -> None:
         """A command for the next cycle; `reply` is told what became of it, in the thread of the cycles."""
         self._queue.put((who, command, reply))
-
-    def listen(self, listener: Listener) -> dict[str, Any]:
-        """From now on tell somebody what changes; everything as it is now."""
-        with self._lock:
-            self._listeners.add(listener)
-            return {
-                "still": self.still,
-                "t": time.time(),
-                "c": self._shown,
-                "events": [e.told() for e in self.events],
-                **self._other,
-            }
-
-    def forget(self, listener: Listener) -> None:
-        """Tell somebody nothing more."""
-        with self._lock:
-            self._listeners.discard(listener)
 
     # --- the thread --------------------------------------------------------------------------------
 
@@ -163,8 +111,8 @@ class Desk:
                 raise
         finally:
             self._stop.set()
-            if self.recorder is not None:
-                self.recorder.close()
+            if self._recorder is not None:
+                self._recorder.close()
             self.ended()
 
     def _powered(self) -> None:
@@ -173,7 +121,7 @@ class Desk:
         self._ran_ms = 0
         self._once("the controller starts: every section stays locked until it is released")
         poll = InTurn() if self.field is not None else Beside()
-        with closing(run(self.ready, self.links, self.cycle_ms, None, self._inputs, now, sleep, poll)) as cycles:
+        with closing(run(self.ready, self.links, self._cycle_ms, None, self._inputs, now, sleep, poll)) as cycles:
             for cycle, _ in cycles:
                 self._after(cycle)
                 if self._stop.is_set() or not self.power:
@@ -182,25 +130,23 @@ class Desk:
     def _without_power(self) -> None:
         assert self.field is not None
         self.field.dark()
-        self.operator = Operator(self.ready)
-        self.buttons = Buttons(self.ready, self.operator)
-        self._asked = Asked()
+        self.operating.begins_again()
         while not self.power and not self._stop.is_set():
             began = self.clock.now()
             self._commands()
-            self.field.step(self.cycle_ms / 1000, {})
-            if self.recorder is not None:
-                self.recorder.cycle(None)
+            self.field.step(self._cycle_ms / 1000, {})
+            if self._recorder is not None:
+                self._recorder.cycle(None)
             self.publish(None)
-            self._tell(self.picture.dark(), None)
-            self.clock.sleep(max(0.0, self.cycle_ms / 1000 - (self.clock.now() - began)))
+            self.audience.tell(self.picture.dark(), lambda: self._rest(None))
+            self.clock.sleep(max(0.0, self._cycle_ms / 1000 - (self.clock.now() - began)))
 
     def _inputs(self, last: Cycle | None, dt_ms: int) -> Mapping[str, int]:
         self._began = time.monotonic()
         self._dt_ms = dt_ms
         self._commands()
-        found = self.operator.inputs(last, dt_ms)
-        for news in self.operator.news():
+        found = self.operating.operator.inputs(last, dt_ms)
+        for news in self.operating.operator.news():
             self._note(Event("note", news))
         if self.field is not None:
             self.field.step(dt_ms / 1000, found)
@@ -208,69 +154,47 @@ class Desk:
 
     def _after(self, cycle: Cycle) -> None:
         before, self._last = self._last, cycle
-        self.buttons.let_go(cycle, self._dt_ms)
+        self.operating.buttons.let_go(cycle, self._dt_ms)
         moment = Moment(cycle.inputs, before.memory, self._dt_ms)
-        for answer in self._asked.answers(self.buttons, self.reasons, before, cycle, moment):
+        for answer in self.operating.answers(before, cycle, moment):
             self._note(answer)
-        for text, at, reasons in fallen_back(self.ready, self.reasons, before, cycle, moment):
-            self._alarm(self.alarms.once(text, at, stamp()), reasons)
+        for text, at, reasons in fallen_back(self.ready, self.operating.reasons, before, cycle, moment):
+            self._alarm(self.operating.alarms.once(text, at, stamp()), reasons)
         self._ran_ms += self._dt_ms
         if self._ran_ms > SETTLES_MS:
             found = causes(self.ready, cycle)
-            found |= {f"train {n}": told for n, told in self.operator.numbers.alarms.items()}
-            if self.recorder is not None and self.recorder.lost:
-                found["record"] = (self.recorder.lost, ())
-            for a in self.alarms.stand(found, stamp()):
+            found |= {f"train {n}": told for n, told in self.operating.operator.numbers.alarms.items()}
+            if self._recorder is not None and self._recorder.lost:
+                found["record"] = (self._recorder.lost, ())
+            for a in self.operating.alarms.stand(found, stamp()):
                 self._alarm(a)
         if self.field is not None:
             hazards = self.field.world.watch.found
             for text in hazards[self._hazards :]:
                 self._once(f"the bystander sees: {text}")
             self._hazards = len(hazards)
-        if self.recorder is not None:
-            self.recorder.cycle(cycle)
+        if self._recorder is not None:
+            self._recorder.cycle(cycle)
         self.publish(cycle)
-        self._tell(self.picture.of(cycle), cycle)
+        self.audience.tell(self.picture.of(cycle), lambda: self._rest(cycle))
         self.longest_s = max(self.longest_s, time.monotonic() - self._began)
 
     # --- telling -----------------------------------------------------------------------------------
 
     def _once(self, text: str) -> None:
-        self._alarm(self.alarms.once(text, (), stamp()))
+        self._alarm(self.operating.alarms.once(text, (), stamp()))
 
     def _alarm(self, a: Alarm, reasons: tuple[Reason, ...] = ()) -> None:
         self._note(Event("alarm", a.text, at=a.at, reasons=reasons))
 
     def _note(self, event: Event) -> None:
-        self._numbers += 1
-        event.number = self._numbers
-        self._fresh.append(event)
-        if self.recorder is not None:
-            self.recorder.event(event)
-
-    def _tell(self, shown: Shown, cycle: Cycle | None) -> None:
-        now = time.monotonic()
-        if now - self._told_at < TELL_S:
-            return
-        self._told_at = now
-        other = self._rest(cycle)
-        with self._lock:
-            message: dict[str, Any] = {k: v for k, v in other.items() if self._other.get(k) != v}
-            message["c"] = {k: v for k, v in shown.items() if self._shown.get(k) != v}
-            message["t"] = time.time()
-            if self._fresh:
-                message["events"] = [e.told() for e in self._fresh]
-                self.events.extend(self._fresh)
-                self._fresh = []
-            self._shown, self._other = shown, other
-            if self._listeners:
-                text = json.dumps(message, ensure_ascii=False, separators=(",", ":"))
-                for listener in self._listeners:
-                    listener(text)
+        self.audience.note(event)
+        if self._recorder is not None:
+            self._recorder.event(event)
 
     def _rest(self, cycle: Cycle | None) -> dict[str, Any]:
         """What belongs to no element."""
-        y, dispatcher = self.picture.symbols, self.operator.dispatcher
+        y, dispatcher = self.picture.symbols, self.operating.operator.dispatcher
         state: Mapping[str, bool] = {} if cycle is None else cycle.memory.state
         locked = [str(s) for s, n in y.sections.restart.items() if state.get(n)]
         timer = None if cycle is None else self.picture.left(cycle, y.start.restart_timer)
@@ -282,40 +206,17 @@ class Desk:
                 "restart": locked,
                 "delay": timer if locked else None,
                 "releasing": cycle is not None and bool(cycle.inputs.get(y.sections.release_all)),
-                "releases": self.releases,
+                "releases": self.operating.releases,
                 "speed": self.clock.speed if self.field is not None else 0,
                 "minutes": int(self.clock.now() // 60) if self.field is not None else 0,
                 "failed": [] if self.field is None else sorted(map(list, self.field.faults.failed)),
                 "voyages": [[r.name, r.reason] for r in (*dispatcher.runs, *dispatcher.pending)],
-                "numbers": [[n, under] for n, under in self.operator.numbers.sections.items()],
+                "numbers": [[n, under] for n, under in self.operating.operator.numbers.sections.items()],
             },
-            "alarms": [a.told() for a in self.alarms.all.values()],
-            "reminders": {k: list(v) for k, v in self.reminders.items()},
-            "trains": [] if self.field is None else self._trains(self.field),
+            "alarms": [a.told() for a in self.operating.alarms.all.values()],
+            "reminders": {k: list(v) for k, v in self.operating.reminders.items()},
+            "trains": [] if self.field is None else trains(self.field),
         }
-
-    @staticmethod
-    def _trains(f: SimulatedField) -> list[Any]:
-        track, out = f.world.track, []
-        for t in f.world.trains:
-            spans = []
-            for d in t.body:
-                s = track.stretches[d]
-                if not s.outside:
-                    lo, hi = t.span(track, d)
-                    spans.append([str(f.layout.edges[s.edge].id), round(lo, 1), round(hi, 1)])
-            under = [track.sections[x] for x in t.under.sections]
-            head = track.stretches[t.body[-1]]
-            way = -1 if t.body[-1] & 1 else 1
-            front = None if head.outside else way
-            out.append(
-                [f.stock.name_of(t), spans, round(t.speed * 3.6), round(t.length(track)), under, f.stock.held(t), front]
-            )
-        out += [
-            [name, [], 0, round(m), [f"before {b.name}{_waits(f.world, b)}"], None, None]
-            for b, m, name in f.stock.coming
-        ]
-        return out
 
     # --- commands ----------------------------------------------------------------------------------
 
@@ -337,7 +238,8 @@ class Desk:
     def _do(self, who: Person, command: dict[str, Any]) -> dict[str, Any] | None:
         what = str(command["do"])
         if what == "why":
-            return {"why": [[r.text, list(r.at)] for r in self._waits(str(command["route"]))]}
+            found = self.operating.waits(str(command["route"]), self._last, self._dt_ms)
+            return {"why": [[r.text, list(r.at)] for r in found]}
         if not who.operates:
             raise Refused("this browser may only look")
         if what in SIMULATED:
@@ -347,81 +249,10 @@ class Desk:
         else:
             if not self.power and what not in ("acknowledge", "remind", "lamp test"):
                 raise Refused("the controller has no power")
-            text = self._operate(who, what, command)
+            text = self.operating.carry_out(who, what, command, self._last)
         if text:
             self._note(Event("release" if what in ("release", "release all") else "operation", text, who.name))
         return None
-
-    def _waits(self, route: str) -> list[Reason]:
-        row = self.buttons.routes[route]
-        moment = Moment(self._last.inputs, self._last.memory, self._dt_ms)
-        active = next(r.active for r in self.picture.symbols.routes if r.number == row.number)
-        if not self._last.memory.state.get(active):
-            return self.reasons.of_request(row.number, moment, self._last.words().get(row.number, UNKNOWN))
-        return self.reasons.of_stop(row.number, moment)
-
-    def _operate(self, who: Person, what: str, c: Mapping[str, Any]) -> str:
-        b, last = self.buttons, self._last
-        match what:
-            case "set":
-                self._asked.ask(b.set(str(c["route"]), last), who.name)
-                return ""
-            case "swing":
-                self._asked.ask(b.swing(str(c["signal"])), who.name)
-                return f"swing the overlap of {c['signal']}"
-            case "cancel":
-                b.cancel(str(c["signal"]), last)
-                return f"cancel the route from {c['signal']}"
-            case "release":
-                b.release(str(c["section"]), last)
-                self.releases += 1
-                return f"release section {c['section']} by hand (release {self.releases})"
-            case "release all":
-                b.release_all(last)
-                self.releases += 1
-                return f"release all clear sections (release {self.releases})"
-            case "block":
-                b.block(str(c["section"]), bool(c["on"]))
-                return f"{'block' if c['on'] else 'free'} section {c['section']}"
-            case "turn":
-                b.turn(str(c["machine"]), str(c["to"]), last)
-                return f"move {c['machine']} {'normal' if c['to'] == 'N' else 'reverse'} by hand"
-            case "looked":
-                b.looked(str(c["machine"]), last)
-                return f"{c['machine']} was looked at after it was trailed"
-            case "automatic":
-                b.automatic(str(c["route"]), bool(c["on"]))
-                return f"route {c['route']} {'works' if c['on'] else 'does not work'} automatically"
-            case "direction":
-                b.direction(str(c["boundary"]), bool(c["on"]))
-                return f"special manual change of direction at {c['boundary']}: {'on' if c['on'] else 'off'}"
-            case "voyage":
-                b.voyage(str(c["name"]), bool(c.get("end")))
-                return f"{'give up' if c.get('end') else 'begin'} voyage {c['name']}"
-            case "train":
-                b.train(str(c["name"]), str(c["section"]))
-                return f"train {c['name']} stands in {c['section']}"
-            case "acknowledge":
-                those = [(str(key), str(since)) for key, since in c["alarms"]] if "alarms" in c else None
-                for a in self.alarms.acknowledge(those, who.name):
-                    self._note(Event("acknowledged", f"seen: {a.text}", who.name, a.at))
-                return ""
-            case "remind":
-                return self._remind(str(c["at"]), str(c.get("text", "")), who)
-            case "lamp test":
-                return "lamp test"
-        raise KeyError(what)
-
-    def _remind(self, at: str, text: str, who: Person) -> str:
-        if at not in self._shown:
-            raise Refused(f"there is nothing called {at.partition(':')[2]}")
-        text = text.strip()[:TEXT]
-        if text:
-            self.reminders[at] = [text, who.name, stamp()]
-            return f"reminder on {at.partition(':')[2]}: {text}"
-        if self.reminders.pop(at, None) is None:
-            return ""
-        return f"reminder on {at.partition(':')[2]} taken away"
 
     def _simulate(self, f: SimulatedField, what: str, c: Mapping[str, Any]) -> str:
         name = str(c.get("train", ""))
@@ -465,11 +296,3 @@ def _metres(c: Mapping[str, Any]) -> float:
     if not 5.0 <= metres <= 1000.0:
         raise Refused("a train is between 5 and 1000 m long")
     return metres
-
-
-def _waits(world: World, line: Beyond) -> str:
-    """Why a train does not come in from a line yet, in brackets; empty if it is about to come."""
-    if any(t.body[0] in line.comes_by for t in world.trains):
-        return " (a train is on the line)"
-    token = line.block is BlockKind.TOKEN
-    return " (the neighbour has not got the direction)" if token and not world.neighbours[line.name].have else ""

@@ -18,10 +18,12 @@ from interlock.field.plc import Cycle
 from interlock.logic.controller import Controller
 from interlock.logic.names import Name
 from interlock.logic.symbols import Symbols
-from interlock.model.elements import Position, SignalId
+from interlock.model.elements import BlockKind, Position, SignalId
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
 from interlock.panel.simulated import SimulatedField
+from interlock.simulate.track import Beyond
+from interlock.simulate.world import World
 from interlock.table.rows import ExitKind, InterlockingTable, RouteRow
 
 Shown = dict[str, Any]
@@ -297,3 +299,35 @@ class Picture:
         shown |= {key: ["dark", 0, None, None, 0] for key in self._lamps}
         shown |= {key: [0] for key, _ in self._overlaps}
         return shown
+
+
+def trains(f: SimulatedField) -> list[Any]:
+    """Each train of a simulated railway: the metres under it, its speed and length, the sections under it, whether
+    somebody holds it, and where it looks; those that are to come in, and why they do not."""
+    track, out = f.world.track, []
+    for t in f.world.trains:
+        spans = []
+        for d in t.body:
+            s = track.stretches[d]
+            if not s.outside:
+                lo, hi = t.span(track, d)
+                spans.append([str(f.layout.edges[s.edge].id), round(lo, 1), round(hi, 1)])
+        under = [track.sections[x] for x in t.under.sections]
+        head = track.stretches[t.body[-1]]
+        way = -1 if t.body[-1] & 1 else 1
+        front = None if head.outside else way
+        out.append(
+            [f.stock.name_of(t), spans, round(t.speed * 3.6), round(t.length(track)), under, f.stock.held(t), front]
+        )
+    out += [
+        [name, [], 0, round(m), [f"before {b.name}{_waits(f.world, b)}"], None, None] for b, m, name in f.stock.coming
+    ]
+    return out
+
+
+def _waits(world: World, line: Beyond) -> str:
+    """Why a train does not come in from a line yet, in brackets; empty if it is about to come."""
+    if any(t.body[0] in line.comes_by for t in world.trains):
+        return " (a train is on the line)"
+    token = line.block is BlockKind.TOKEN
+    return " (the neighbour has not got the direction)" if token and not world.neighbours[line.name].have else ""

@@ -25,7 +25,8 @@ from starlette.routing import Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from interlock.panel.commands import TEXT
-from interlock.panel.desk import Desk, Person
+from interlock.panel.desk import Desk
+from interlock.panel.operating import Person
 
 FILES = {
     "": ("index.html", "text/html"),
@@ -124,7 +125,7 @@ class _Talk:
             await self.ws.send_text(json.dumps({"refused": "this panel asks for a token"}))
             await self.ws.close(1008)
             return
-        first = self.desk.listen(self._tell)
+        first = self.desk.audience.listen(self._tell)
         sending = asyncio.create_task(self._send())
         try:
             await self.ws.send_text(json.dumps({"hello": {"operates": who.operates}, **first}, ensure_ascii=False))
@@ -134,7 +135,7 @@ class _Talk:
                     break
                 self.desk.ask(who, command, self._reply(command.get("re")))
         finally:
-            self.desk.forget(self._tell)
+            self.desk.audience.forget(self._tell)
             sending.cancel()
             with suppress(RuntimeError):  # it is closed already
                 await self.ws.close(1003)
@@ -158,7 +159,7 @@ class _Talk:
 
     def _queue(self, text: str) -> None:
         if self.out.full():
-            self.desk.forget(self._tell)
+            self.desk.audience.forget(self._tell)
             self.out.get_nowait()
             self.out.put_nowait(None)
         else:

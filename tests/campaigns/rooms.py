@@ -66,7 +66,6 @@ LARGE = {
     "checker/structured_text.py Reader": (18, "a recursive-descent parser: one method a rule of the grammar"),
     "model/layout.py Layout": (81, "to be taken apart: elements of a layout (46 fields), and 35 ways to find them"),
     "panel/commands.py Buttons": (21, "one method a command of the panel"),
-    "panel/desk.py Desk": (25, "to be taken apart: what runs, and who looks on"),
     "proof/system/transition.py System": (
         28,
         "the transition system; each reader sees a part of it through a protocol (SystemView, Located, HasFamilies)",

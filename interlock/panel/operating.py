@@ -1,0 +1,121 @@
+"""What people do at a panel: buttons, requests, alarms that they acknowledge, reminders, releases by hand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from interlock.app.run import Operator, Ready
+from interlock.field.plc import Cycle
+from interlock.logic.words import UNKNOWN
+from interlock.panel.alarms import Alarms
+from interlock.panel.asked import Asked
+from interlock.panel.commands import TEXT, Buttons, Refused
+from interlock.panel.event import Event, stamp
+from interlock.panel.reasons import Moment, Reason, Reasons
+
+
+@dataclass(frozen=True)
+class Person:
+    """Who asks: a name as given, and whether he may operate or only look."""
+
+    name: str
+    operates: bool
+
+
+class Operating:
+    """One operator's place.  elements: keys of all that is shown; note: whom events are told."""
+
+    def __init__(self, ready: Ready, elements: Collection[str], releases: int, note: Callable[[Event], None]) -> None:
+        assert ready.layout is not None and ready.controller is not None
+        self._ready, self._elements, self._note = ready, elements, note
+        self.reasons = Reasons(ready.layout, ready.controller)
+        self.alarms = Alarms()
+        self.reminders: dict[str, list[str]] = {}
+        self.releases = releases
+        """Releases by hand, counted; the count goes on with a record that goes on."""
+        self.begins_again()
+
+    def begins_again(self) -> None:
+        """The controller has lost its power: nothing is held, and nothing is asked for any more."""
+        self.operator = Operator(self._ready)
+        self.buttons = Buttons(self._ready, self.operator)
+        self._asked = Asked()
+
+    def answers(self, before: Cycle, cycle: Cycle, moment: Moment) -> Iterator[Event]:
+        """What a cycle has answered to what was asked."""
+        return self._asked.answers(self.buttons, self.reasons, before, cycle, moment)
+
+    def waits(self, route: str, last: Cycle, dt_ms: int) -> list[Reason]:
+        """Why a route is not set, or does not open."""
+        row = self.buttons.routes[route]
+        moment = Moment(last.inputs, last.memory, dt_ms)
+        active = next(r.active for r in self.buttons.symbols.routes if r.number == row.number)
+        if not last.memory.state.get(active):
+            return self.reasons.of_request(row.number, moment, last.words().get(row.number, UNKNOWN))
+        return self.reasons.of_stop(row.number, moment)
+
+    def carry_out(self, who: Person, what: str, c: Mapping[str, Any], last: Cycle) -> str:
+        """What somebody asks for after a cycle; what is told of it, or nothing.  Raises `Refused`, `KeyError`."""
+        b = self.buttons
+        match what:
+            case "set":
+                self._asked.ask(b.set(str(c["route"]), last), who.name)
+                return ""
+            case "swing":
+                self._asked.ask(b.swing(str(c["signal"])), who.name)
+                return f"swing the overlap of {c['signal']}"
+            case "cancel":
+                b.cancel(str(c["signal"]), last)
+                return f"cancel the route from {c['signal']}"
+            case "release":
+                b.release(str(c["section"]), last)
+                self.releases += 1
+                return f"release section {c['section']} by hand (release {self.releases})"
+            case "release all":
+                b.release_all(last)
+                self.releases += 1
+                return f"release all clear sections (release {self.releases})"
+            case "block":
+                b.block(str(c["section"]), bool(c["on"]))
+                return f"{'block' if c['on'] else 'free'} section {c['section']}"
+            case "turn":
+                b.turn(str(c["machine"]), str(c["to"]), last)
+                return f"move {c['machine']} {'normal' if c['to'] == 'N' else 'reverse'} by hand"
+            case "looked":
+                b.looked(str(c["machine"]), last)
+                return f"{c['machine']} was looked at after it was trailed"
+            case "automatic":
+                b.automatic(str(c["route"]), bool(c["on"]))
+                return f"route {c['route']} {'works' if c['on'] else 'does not work'} automatically"
+            case "direction":
+                b.direction(str(c["boundary"]), bool(c["on"]))
+                return f"special manual change of direction at {c['boundary']}: {'on' if c['on'] else 'off'}"
+            case "voyage":
+                b.voyage(str(c["name"]), bool(c.get("end")))
+                return f"{'give up' if c.get('end') else 'begin'} voyage {c['name']}"
+            case "train":
+                b.train(str(c["name"]), str(c["section"]))
+                return f"train {c['name']} stands in {c['section']}"
+            case "acknowledge":
+                those = [(str(key), str(since)) for key, since in c["alarms"]] if "alarms" in c else None
+                for a in self.alarms.acknowledge(those, who.name):
+                    self._note(Event("acknowledged", f"seen: {a.text}", who.name, a.at))
+                return ""
+            case "remind":
+                return self._remind(str(c["at"]), str(c.get("text", "")), who)
+            case "lamp test":
+                return "lamp test"
+        raise KeyError(what)
+
+    def _remind(self, at: str, text: str, who: Person) -> str:
+        if at not in self._elements:
+            raise Refused(f"there is nothing called {at.partition(':')[2]}")
+        text = text.strip()[:TEXT]
+        if text:
+            self.reminders[at] = [text, who.name, stamp()]
+            return f"reminder on {at.partition(':')[2]}: {text}"
+        if self.reminders.pop(at, None) is None:
+            return ""
+        return f"reminder on {at.partition(':')[2]} taken away"
