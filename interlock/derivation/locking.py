@@ -11,6 +11,7 @@ from interlock.model.elements import BlockKind, Position, SignalId
 from interlock.model.layout import Layout
 from interlock.model.overlap import route_speed
 from interlock.model.principles import Caution, Closes
+from interlock.model.times import approach_release_s
 from interlock.model.traversal import path_speed, topology
 from interlock.table.rows import (
     ApproachCell,
@@ -31,7 +32,7 @@ from interlock.table.rows import (
 
 def derive_approach(layout: Layout, path: Path) -> ApproachCell:
     """From where a train may come, and the delay of a cancellation while one may."""
-    delay = layout.approach_release_s(path.entry)
+    delay = approach_release_s(layout, path.entry)
     found = approach(layout, path.entry)
     if found.section is None:
         why = f"{path.entry} has no approach section: always approach locked"

@@ -255,25 +255,6 @@ class Layout:
             return "on" if normal else "off"
         return "normal" if normal else "reverse"
 
-    def supervision_s(self, machine: MachineId) -> float:
-        """Seconds after which the machine, commanded and not detected, raises an alarm (R10)."""
-        return dict(self.supervision).get(machine, self.principles.point_supervision_s)
-
-    def approach_release_s(self, signal: SignalId) -> float:
-        """Seconds for which the routes of a signal are held after a cancellation: one time for a signal (R8)."""
-        g, p = self.signal[signal], self.principles
-        rules = max(p.approach_release_s if g.main else 0.0, p.shunt_release_s if g.shunt else 0.0)
-        return dict(self.signal_releases).get(signal, rules)
-
-    def overlap_release_s(self, signal: SignalId) -> float:
-        """Seconds for which a train must have been before a signal until its overlap is released (R4)."""
-        return dict(self.overlap_releases).get(signal, self.principles.overlap_release_s)
-
-    @cached_property
-    def longest_supervision_s(self) -> float:
-        """For as long any machine may turn before an alarm."""
-        return max([self.principles.point_supervision_s, *(s for _, s in self.supervision)])
-
     def opens(self, signal: SignalId, shunt: bool) -> bool:
         """Whether routes for trains, or for shunting movements, may begin at a signal."""
         return signal not in self.boards and (shunt or signal not in self.stops)

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from interlock.model.elements import SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.principles import Principles
+from interlock.model.times import longest_supervision_s
 from interlock.model.traversal import Traversal, topology
 
 
@@ -102,5 +103,5 @@ def _turns_in_time(layout: Layout, g: SignalId, speed: Callable[[SectionId], flo
     before = topo.beyond(layout.section_of(signal.into), signal.node)
     ways = [] if before is None else [t for t in topo.traversals[before] if t.exit == signal.node]
     metres = min((sum(layout.edge[e].length for e in t.edges) for t in ways), default=0.0)
-    turning = rules.output_delay_s + layout.longest_supervision_s
+    turning = rules.output_delay_s + longest_supervision_s(layout)
     return before is not None and metres / (speed(before) / 3.6) >= turning

@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator
 from interlock.emit.tables.document import document
 from interlock.model.elements import DeviceKind, Position
 from interlock.model.layout import Layout
+from interlock.model.times import overlap_release_s
 from interlock.table.national.reading import Reading
 from interlock.table.rows import Hostility, InterlockingTable, ProviderKind, Role, RouteRow
 
@@ -68,7 +69,7 @@ def _route(x: Reading, r: RouteRow) -> dict[str, object]:
             "designator": f"{r.overlap.signal}:{r.overlap.option}",
             "length": r.overlap.metres,
             "hasTvdSection": [s for s, _ in r.overlap.ways],
-            "releaseDelay": x.layout.overlap_release_s(r.overlap.signal),
+            "releaseDelay": overlap_release_s(x.layout, r.overlap.signal),
         }
     return {
         "id": r.id,

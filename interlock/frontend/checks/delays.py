@@ -6,6 +6,7 @@ from interlock.diag import Element
 from interlock.frontend.context import Context
 from interlock.model.layout import Layout
 from interlock.model.needs import needs
+from interlock.model.times import longest_supervision_s
 
 
 def check_delays(ctx: Context, layout: Layout) -> None:
@@ -75,7 +76,7 @@ def _not_in_time(layout: Layout) -> tuple[str, str]:
             "turn when a train has come into the section before the signal",
             "or state `point_start_gap_s: 0` in `principles`, where the supply bears that all machines start at once",
         )
-    turning = rules.output_delay_s + layout.longest_supervision_s
+    turning = rules.output_delay_s + longest_supervision_s(layout)
     return (
         "a train runs through the section before the signal in less than the "
         f"{turning:g} s for which its points may turn",

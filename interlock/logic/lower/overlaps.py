@@ -12,6 +12,7 @@ from interlock.logic.expr import Expr, conj, disj, neg, var
 from interlock.logic.lower import requests, sections, ways
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import SignalId
+from interlock.model.times import overlap_release_s
 
 
 def standing(d: Draft) -> None:
@@ -34,7 +35,7 @@ def standing(d: Draft) -> None:
             f"the train before {g} is wholly in {b} ({rules.OVERLAPS})",
         )
     for g in signals:
-        seconds = d.layout.overlap_release_s(g)
+        seconds = overlap_release_s(d.layout, g)
         d.timer(
             names.STANDING(g), names.STANDING_RUNS(g), seconds, f"{g}: the train before it stands ({rules.OVERLAPS})"
         )

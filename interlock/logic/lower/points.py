@@ -12,6 +12,7 @@ from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.logic.lower import added, ways
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import MachineId, Position
+from interlock.model.times import supervision_s
 from interlock.table.rows import Role
 
 
@@ -186,7 +187,7 @@ def supervision(d: Draft) -> None:
             f"machine {m} is not where it was commanded",
         )
     for m in d.machines.all:
-        late = d.timer(names.LATE(m), names.SUPERVISED(m), d.layout.supervision_s(m), f"machine {m}: time-out")
+        late = d.timer(names.LATE(m), names.SUPERVISED(m), supervision_s(d.layout, m), f"machine {m}: time-out")
         d.kept(
             names.NOT_DETECTED(m),
             False,

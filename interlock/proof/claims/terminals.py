@@ -12,6 +12,7 @@ from interlock.logic.controller import LONGEST_MS
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, iff, implies, neg, var
 from interlock.logic.names import Name
 from interlock.model.elements import Position, SignalId
+from interlock.model.times import overlap_release_s, supervision_s
 from interlock.proof.claims.kinds import Facts
 
 
@@ -97,9 +98,9 @@ def _delays(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         shunts = [own.get(g, rules.shunt_release_s), needs.shunt / 1000] if True in kinds else []
         ordered[name] = [*trains, *shunts]
     for g, name in f.sym.overlaps.timer.items():
-        ordered[name] = [f.layout.overlap_release_s(g), needs.stand[g] / 1000]
+        ordered[name] = [overlap_release_s(f.layout, g), needs.stand[g] / 1000]
     ordered |= {x.timer: [rules.token_delay_s, needs.agreed / 1000] for x in f.sym.token.values()}
-    ordered |= {name: [f.layout.supervision_s(m), needs.run / 1000] for m, name in f.sym.machines.late_timer.items()}
+    ordered |= {name: [supervision_s(f.layout, m), needs.run / 1000] for m, name in f.sym.machines.late_timer.items()}
     ordered |= {name: [rules.release_delay_s] for name in f.sym.sections.release_timer.values()}
     ordered[f.sym.start.restart_timer] = [rules.restart_delay_s, needs.restart / 1000]
     if f.sym.machines.start_timer is not None:

@@ -9,6 +9,7 @@ from functools import cached_property
 from interlock.model.elements import Hand, MachineId, NodeId, PointId, Position, RouteId, SectionId
 from interlock.model.layout import Layout
 from interlock.model.overlap import entry_speed
+from interlock.model.times import overlap_release_s
 from interlock.model.traversal import Topology, Traversal, topology
 from interlock.table.printed import Printed, PrintedRoute, grouped
 from interlock.table.rows import (
@@ -194,7 +195,7 @@ class Reading:
 
     def overlap_release_s(self, r: RouteRow) -> float:
         """Seconds after which the overlap of a route is given up behind a train that stands."""
-        return self.layout.overlap_release_s(r.overlap.signal) if r.overlap is not None else 0.0
+        return overlap_release_s(self.layout, r.overlap.signal) if r.overlap is not None else 0.0
 
     def overlap_ways(self, o: OverlapCell) -> list[Traversal]:
         """The ways over which an overlap lies."""

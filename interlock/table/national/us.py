@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from interlock.model.elements import MachineId, Position, RouteId, Work
 from interlock.model.layout import Layout
+from interlock.model.times import supervision_s
 from interlock.table.national.reading import Reading
 from interlock.table.national.sheet import Field, Heading, Sheet, by_way, filled
 from interlock.table.rows import ExitKind, InterlockingTable, Role, RouteKind, RouteRow, Shows
@@ -156,7 +157,7 @@ def switch_table(layout: Layout, table: InterlockingTable) -> Sheet:
         Field(Heading("Reverse for routes", "反位进路", "− für"), lambda m: by(m, reverse)),
         Field(Heading("Normal, protecting", "定位防护", "+ Flankenschutz"), lambda m: by(m, normal, True)),
         Field(Heading("Reverse, protecting", "反位防护", "− Flankenschutz"), lambda m: by(m, reverse, True)),
-        Field(Heading("Supervision (s)", "监视 (s)", "Überwachung (s)"), lambda m: f"{layout.supervision_s(m):g}"),
+        Field(Heading("Supervision (s)", "监视 (s)", "Überwachung (s)"), lambda m: f"{supervision_s(layout, m):g}"),
     )
     headings, rows = filled(fields, sorted(layout.ends_of_machine))
     title = Heading("Switch table", "道岔表", "Weichentabelle")

@@ -1,0 +1,28 @@
+"""Seconds that a layout states for one element, or its principles for all."""
+
+from __future__ import annotations
+
+from interlock.model.elements import MachineId, SignalId
+from interlock.model.layout import Layout
+
+
+def supervision_s(layout: Layout, machine: MachineId) -> float:
+    """Seconds after which the machine, commanded and not detected, raises an alarm (R10)."""
+    return dict(layout.supervision).get(machine, layout.principles.point_supervision_s)
+
+
+def longest_supervision_s(layout: Layout) -> float:
+    """For as long any machine may turn before an alarm."""
+    return max([layout.principles.point_supervision_s, *(s for _, s in layout.supervision)])
+
+
+def approach_release_s(layout: Layout, signal: SignalId) -> float:
+    """Seconds for which the routes of a signal are held after a cancellation: one time for a signal (R8)."""
+    g, p = layout.signal[signal], layout.principles
+    rules = max(p.approach_release_s if g.main else 0.0, p.shunt_release_s if g.shunt else 0.0)
+    return dict(layout.signal_releases).get(signal, rules)
+
+
+def overlap_release_s(layout: Layout, signal: SignalId) -> float:
+    """Seconds for which a train must have been before a signal until its overlap is released (R4)."""
+    return dict(layout.overlap_releases).get(signal, layout.principles.overlap_release_s)
