@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from pathlib import Path
 from random import Random
 
 import pytest
@@ -11,7 +12,10 @@ import pytest
 from interlock.app.check import check_file
 from interlock.checker.scan import execute
 from interlock.checker.structured_text import Reader
+from interlock.derivation import derive
+from interlock.diag import Sink
 from interlock.emit.python.runtime import runtime_py
+from interlock.frontend import load_text
 from interlock.logic import names
 from interlock.logic.controller import Controller, MalformedController, Term
 from interlock.logic.eval import Machine
@@ -276,3 +280,16 @@ def test_a_word_that_is_not_so_is_found(change: str, code: int) -> None:
         known += [step.fact(x) for x in (*lines.assumptions, *(x for _, x in lines.invariants))]
         said = [x for n, x in lines.functions if n.startswith("F-WORD")]
         assert (step.model(*known, step.any_false(said)) is None) is good, change
+
+
+@pytest.mark.parametrize(("where", "rule"), [("exits: [E]", "R12"), ("over: [q6]", "R17")])
+def test_a_term_has_the_rule_of_its_cell_in_the_table(where: str, rule: str) -> None:
+    """A condition on leaving over a boundary belongs to the line beyond, one on a section is external alone."""
+    text = Path("layouts/mine11.yaml").read_text("utf-8") + f"conditions:\n  READY: {{text: ready, {where}}}\n"
+    layout, _ = load_text("mine11.yaml", text, sink := Sink())
+    assert layout is not None, sink.diagnostics
+    table = derive(layout, sink)
+    cells = {c.because for r in table.routes for c in r.conditions}
+    terms = [t for e in lower(layout, table).equations for t in e.terms if t.kind == "condition"]
+    assert terms and {(t.rule, t.note) for t in terms} == {(b.rule, b.text) for b in cells}
+    assert {t.rule for t in terms} == {rule}
