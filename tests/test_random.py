@@ -74,7 +74,7 @@ def test_what_the_derivation_calls_unprotected_the_audit_reaches_however_points_
         if made is None:
             continue
         layout, _, sink = made
-        machines = sorted(layout.ends_of_machine)
+        machines = sorted(layout.machines.ends)
         named = [d.message.split(" from ")[1].split(";")[0] for d in sink.diagnostics if d.code == "IL4001"]
         if not named or len(machines) > 5 or any(d.code == "IL4002" for d in sink.diagnostics):
             continue

@@ -88,6 +88,6 @@ def _views(layout: Layout) -> dict[str, list[list[str]]]:
     out |= {f"g.{g.id}": [["signal", str(g.id), "proceed"]] for g in layout.signals}
     for m in layout.machines:
         for x in "NR":
-            ends = [["point", str(p.id), x] for p in layout.ends_of_machine.get(MachineId(m), ())]
+            ends = [["point", str(p.id), x] for p in layout.machines.ends.get(MachineId(m), ())]
             out[f"at.{m}.{x}"] = ends or [["device", str(m), x]]
     return out

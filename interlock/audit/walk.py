@@ -182,7 +182,7 @@ def trips(layout: Layout, g: Signal, shunt: bool) -> list[Trip]:
             split = sum(1 for a, b in itertools.pairwise(runs) if a != b) + 1 != len(sections)
             wanted: dict[MachineId, Position] = {}
             clash = any(wanted.setdefault(m, x) is not x for m, x in positions)
-            clash = clash or any(wanted.get(m) == "R" for m in layout.by_hand)
+            clash = clash or any(wanted.get(m) == "R" for m in layout.machines.by_hand)
             diamonds = [m.node for m in moves[:-1] if m.node in layout.crossing_at]
             if not split and not clash and len(diamonds) == len(set(diamonds)):
                 blind = [s for s in sections if s in layout.undetected]
@@ -259,7 +259,7 @@ def _overruns(
             clash = any(wanted.setdefault(m, x) is not x for m, x in positions)
             over = {layout.section_of(m.edge) for m in moves}
             if checked:
-                clash = clash or any(wanted.get(m) == "R" for m in layout.by_hand)
+                clash = clash or any(wanted.get(m) == "R" for m in layout.machines.by_hand)
                 clash = clash or bool(over & layout.undetected)
             diamonds = [m.node for m in (*trip.moves, *moves) if m.node in layout.crossing_at]
             if not clash and not over & barred and len(diamonds) == len(set(diamonds)):

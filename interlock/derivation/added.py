@@ -70,7 +70,7 @@ def with_added(layout: Layout, paths: Sequence[Path], derived: Demands, sink: Si
 
 
 def _against_key(layout: Layout, d: Demanded) -> bool:
-    return d.machine in layout.by_hand and d.position is Position.REVERSE
+    return d.machine in layout.machines.by_hand and d.position is Position.REVERSE
 
 
 def _contradicts(layout: Layout, d: Demanded, p: Path, lies: PointDemand | None, i: int, sink: Sink) -> None:

@@ -169,7 +169,7 @@ def _outward(
                 yield tuple(dict.fromkeys(left + right))
         return
     turned: tuple[Provider, ...] | None = (Provider(ProviderKind.POINT, point.machine, position.other),)
-    if point.machine in layout.by_hand and position.other is Position.REVERSE:
+    if point.machine in layout.machines.by_hand and position.other is Position.REVERSE:
         turned = None  # a key locks a hand-worked point in normal only
     elif not allowed(point.machine, position.other):
         turned = None

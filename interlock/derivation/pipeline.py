@@ -233,7 +233,7 @@ def _notes(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> None:
     used |= {b for p in paths if (b := topo.beyond(p.ways[0].section, p.entry_node)) is not None}
     traps = [b.node for b in layout.buffers if b.kind is BufferKind.TRAP]
     used |= {layout.section_of(e.id) for n in traps for e in layout.edges_at[n]}
-    by_hand = [layout.far(p.reverse, p.node) for p in layout.points if p.machine in layout.by_hand]
+    by_hand = [layout.far(p.reverse, p.node) for p in layout.points if p.machine in layout.machines.by_hand]
     used |= {layout.section_of(e.id) for n in by_hand for e in layout.edges_at[n]}
     for s in layout.sections:
         if not s.approach and s.id not in used:

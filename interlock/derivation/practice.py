@@ -223,7 +223,7 @@ def _check_waiting(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
 def _check_spurs(layout: Layout, paths: Sequence[Path], locks: Locks, sink: Sink) -> None:
     """Tracks into which vehicles are brought, and which nothing but their own end keeps from a place that others pass
     (R5): not where they must be clear, as flank space or at a foul joint."""
-    keyed = (p for p in layout.points if p.machine in layout.by_hand)
+    keyed = (p for p in layout.points if p.machine in layout.machines.by_hand)
     by_key = {
         e.section: f"through {p.id}, by hand" for p in keyed for e in layout.edges_at[layout.far(p.reverse, p.node)]
     }

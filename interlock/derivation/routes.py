@@ -116,7 +116,7 @@ def obstacle(layout: Layout, ways: Ways, clear: Ways) -> str | None:
     for t in clear:
         if t.section in layout.undetected:
             return f"{t.section} must be clear and has no detection"
-    against = [m for m in sorted(layout.by_hand) if positions.get(m) is Position.REVERSE]
+    against = [m for m in sorted(layout.machines.by_hand) if positions.get(m) is Position.REVERSE]
     return f"{against[0]} is worked by hand, and locked by its key the other way" if against else None
 
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Callable, Hashable, Iterable, Mapping
+from collections.abc import Callable, Hashable, Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
 from functools import cached_property, wraps
 from typing import Any, TypeVar, TypeVarTuple
@@ -36,7 +36,6 @@ from interlock.model.elements import (
     OverlapWay,
     Point,
     PointId,
-    Position,
     Section,
     SectionId,
     Signal,
@@ -46,14 +45,13 @@ from interlock.model.elements import (
     TitleBlock,
     Voyage,
     Waiver,
-    Work,
     Zone,
 )
+from interlock.model.machines import Machines, grouped
 from interlock.model.pins import Pins
 from interlock.model.principles import Principles
 from interlock.model.target import Target
 
-K = TypeVar("K")
 V = TypeVar("V")
 Ts = TypeVarTuple("Ts")
 
@@ -171,7 +169,7 @@ class Layout:
     @cached_property
     def points_in(self) -> dict[SectionId, tuple[Point, ...]]:
         """The points of a section: those whose toe lies in it."""
-        return _grouped((self.section_of(p.toe), p) for p in self.points)
+        return grouped((self.section_of(p.toe), p) for p in self.points)
 
     @cached_property
     def crossing_at(self) -> dict[NodeId, Crossing]:
@@ -191,22 +189,12 @@ class Layout:
     @cached_property
     def edges_at(self) -> dict[NodeId, tuple[Edge, ...]]:
         """The edges that end at a node."""
-        return _grouped((n, e) for e in self.edges for n in (e.a, e.b))
+        return grouped((n, e) for e in self.edges for n in (e.a, e.b))
 
     @cached_property
     def edges_in(self) -> dict[SectionId, tuple[Edge, ...]]:
         """The edges of a section."""
-        return _grouped((e.section, e) for e in self.edges)
-
-    @cached_property
-    def ends_of_machine(self) -> dict[MachineId, tuple[Point, ...]]:
-        """The point ends that one machine works."""
-        return _grouped((p.machine, p) for p in self.points)
-
-    @cached_property
-    def device(self) -> dict[MachineId, Device]:
-        """Devices by id."""
-        return {d.id: d for d in self.devices}
+        return grouped((e.section, e) for e in self.edges)
 
     @cached_property
     def signal_facing(self) -> dict[tuple[NodeId, EdgeId], Signal]:
@@ -219,9 +207,9 @@ class Layout:
         return dict(self.hands)
 
     @cached_property
-    def machines(self) -> tuple[MachineId, ...]:
-        """Everything that is moved and locked: machines of points, and devices, in order."""
-        return tuple(sorted({*self.ends_of_machine, *self.device}))
+    def machines(self) -> Machines:
+        """Everything that is moved and locked: machines of points, and devices."""
+        return Machines(self.points, self.devices, {p.id: self.section_of(p.toe) for p in self.points})
 
     @cached_property
     def overlap_of(self) -> dict[SignalId, float]:
@@ -229,31 +217,9 @@ class Layout:
         return {o.signal: o.length for o in self.overlaps}
 
     @cached_property
-    def by_hand(self) -> frozenset[MachineId]:
-        """Machines that are keys of hand-worked points."""
-        return frozenset(p.machine for p in self.points if p.work is Work.HAND)
-
-    @cached_property
-    def sections_of_machine(self) -> dict[MachineId, tuple[SectionId, ...]]:
-        """The sections in which a machine's ends lie, or over which a device stands."""
-        found = {m: {self.section_of(p.toe) for p in ps} for m, ps in self.ends_of_machine.items()}
-        return {m: tuple(sorted(s)) for m, s in (found | {d.id: set(d.over) for d in self.devices}).items()}
-
-    @cached_property
     def undetected(self) -> frozenset[SectionId]:
         """Sections without detection."""
         return frozenset(s.id for s in self.sections if not s.detected)
-
-    def word(self, machine: MachineId, position: Position) -> str:
-        """The position in the engineer's words."""
-        normal = position is Position.NORMAL
-        if machine in self.device:
-            return "open" if normal else "closed"
-        if machine in self.by_hand:
-            return "locked by its key" if normal else "released by its key"
-        if any(p.derailer for p in self.ends_of_machine[machine]):
-            return "on" if normal else "off"
-        return "normal" if normal else "reverse"
 
     def opens(self, signal: SignalId, shunt: bool) -> bool:
         """Whether routes for trains, or for shunting movements, may begin at a signal."""
@@ -330,11 +296,3 @@ def of_layout(f: Callable[[Layout, *Ts], V]) -> Callable[[Layout, *Ts], V]:
         return value
 
     return known
-
-
-def _grouped(pairs: Iterable[tuple[K, V]]) -> dict[K, tuple[V, ...]]:
-    """The second of each pair, by the first."""
-    found: dict[K, list[V]] = {}
-    for key, value in pairs:
-        found.setdefault(key, []).append(value)
-    return {key: tuple(values) for key, values in found.items()}

@@ -79,12 +79,12 @@ def _section(layout: Layout, ways: Mapping[str, Any], s: str) -> dict[str, Any]:
 def _machines(layout: Layout, controller: Controller) -> dict[str, dict[str, Any]]:
     found: dict[str, dict[str, Any]] = {}
     for m in layout.machines:
-        ends = layout.ends_of_machine.get(m, ())
+        ends = layout.machines.ends.get(m, ())
         found[str(m)] = {
             "points": [{"id": str(p.id), "toe": str(p.toe), "N": str(p.normal), "R": str(p.reverse)} for p in ends],
             "hand": (m, Position.NORMAL) in controller.symbols.machines.by_hand,
             "device": not ends,
-            "kind": str(layout.device[m].kind) if m in layout.device else "points",
+            "kind": str(layout.machines.device[m].kind) if m in layout.machines.device else "points",
         }
     return found
 

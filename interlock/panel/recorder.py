@@ -43,7 +43,7 @@ def views(ready: Ready) -> Views:
     for r in y.routes:
         out |= {name: [["signal", str(r.entry), "proceed"]] for name in r.open_while}
     for (m, x), name in y.machines.detected.items():
-        ends = [["point", str(p.id), str(x)] for p in layout.ends_of_machine.get(m, ())]
+        ends = [["point", str(p.id), str(x)] for p in layout.machines.ends.get(m, ())]
         out[name] = ends or [["device", str(m), str(x)]]
     return out
 

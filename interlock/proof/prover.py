@@ -119,7 +119,7 @@ def _claims(
 def start_claim(system: System) -> Expr:
     """P-START: at the restart nothing is commanded, all signals show stop, every section is locked."""
     sym = system.symbols
-    devices = system.layout.device
+    devices = system.layout.machines.device
     commands = [*sym.machines.command.items(), *sym.machines.drive.items()]
     out: list[Expr] = [neg(var(n)) for (m, x), n in commands if m not in devices or x is Position.NORMAL]
     out += [var(n) for n in sym.aspects.stop.values()]

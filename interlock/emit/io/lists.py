@@ -93,7 +93,7 @@ def _blades(layout: Layout, controller: Controller) -> dict[str, str]:
     """For each wire of a machine of a slip, where the blades lie, and to which end they lead when it is 1."""
     found: dict[str, str] = {}
     named = {b.point: b for b in layout.blades}
-    for m, ends in layout.ends_of_machine.items():
+    for m, ends in layout.machines.ends.items():
         for x in Position:
             lie = [(named[p.id], x) for p in ends if p.id in named]
             told = "; ".join(f"blades at {' and '.join(b.at)} to {b.to(x)}" for b, x in lie)
@@ -110,7 +110,7 @@ def equipment_csv(layout: Layout, a: Allocation) -> str:
     kinds["limit-of-shunt board"] = sum(g not in layout.stops for g in layout.boards)
     hand = {p.machine for p in layout.points if p.work is Work.HAND}
     derailers = {p.machine for p in layout.points if p.derailer}
-    motors = [m for m in layout.ends_of_machine if m not in hand]
+    motors = [m for m in layout.machines.ends if m not in hand]
     kinds["call-on lamp"] = sum(g.call_on for g in layout.signals)
     kinds["identifier light"] = len(layout.identifiers)
     kinds["distant signal"] = len(layout.distants)

@@ -93,8 +93,8 @@ def _route(x: Reading, r: RouteRow) -> dict[str, object]:
 def _relation(x: Reading, r: RouteRow, groups: _Groups) -> dict[str, object]:
     legs = [[p.name for p in c.providers if p.kind is ProviderKind.SIGNAL] for c in r.flank]
     stops = dict.fromkeys(groups.place(names) for names in legs if names)
-    crossings = [p for p in r.points if p.machine in x.layout.device]
-    kinds = {p.machine: x.layout.device[p.machine].kind for p in crossings}
+    crossings = [p for p in r.points if p.machine in x.layout.machines.device]
+    kinds = {p.machine: x.layout.machines.device[p.machine].kind for p in crossings}
     flank = [p for p in r.points if p.role in (Role.FLANK, Role.ADDED)]
     return {
         "refersToRoute": r.id,
@@ -102,7 +102,7 @@ def _relation(x: Reading, r: RouteRow, groups: _Groups) -> dict[str, object]:
             {"refersTo": p.machine, "inPosition": IN[p.position]} for p in flank if x.machines.is_machine(p)
         ],
         "requiredDerailerPosition": [
-            {"refersTo": p.machine, "inPosition": x.layout.word(p.machine, p.position)}
+            {"refersTo": p.machine, "inPosition": x.layout.machines.word(p.machine, p.position)}
             for p in r.points
             if x.machines.is_derailer(p.machine)
         ],

@@ -56,9 +56,7 @@ def check_delays(ctx: Context, layout: Layout) -> None:
         if round(own * 1000) < least.run:
             text = f"the supervision of {m} is {own:g} s, and {least.run / 1000:.1f} s are needed for a machine to run"
             room = "level_crossings" if m in ctx.file.level_crossings else "interlocks"
-            where = (
-                Element("points", layout.ends_of_machine[m][0].id) if m in layout.ends_of_machine else Element(room, m)
-            )
+            where = Element("points", layout.machines.ends[m][0].id) if m in layout.machines.ends else Element(room, m)
             ctx.sink.add("IL3023", text, None, f"state at least {-(-least.run // 1000)} s", about=where)
     for o in layout.overlaps:
         if o.swing and o.signal not in least.swings:

@@ -20,7 +20,7 @@ def check_machines(ctx: Context, layout: Layout) -> None:
             )
             text = f"slip {name} {why}: `blades` says nothing of it"
             ctx.add("IL3026", text, ctx.at("slips", name, "blades"), "remove `blades`")
-    for machine, ends in sorted(layout.ends_of_machine.items()):
+    for machine, ends in sorted(layout.machines.ends.items()):
         if len(ends) > 2 and len({of_slip.get(p.id, p.id) for p in ends}) > 1:
             ctx.add(
                 "IL3014",

@@ -260,17 +260,17 @@ class MachineIndex:
     @cached_property
     def all(self) -> tuple[MachineId, ...]:
         """Machines in order."""
-        return self._layout.machines
+        return tuple(self._layout.machines)
 
     @cached_property
     def powered(self) -> tuple[MachineId, ...]:
         """Point machines that the controller drives: no devices, no points worked by hand."""
-        by_hand = self._layout.by_hand
-        return tuple(m for m in self.all if m not in self._layout.device and m not in by_hand)
+        by_hand = self._layout.machines.by_hand
+        return tuple(m for m in self.all if m not in self._layout.machines.device and m not in by_hand)
 
     def sections_of(self, machine: MachineId) -> tuple[SectionId, ...]:
         """The sections in which a machine's ends lie."""
-        return self._layout.sections_of_machine[machine]
+        return self._layout.machines.sections[machine]
 
     def started(self, machine: MachineId) -> Expr:
         """The machine may run: its turn has come, where machines start one after the other."""

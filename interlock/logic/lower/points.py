@@ -20,9 +20,11 @@ def inputs(d: Draft) -> None:
     """Detection contacts and manual commands."""
     for m in d.machines.all:
         for x in Position:
-            d.inputs.append(Input(names.CONTACT(m, x), f"machine {m} detected {d.layout.word(m, x)}"))
+            d.inputs.append(Input(names.CONTACT(m, x), f"machine {m} detected {d.layout.machines.word(m, x)}"))
         for x in Position:
-            d.inputs.append(Input(names.MOVE_BY_HAND(m, x), f"operator: move machine {m} {d.layout.word(m, x)}"))
+            d.inputs.append(
+                Input(names.MOVE_BY_HAND(m, x), f"operator: move machine {m} {d.layout.machines.word(m, x)}")
+            )
         if m in d.machines.powered:
             d.inputs.append(Input(names.LOOKED_AT(m), f"operator: machine {m} has been looked at after it was trailed"))
 
@@ -91,7 +93,7 @@ def movable(d: Draft) -> None:
 def _closing(d: Draft, m: MachineId, x: Position) -> bool:
     """To close a level crossing, a bridge or another device is always permitted: it opens nothing for a train (R13);
     but for one that the author has routes hold open to its road, as the doors of an air lock."""
-    return m in d.layout.device and x is Position.REVERSE and (m, x.other) not in added.demanded(d)
+    return m in d.layout.machines.device and x is Position.REVERSE and (m, x.other) not in added.demanded(d)
 
 
 def commands(d: Draft) -> None:
@@ -108,7 +110,7 @@ def commands(d: Draft) -> None:
                 terms.append(
                     Term(conj((driven, var(names.MOVABLE(m)))), "driven along", "beside the path, if free to move")
                 )
-            if m in d.layout.device and x is Position.NORMAL:
+            if m in d.layout.machines.device and x is Position.NORMAL:
                 back = conj((var(names.MOVABLE(m)), neg(touched), neg(var(names.MOVE_BY_HAND(m, x.other)))))
                 terms.append(
                     Term(back, "returns", f"opens by itself when nothing is locked over it ({rules.LEVEL_CROSSINGS})")
@@ -162,7 +164,7 @@ def _keep_command(d: Draft, m: MachineId, x: Position) -> None:
         f"point {m}",
     )
     started = conj((d.machines.command(m, x), d.machines.started(m)))
-    d.outputs.append(Output(names.DRIVE(m, x), started, False, f"machine {m}: {d.layout.word(m, x)}"))
+    d.outputs.append(Output(names.DRIVE(m, x), started, False, f"machine {m}: {d.layout.machines.word(m, x)}"))
 
 
 def _driving(d: Draft) -> dict[tuple[MachineId, Position], Expr]:

@@ -127,7 +127,7 @@ class _Writer:
 
     def _called(self, m: MachineId) -> str:
         """A machine in a sentence: points, or a crossing or bridge by its name alone."""
-        return str(m) if m in self.d.layout.device else called("points", m)
+        return str(m) if m in self.d.layout.machines.device else called("points", m)
 
     def _text(self, x: Expr, t: Term) -> str:
         """What is said of a condition that does not hold."""

@@ -264,7 +264,7 @@ class PlantBuilder:
         """Which machines of an overlap were driven away before a train came into the section before its signal."""
         for x in self._turning(g):
             m = MachineId(str(x.name.at[1]))
-            towards = [Position.REVERSE] if m in self.layout.device else list(Position)  # a device: it closes
+            towards = [Position.REVERSE] if m in self.layout.machines.device else list(Position)  # a device: it closes
             away = disj(conj((self.w.command[m, p], disj((neg(lies(m, p)), old_command(m, p.other))))) for p in towards)
             self.p.state[x.name] = f"machine {m} turns since before a train was reported in {s}"
             self.p.next[x.name] = conj((away, disj((x, neg(o(s)), neg(image(s))))))

@@ -72,7 +72,7 @@ def _derailment(b: Railway, s: SectionId) -> Expr:
 def _points_move(b: Railway) -> Iterator[Hazard]:
     """A machine starts under a train, or before one that comes in."""
     p, topo, layout = b.p, b.topo, b.layout
-    for m, ends in sorted(layout.ends_of_machine.items()):
+    for m, ends in sorted(layout.machines.ends.items()):
         starts = disj(p.events[names.MACHINE_STARTS(m, x)] for x in Position)
         bad = []
         for s_ in sorted({layout.section_of(e.toe) for e in ends}):

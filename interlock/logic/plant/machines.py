@@ -29,7 +29,7 @@ class Making(Protocol):
 
 def trail(b: Making, m: MachineId) -> Expr:
     """A vehicle that is moved under local rules runs through a point that lies against it."""
-    here = sorted({b.layout.section_of(e.toe) for e in b.layout.ends_of_machine.get(m, ())})
+    here = sorted({b.layout.section_of(e.toe) for e in b.layout.machines.ends.get(m, ())})
     under = disj(conj((o(s), rests(s))) for s in here)
     chance = b.choice(names.RUN_THROUGH(m), f"a vehicle that is moved under local rules runs through {m}")
     b.p.events[names.RUN_THROUGH(m)] = conj((under, chance))
@@ -41,8 +41,8 @@ def machines(b: Making) -> None:
     for m in b.layout.machines:
         starts = {}
         for x in Position:
-            b.p.state[names.LIES(m, x)] = f"machine {m} lies {b.layout.word(m, x)}"
-            b.p.state[names.OLD_COMMAND(m, x)] = f"machine {m} was commanded {b.layout.word(m, x)}"
+            b.p.state[names.LIES(m, x)] = f"machine {m} lies {b.layout.machines.word(m, x)}"
+            b.p.state[names.OLD_COMMAND(m, x)] = f"machine {m} was commanded {b.layout.machines.word(m, x)}"
             b.p.next[names.OLD_COMMAND(m, x)] = b.w.command[m, x]
             away = disj((b.w.command[m, x.other], old_command(m, x.other)))
             if "A-POINT" in b.dropped:
@@ -53,7 +53,7 @@ def machines(b: Making) -> None:
                     away,
                     b.choice(
                         names.MACHINE_STARTS(m, x),
-                        f"{m} starts to leave its position: {b.layout.word(m, x)}",
+                        f"{m} starts to leave its position: {b.layout.machines.word(m, x)}",
                     ),
                 )
             )
@@ -62,13 +62,13 @@ def machines(b: Making) -> None:
         moving = conj(neg(lies(m, x)) for x in Position)
         for x in Position:
             may = disj((b.w.command[m, x], old_command(m, x)))
-            if m in b.layout.by_hand:
+            if m in b.layout.machines.by_hand:
                 may = TRUE  # whoever has the key turns it as he likes, once it is released
             arrives = conj(
                 (
                     moving,
                     may,
-                    b.choice(names.MACHINE_ARRIVES(m, x), f"{m} arrives: {b.layout.word(m, x)}"),
+                    b.choice(names.MACHINE_ARRIVES(m, x), f"{m} arrives: {b.layout.machines.word(m, x)}"),
                 )
             )
             # both commands may be pending in one step: normal wins, so that it never lies both ways

@@ -497,11 +497,11 @@ def _points(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         return conj((var(f.sym.machines.detected[m, x]), after(lies(m, x)), never))
 
     for m in f.layout.machines:
-        secs = f.layout.sections_of_machine[m]
+        secs = f.layout.machines.sections[m]
         changes = disj(
             conj((neg(var(f.sym.machines.command[m, x])), after(var(f.sym.machines.command[m, x])), neg(stays(m, x))))
             for x in Position
-            if m not in f.layout.device or x is Position.NORMAL
+            if m not in f.layout.machines.device or x is Position.NORMAL
         )
         free = conj(
             [

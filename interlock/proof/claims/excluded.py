@@ -75,4 +75,4 @@ def _can_be_run(f: Facts, ways: Sequence[Traversal], clear: Sequence[Traversal])
     turned = {machine for machine, x in lie_so if x is Position.REVERSE}
     once = len({machine for machine, _ in lie_so}) == len(lie_so)
     seen = not any(t.section in f.layout.undetected for t in clear)
-    return once and len(arms) == len(set(arms)) and not turned & f.layout.by_hand and seen
+    return once and len(arms) == len(set(arms)) and not turned & f.layout.machines.by_hand and seen

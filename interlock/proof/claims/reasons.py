@@ -129,7 +129,7 @@ def _trailed(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             stays = conj((var(commands[m, x]), after(var(commands[m, x])), neg(after(var(commands[m, x.other])))))
             lost = conj((right, var(f.sym.valid), stays, neg(f.seen.reported(m, x))))
             yield "S-TRAILED", f"{m} {x}", implies(lost, after(var(trailed)))
-        sections = f.layout.sections_of_machine[m]
+        sections = f.layout.machines.sections[m]
         seen = conj((var(f.sym.machines.looked_at[m]), var(f.sym.valid), *(f.seen.steadily_clear(s) for s in sections)))
         yield "S-TRAILED", f"{m} kept", implies(conj((var(trailed), neg(seen))), after(var(trailed)))
 

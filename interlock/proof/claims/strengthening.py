@@ -171,11 +171,11 @@ def _standing_section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
         yield "S-CALLED", implies(was_called(s), conj((o(s), implies(rests(s), stood))))
         yield "S-PARTED", implies(parted(s), o(s))
     for m in f.layout.machines:
-        if s in f.layout.sections_of_machine[m]:
+        if s in f.layout.machines.sections[m]:
             told = [(p, x) for p in Position for x in (var(f.sym.machines.command[m, p]), old_command(m, p))]
             quiet = [implies(x, lies(m, p)) for p, x in told]
             held_open = any((d.machine, d.position) == (m, Position.NORMAL) for d in f.layout.demanded)
-            if m in f.layout.device and not held_open:  # it may be closed, and nothing opens it
+            if m in f.layout.machines.device and not held_open:  # it may be closed, and nothing opens it
                 quiet = [neg(x) for p, x in told if p is Position.NORMAL]
             yield f"S-QUIET:{m}", implies(f.locking.restart(s), conj(quiet))
 

@@ -63,7 +63,7 @@ def _swings_to(w: Words, g: SignalId, s: SectionId, n: int) -> Iterator[Expr]:
     for m, x in w.sym.ways.demands[s, n]:
         free = [
             y
-            for t in w.layout.sections_of_machine[m]
+            for t in w.layout.machines.sections[m]
             for y in (_only_by(w, g, t), neg(w.f.locking.any_lock(t)), w.sections.long(t))
         ]
         holding = (r.added for r in w.sym.routes if any(m == k for k, _ in r.path.demands))

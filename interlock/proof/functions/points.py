@@ -17,7 +17,7 @@ def points(w: Words) -> Iterator[tuple[str, str, Expr]]:
         lost = disj(conj((w.points.commanded(m, x), neg(w.points.detected(m, x)))) for x in Position)
         was, quiet, trailed = var(w.sym.machines.seen_right[m]), neg(w.points.anew(m)), var(name)
         seen = conj(
-            (var(w.sym.machines.looked_at[m]), w.valid, *(w.sections.long(s) for s in w.layout.sections_of_machine[m]))
+            (var(w.sym.machines.looked_at[m]), w.valid, *(w.sections.long(s) for s in w.layout.machines.sections[m]))
         )
         new = conj((was, w.valid, lost, quiet))
         yield "F-TRAILED", f"{m} detected", iff(w.after(was), conj((there, quiet)))
@@ -55,7 +55,7 @@ def _commands(w: Words, m: MachineId) -> Iterator[tuple[str, str, Expr]]:
         turned = conj((key, neg(opposite), permitted))
         yield "F-POINT", f"{m} {x} by hand", implies(turned, w.after(command))
         yield "F-POINT", f"{m} {x} stays", implies(w.ends(command), w.after(other))
-        if m in w.layout.device and x is Position.NORMAL:
+        if m in w.layout.machines.device and x is Position.NORMAL:
             back = conj((w.points.movable(m), nothing_set, neg(opposite)))
             yield "F-POINT", f"{m} returns", implies(back, w.after(command))
         demanded = [
@@ -72,7 +72,7 @@ def _commands(w: Words, m: MachineId) -> Iterator[tuple[str, str, Expr]]:
 
 
 def _touches(w: Words, m: MachineId, ways: Iterable[Way]) -> bool:
-    return any(way[0] in w.layout.sections_of_machine[m] or way in w.points.flanks(m) for way in ways)
+    return any(way[0] in w.layout.machines.sections[m] or way in w.points.flanks(m) for way in ways)
 
 
 def _touching(w: Words, m: MachineId) -> list[RouteSymbols]:

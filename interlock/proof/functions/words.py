@@ -234,7 +234,7 @@ class PointWords:
         found: dict[MachineId, list[Way]] = {}
         for way, those in self._w.sym.ways.demands.items():
             for m, _ in those:
-                if way[0] not in self._w.layout.sections_of_machine[m]:
+                if way[0] not in self._w.layout.machines.sections[m]:
                     found.setdefault(m, []).append(way)
         return found
 
@@ -245,7 +245,7 @@ class PointWords:
     def movable(self, m: MachineId) -> Expr:
         """Nothing is locked or occupied over the machine, and nobody needs it as flank protection (R10)."""
         free = [self._w.valid]
-        for s in self._w.layout.sections_of_machine[m]:
+        for s in self._w.layout.machines.sections[m]:
             free += [neg(self._w.f.locking.held(s)), self._w.sections.long(s)]
         free += [
             neg(var(r.added))
@@ -257,7 +257,7 @@ class PointWords:
     def closing(self, m: MachineId, x: Position) -> bool:
         """To close a crossing or bridge is always permitted, but for one that routes hold open to its road (R13)."""
         held_open = any((m, x.other) in r.path.demands for r in self._w.sym.routes)
-        return m in self._w.layout.device and x is Position.REVERSE and not held_open
+        return m in self._w.layout.machines.device and x is Position.REVERSE and not held_open
 
     def obtainable(self, m: MachineId, x: Position) -> Expr:
         """The machine can be had in a position (R10)."""

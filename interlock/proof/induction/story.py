@@ -101,7 +101,7 @@ def _capital(text: str) -> str:
 def _points(system: System, state: dict[str, int]) -> str:
     out = []
     for m in system.layout.machines:
-        lying = [system.layout.word(m, x) for x in Position if state[names.LIES(m, x)]]
+        lying = [system.layout.machines.word(m, x) for x in Position if state[names.LIES(m, x)]]
         out.append(f"{m} lies {lying[0] if lying else 'between its positions'}")
     return ", ".join(out)
 
@@ -140,7 +140,7 @@ def _changes(system: System, old: dict[str, int], new: dict[str, int]) -> list[s
             out.append(f"the direction at {b} is given to the neighbour")
     for (m, x), name in system.symbols.machines.command.items():
         if new[name] and not old[name]:
-            out.append(f"machine {m} is commanded {system.layout.word(m, x)}")
+            out.append(f"machine {m} is commanded {system.layout.machines.word(m, x)}")
     for s, name in system.symbols.sections.clear.items():
         del name
         if names.STANDS(s) in new and new[names.IMAGE(s)] and not new[names.STANDS(s)] and not old[names.IMAGE(s)]:

@@ -31,7 +31,7 @@ def views(system: System) -> dict[str, list[list[str]]]:
         shows = "identifier" if r.path.identifier else "proceed"
         out |= {name: [["signal", r.entry, shows]] for name in r.open_while}
     for (m, x), _ in sym.machines.command.items():
-        ends = [["point", str(p.id), str(x)] for p in layout.ends_of_machine.get(m, ())]
+        ends = [["point", str(p.id), str(x)] for p in layout.machines.ends.get(m, ())]
         out[names.LIES(m, x)] = ends or [["device", str(m), str(x)]]
     return {n: v for n, v in out.items() if n in set(system.state)}
 

@@ -263,7 +263,7 @@ class System:
     def beside(self) -> Mapping[Owner, tuple[Owner, ...]]:
         """The sections of each machine, beyond each signal and first in each overlap."""
         found: dict[tuple[Kind, str], tuple[SectionId, ...]] = {}
-        found |= {(Kind.MACHINE, m): self.layout.sections_of_machine[m] for m in self.layout.machines}
+        found |= {(Kind.MACHINE, m): self.layout.machines.sections[m] for m in self.layout.machines}
         found |= {(Kind.SIGNAL, g.id): (self.layout.section_of(g.into),) for g in self.layout.signals}
         found |= {(Kind.OVERLAP, g): (ways[0][0],) for (g, _), ways in self.symbols.overlaps.ways.items()}
         return {Owner.of(*x): tuple(Owner.of(Kind.SECTION, s) for s in those) for x, those in found.items()}

@@ -50,7 +50,7 @@ def lying(x: Reading, r: RouteRow, *roles: Role) -> str:
 
 
 def _is_w(x: Reading, p: PointDemand) -> bool:
-    return x.machines.is_machine(p) and p.machine not in x.layout.by_hand
+    return x.machines.is_machine(p) and p.machine not in x.layout.machines.by_hand
 
 
 def _name(r: RouteRow) -> str:
@@ -91,8 +91,8 @@ def _deciding(x: Reading, r: RouteRow) -> str:
 
 
 def _devices(x: Reading, r: RouteRow, kind: DeviceKind) -> list[str]:
-    found = (p.machine for p in r.points if p.machine in x.layout.device)
-    return [str(m) for m in found if x.layout.device[m].kind is kind]
+    found = (p.machine for p in r.points if p.machine in x.layout.machines.device)
+    return [str(m) for m in found if x.layout.machines.device[m].kind is kind]
 
 
 def _derailers(x: Reading, r: RouteRow) -> str:
@@ -101,7 +101,7 @@ def _derailers(x: Reading, r: RouteRow) -> str:
 
 
 def _keys(x: Reading, r: RouteRow) -> str:
-    return ", ".join(p.machine for p in r.points if p.machine in x.layout.by_hand)
+    return ", ".join(p.machine for p in r.points if p.machine in x.layout.machines.by_hand)
 
 
 def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:

@@ -45,16 +45,16 @@ class MachineReading:
 
     def is_machine(self, p: PointDemand) -> bool:
         """Whether a demand is of points, not of a derailer or another device."""
-        return p.machine not in self._layout.device and not self.is_derailer(p.machine)
+        return p.machine not in self._layout.machines.device and not self.is_derailer(p.machine)
 
     def is_derailer(self, m: MachineId) -> bool:
         """Whether a machine is a derailer."""
-        return any(p.derailer for p in self._layout.ends_of_machine.get(m, ()))
+        return any(p.derailer for p in self._layout.machines.ends.get(m, ()))
 
     def derailers(self, r: RouteRow) -> str:
         """The derailers of a route, on or off."""
         found = (p for p in r.points if self.is_derailer(p.machine))
-        return ", ".join(f"{p.machine} {self._layout.word(p.machine, p.position)}" for p in found)
+        return ", ".join(f"{p.machine} {self._layout.machines.word(p.machine, p.position)}" for p in found)
 
     def points(self, r: RouteRow, position: Position, *roles: Role) -> str:
         """Points of a route in a position."""
@@ -71,7 +71,7 @@ class MachineReading:
 
     def machine_side(self, m: MachineId, x: Position) -> Hand | None:
         """The side to which all ends of a machine lie, where it is stated and they agree."""
-        sides = {self.side(p.id, x) for p in self._layout.ends_of_machine.get(m, ())}
+        sides = {self.side(p.id, x) for p in self._layout.machines.ends.get(m, ())}
         return sides.pop() if len(sides) == 1 else None
 
     @cached_property

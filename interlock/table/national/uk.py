@@ -108,9 +108,11 @@ def _sequence(r: RouteRow) -> str:
 
 
 def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
-    said = [f"{p.machine} closed" for p in r.points if p.machine in x.layout.device]
+    said = [f"{p.machine} closed" for p in r.points if p.machine in x.layout.machines.device]
     said += [
-        f"{p.machine} {x.layout.word(p.machine, p.position)}" for p in r.points if x.machines.is_derailer(p.machine)
+        f"{p.machine} {x.layout.machines.word(p.machine, p.position)}"
+        for p in r.points
+        if x.machines.is_derailer(p.machine)
     ]
     said += [*r.requirements] + [f"{b.section} clear (line)" for b in r.block]
     if r.closing.whole is not None:
@@ -233,10 +235,10 @@ def points_table(layout: Layout, table: InterlockingTable) -> Sheet:
         ),
         Field(
             Heading("Tracks that lock both ways", "锁闭区段", "verschließende Abschnitte"),
-            lambda m: ", ".join(layout.sections_of_machine[m]),
+            lambda m: ", ".join(layout.machines.sections[m]),
         ),
     )
-    headings, rows = filled(fields, sorted(layout.ends_of_machine))
+    headings, rows = filled(fields, sorted(layout.machines.ends))
     title = Heading("Control table: points", "控制表：道岔", "Kontrolltabelle: Weichen")
     return Sheet(
         "uk_points",

@@ -18,7 +18,7 @@ _KINDS = {RouteKind.MAIN: "train", RouteKind.SHUNT: "shunt", RouteKind.CALL_ON: 
 
 
 def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
-    said = [f"{p.machine} closed" for p in r.points if p.machine in x.layout.device]
+    said = [f"{p.machine} closed" for p in r.points if p.machine in x.layout.machines.device]
     said += [*r.requirements]
     if r.overlap is not None:
         said.append("overlap " + ", ".join(s for s, _ in r.overlap.ways))
@@ -140,18 +140,18 @@ def switch_table(layout: Layout, table: InterlockingTable) -> Sheet:
         return "" if side is None else f"{side} hand"
 
     def speed(m: MachineId) -> str:
-        return ", ".join(dict.fromkeys(str(p.speed) for p in layout.ends_of_machine[m] if p.speed is not None))
+        return ", ".join(dict.fromkeys(str(p.speed) for p in layout.machines.ends[m] if p.speed is not None))
 
     normal, reverse = Position.NORMAL, Position.REVERSE
     fields: tuple[Field[MachineId], ...] = (
         Field(Heading("Switch", "道岔", "Weiche"), lambda m: m),
-        Field(Heading("Ends", "岔尖", "Enden"), lambda m: ", ".join(p.id for p in layout.ends_of_machine[m])),
+        Field(Heading("Ends", "岔尖", "Enden"), lambda m: ", ".join(p.id for p in layout.machines.ends[m])),
         Field(Heading("Kind", "种类", "Art"), lambda m: _kind_of(layout, m)),
         Field(Heading("Turnout", "开向", "Abzweig"), hand),
         Field(Heading("Reverse (km/h)", "反位速度 (km/h)", "− (km/h)"), speed),
         Field(
             Heading("Detector locking (track circuits)", "区段锁闭", "Abschnitte"),
-            lambda m: ", ".join(layout.sections_of_machine[m]),
+            lambda m: ", ".join(layout.machines.sections[m]),
         ),
         Field(Heading("Normal for routes", "定位进路", "+ für"), lambda m: by(m, normal)),
         Field(Heading("Reverse for routes", "反位进路", "− für"), lambda m: by(m, reverse)),
@@ -159,13 +159,13 @@ def switch_table(layout: Layout, table: InterlockingTable) -> Sheet:
         Field(Heading("Reverse, protecting", "反位防护", "− Flankenschutz"), lambda m: by(m, reverse, True)),
         Field(Heading("Supervision (s)", "监视 (s)", "Überwachung (s)"), lambda m: f"{supervision_s(layout, m):g}"),
     )
-    headings, rows = filled(fields, sorted(layout.ends_of_machine))
+    headings, rows = filled(fields, sorted(layout.machines.ends))
     title = Heading("Switch table", "道岔表", "Weichentabelle")
     return Sheet("us_switches", "en", title, headings, rows, False, SOURCE, ("type of machine", "lock rods"))
 
 
 def _kind_of(layout: Layout, m: MachineId) -> str:
-    ends = layout.ends_of_machine[m]
+    ends = layout.machines.ends[m]
     if any(p.derailer for p in ends):
         return "derail"
     return "hand-worked, keyed" if any(p.work is Work.HAND for p in ends) else "switch"

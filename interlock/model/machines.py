@@ -1,0 +1,54 @@
+"""The machines of a layout: what is moved and locked, by points, keys and devices."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from typing import TypeVar
+
+from interlock.model.elements import Device, MachineId, Point, PointId, Position, SectionId, Work
+
+K = TypeVar("K")
+V = TypeVar("V")
+
+
+def grouped(pairs: Iterable[tuple[K, V]]) -> dict[K, tuple[V, ...]]:
+    """The second of each pair, by the first."""
+    found: dict[K, list[V]] = {}
+    for key, value in pairs:
+        found.setdefault(key, []).append(value)
+    return {key: tuple(values) for key, values in found.items()}
+
+
+class Machines(Collection[MachineId]):
+    """Machines of points, and devices, in order.  toes: in which section the toe of each point lies."""
+
+    def __init__(self, points: Sequence[Point], devices: Sequence[Device], toes: Mapping[PointId, SectionId]) -> None:
+        self.ends: dict[MachineId, tuple[Point, ...]] = grouped((p.machine, p) for p in points)
+        """The point ends that one machine works."""
+        self.device: dict[MachineId, Device] = {d.id: d for d in devices}
+        self.by_hand: frozenset[MachineId] = frozenset(p.machine for p in points if p.work is Work.HAND)
+        """Machines that are keys of hand-worked points."""
+        over = {m: {toes[p.id] for p in ps} for m, ps in self.ends.items()} | {d.id: set(d.over) for d in devices}
+        self.sections: dict[MachineId, tuple[SectionId, ...]] = {m: tuple(sorted(s)) for m, s in over.items()}
+        """The sections in which a machine's ends lie, or over which a device stands."""
+        self._all = tuple(sorted({*self.ends, *self.device}))
+
+    def __iter__(self) -> Iterator[MachineId]:
+        return iter(self._all)
+
+    def __len__(self) -> int:
+        return len(self._all)
+
+    def __contains__(self, machine: object) -> bool:
+        return machine in self.sections
+
+    def word(self, machine: MachineId, position: Position) -> str:
+        """The position in the engineer's words."""
+        normal = position is Position.NORMAL
+        if machine in self.device:
+            return "open" if normal else "closed"
+        if machine in self.by_hand:
+            return "locked by its key" if normal else "released by its key"
+        if any(p.derailer for p in self.ends[machine]):
+            return "on" if normal else "off"
+        return "normal" if normal else "reverse"
