@@ -497,7 +497,7 @@ def test_the_panel_works_real_substations_and_leaves_them_restrictive(ready: Rea
         desk.start()
         until(lambda: ask(do="release all")["ok"])
         until(lambda: not desk._last.memory.state.get("K_q1", True))
-        assert not ask(do="put", section="q1", towards="X1")["ok"] and desk.audience.still["simulated"] is False
+        assert not ask(do="put", section="q1", towards="X1")["ok"] and desk.browsers.still["simulated"] is False
         ask(do="set", route="X7-X1")
         until(lambda: west.lamp("YP_X7"))
         desk.stop()

@@ -156,7 +156,7 @@ def test_at_the_panel_a_request_goes_through_its_queue_and_is_noted(ready: Ready
             time.sleep(0.05)
         assert head_of(client)["answer"] == REFUSED
         time.sleep(0.3)
-        (noted,) = [e for e in desk.audience.events if e.kind == "refusal"]
+        (noted,) = [e for e in desk.browsers.events if e.kind == "refusal"]
         assert noted.who.startswith("modbus 127.0.0.1:") and "no route from X1 is set" in noted.text
     finally:
         client.close()

@@ -468,9 +468,9 @@ def every_command(still: dict[str, Any]) -> Iterator[dict[str, Any]]:
 def test_every_shipped_layout_has_its_panel(name: str) -> None:
     """Everything has its place on the plan (B-04); whatever is asked is done or refused in words."""
     desk = Desk(unproved(Path(f"layouts/{name}.yaml").read_text("utf-8")))
-    plan, places = desk.audience.still["plan"], {"s": "section", "g": "signal"}
+    plan, places = desk.browsers.still["plan"], {"s": "section", "g": "signal"}
     answers: list[dict[str, Any]] = []
-    commands = list(every_command(desk.audience.still))
+    commands = list(every_command(desk.browsers.still))
     Random(name).shuffle(commands)
     cycles = run(desk.ready, desk.links, 400, None, desk._inputs, desk.clock.now, lambda s: None)
     for k, cycle in zip(range(60), (c for c, _ in cycles), strict=False):
@@ -483,9 +483,9 @@ def test_every_shipped_layout_has_its_panel(name: str) -> None:
     assert not [x for x in said if x == "this panel does not know such a command"]
     for key in desk.picture.dark():
         kind, _, element = key.partition(":")
-        if kind in places and not desk.audience.still["sections"].get(element, {}).get("approach"):
+        if kind in places and not desk.browsers.still["sections"].get(element, {}).get("approach"):
             assert f'id="{places[kind]}-{element}"' in plan, key
-    for r in desk.audience.still["routes"]:
+    for r in desk.browsers.still["routes"]:
         kind, where = r["exit"]
         assert f'id="{kind}-{escape(where)}"' in plan, r
 

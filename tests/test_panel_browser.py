@@ -409,7 +409,7 @@ def test_nothing_moves_under_the_mouse(chromium: Any, tmp_path: Path, at: str, s
         f = desk.field
         assert f is not None
         page.set_viewport_size({"width": size[0], "height": size[1]})
-        f.stock.stand("s2", desk.audience.still["stands"]["s2"][0], 50.0, "stands")
+        f.stock.stand("s2", desk.browsers.still["stands"]["s2"][0], 50.0, "stands")
         desk._once("something happened")
         page.wait_for_selector("#trains li")
         page.locator("#section-s2").focus()
@@ -430,11 +430,11 @@ def test_nothing_moves_under_the_mouse(chromium: Any, tmp_path: Path, at: str, s
         still(f"#alarms li:nth-child({count + 1})")
         desk.ask(Person("another", True), {"do": "acknowledge"}, lambda _: None)
         still("#unseen:not(.new)")
-        f.stock.stand("s10_xc4", desk.audience.still["stands"]["s10_xc4"][0], 50.0, "second")
+        f.stock.stand("s10_xc4", desk.browsers.still["stands"]["s10_xc4"][0], 50.0, "second")
         still("#trains li:nth-child(2)")
         f.stock.take_away("stands")
         still("#section-s2 .track:not(.occupied)")
-        f.faults.fail("station", desk.audience.still["stations"][0], True)
+        f.faults.fail("station", desk.browsers.still["stations"][0], True)
         still("#inputs.bad")
         still("#restart:not([hidden])")
         desk.power = False

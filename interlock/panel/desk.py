@@ -18,7 +18,7 @@ from interlock.app.run import Ready, run
 from interlock.field.plc import Cycle, Link
 from interlock.field.polling import Beside, InTurn
 from interlock.panel.alarms import Alarm
-from interlock.panel.audience import Audience
+from interlock.panel.browsers import Browsers
 from interlock.panel.causes import causes, fallen_back
 from interlock.panel.clock import MOST_S, SPEEDS, Clock
 from interlock.panel.commands import Refused
@@ -71,7 +71,7 @@ class Desk:
         self._dt_ms = cycle_ms
         self._hazards = 0
         self._ran_ms = 0
-        self.audience = Audience(still(ready, self.field), self.picture.dark(), self._rest(None))
+        self.browsers = Browsers(still(ready, self.field), self.picture.dark(), self._rest(None))
         self._stop = threading.Event()
         self.publish: Callable[[Cycle | None], None] = lambda cycle: None
         """Told of every cycle, and of one without power (None)."""
@@ -138,7 +138,7 @@ class Desk:
             if self._recorder is not None:
                 self._recorder.cycle(None)
             self.publish(None)
-            self.audience.tell(self.picture.dark(), lambda: self._rest(None))
+            self.browsers.tell(self.picture.dark(), lambda: self._rest(None))
             self.clock.sleep(max(0.0, self._cycle_ms / 1000 - (self.clock.now() - began)))
 
     def _inputs(self, last: Cycle | None, dt_ms: int) -> Mapping[str, int]:
@@ -176,7 +176,7 @@ class Desk:
         if self._recorder is not None:
             self._recorder.cycle(cycle)
         self.publish(cycle)
-        self.audience.tell(self.picture.of(cycle), lambda: self._rest(cycle))
+        self.browsers.tell(self.picture.of(cycle), lambda: self._rest(cycle))
         self.longest_s = max(self.longest_s, time.monotonic() - self._began)
 
     # --- telling -----------------------------------------------------------------------------------
@@ -188,7 +188,7 @@ class Desk:
         self._note(Event("alarm", a.text, at=a.at, reasons=reasons))
 
     def _note(self, event: Event) -> None:
-        self.audience.note(event)
+        self.browsers.note(event)
         if self._recorder is not None:
             self._recorder.event(event)
 

@@ -125,7 +125,7 @@ class _Talk:
             await self.ws.send_text(json.dumps({"refused": "this panel asks for a token"}))
             await self.ws.close(1008)
             return
-        first = self.desk.audience.listen(self._tell)
+        first = self.desk.browsers.listen(self._tell)
         sending = asyncio.create_task(self._send())
         try:
             await self.ws.send_text(json.dumps({"hello": {"operates": who.operates}, **first}, ensure_ascii=False))
@@ -135,7 +135,7 @@ class _Talk:
                     break
                 self.desk.ask(who, command, self._reply(command.get("re")))
         finally:
-            self.desk.audience.forget(self._tell)
+            self.desk.browsers.forget(self._tell)
             sending.cancel()
             with suppress(RuntimeError):  # it is closed already
                 await self.ws.close(1003)
@@ -159,7 +159,7 @@ class _Talk:
 
     def _queue(self, text: str) -> None:
         if self.out.full():
-            self.desk.audience.forget(self._tell)
+            self.desk.browsers.forget(self._tell)
             self.out.get_nowait()
             self.out.put_nowait(None)
         else:

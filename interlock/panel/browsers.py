@@ -21,7 +21,7 @@ TELL_S = 0.05
 Listener = Callable[[str], None]
 
 
-class Audience:
+class Browsers:
     """Of one desk.  still: what never changes; shown: what was told last of each element; rest: of all else."""
 
     def __init__(self, still: dict[str, Any], shown: Shown, rest: dict[str, Any]) -> None:
