@@ -245,7 +245,7 @@ def _more(s: Station, name: str) -> Iterator[Difference]:
     """What German tables have: signals at identifier light, deciding points, overlaps."""
     row, r = s.published[name], s.derived[name]
     if "past" in s.columns:
-        yield from _both(name, "past", set(row["past"].split()), {str(r.exit)} if r.onward else set())
+        yield from _both(name, "past", set(row["past"].split()), set(map(str, r.passed or ())))
     if "decides" in s.columns:
         chosen = {f"{s.layout.point[p].machine}{'R' if x == 'R' else ''}" for p, x in s.reading.machines.deciding(r)}
         yield from _both(name, "decides", set(row["decides"].split()), chosen)

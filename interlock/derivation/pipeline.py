@@ -114,13 +114,13 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             listed=_way(p) not in hidden,
             because=Because("R1", _found(layout, p)),
             onward=None if p.onward is None else p.onward.id,
-            destination=None if p.onward is None else p.onward.exit,
+            destination=None if p.onward is None else p.parts[-1].exit,
+            passed=None if p.onward is None else tuple(q.entry for q in p.parts[1:]),
         )
         for p in paths
     )
     _never_set(layout, rows, by_key, sink)
-    voyages = derive_voyages(layout, rows, by_key, sink)
-    automatic = derive_automatic(layout, paths, sink)
+    voyages, automatic = derive_voyages(layout, rows, by_key, sink), derive_automatic(layout, paths, sink)
     check_practice(layout, paths, by_key, sink)
     beside.report(sink)
     return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
@@ -134,18 +134,20 @@ def _way(p: Path) -> tuple[SignalId, RouteKind, str, int, RouteId | None]:
 def _found(layout: Layout, p: Path) -> str:
     if p.onward is None:
         return f"found from {p.entry} to {_end(layout, p)}"
-    return f"found from {p.entry} past {p.exit} to {_end(layout, p.onward)}"
+    past = " and ".join(q.entry for q in p.parts[1:])
+    return f"found from {p.entry} past {past} to {_end(layout, p.parts[-1])}"
 
 
 def _apart(paths: Sequence[Path], hostile: Conflicts, sink: Sink) -> None:
     """IL4015: parts of one route that exclude each other."""
     for p in paths:
-        why = None if p.onward is None else hostile.between_parts(p, p.onward)
-        if p.onward is not None and why is not None:
-            text = f"route {p.id} cannot be set: before and past {p.exit} it is hostile to itself: {why}"
-            end = p.onward.exit
-            fix = f"exclude it: `exclude: [{{from: {p.entry}, to: {end}, via: [{p.run[-1].section}], reason: ...}}]`"
-            sink.add("IL4015", text, None, fix, about=Element("signals", p.exit))
+        whys = [(q.entry, why) for q in p.parts[1:] if (why := hostile.between_parts(p, q)) is not None]
+        for past, why in whys[:1]:
+            text = f"route {p.id} cannot be set: before and past {past} it is hostile to itself: {why}"
+            last = p.parts[-1]
+            barred = f"{{from: {p.entry}, to: {last.exit}, via: [{last.ways[-1].section}], reason: ...}}"
+            fix = f"exclude it: `exclude: [{barred}]`"
+            sink.add("IL4015", text, None, fix, about=Element("signals", past))
 
 
 def _clear(layout: Layout, path: Path) -> tuple[ClearCell, ...]:

@@ -85,7 +85,6 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3028": (_E, "positions along the line that contradict each other"),
     "IL3029": (_E, "a length that does not follow from positions"),
     "IL3030": (_E, "coordinates that contradict each other"),
-    "IL3033": (_I, "two signals one after the other that a route could pass"),
     "IL3032": (_E, "a signal that is passed has an overlap that swings"),
     "IL3026": (_E, "blades of a slip are placed where there is no choice"),
     "IL3025": (_I, "a road that is no berth, for what lies over it"),

@@ -10,7 +10,7 @@ from interlock.model.overlap import entry_speed
 from interlock.model.principles import Caution
 from interlock.model.traversal import Traversal, path_speed
 from interlock.proof.claims.kinds import Facts
-from interlock.proof.claims.paths import SignalPath, lie, signal_paths
+from interlock.proof.claims.paths import SignalPath, exit_of, lie, runs_past, signal_paths
 
 
 def at_speed(f: Facts, signal: SignalId, path: SignalPath, here: Expr) -> Iterator[tuple[str, Expr]]:
@@ -26,21 +26,16 @@ def at_speed(f: Facts, signal: SignalId, path: SignalPath, here: Expr) -> Iterat
     yield " shown", implies(conj((here, after(disj(map(var, f.sym.aspects.main_lamps(signal)))))), after(slow))
 
 
-def past_identifier(
-    f: Facts, signal: SignalId, passed: SignalId, first: SignalPath, here: Expr
-) -> Iterator[tuple[str, str, Expr]]:
-    """What a signal shows to a train that passes the next one at identifier light counts for the way beyond, too."""
-    after = f.system.after
-    for k, path in enumerate(signal_paths(f, passed), 1):
-        beyond = conj((here, after(f.sym.aspects.identifies(passed)), after(lie(f, path.ways))))
-        for what, x in at_speed(f, signal, path, beyond):
-            yield "S-SPEED", f" past {passed}:{k}{what}", x
-        ahead = f.topo.beyond(path.ways[-1].section, path.ways[-1].exit)
-        exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
+def past_identifier(f: Facts, signal: SignalId, first: SignalPath, here: Expr) -> Iterator[tuple[str, str, Expr]]:
+    """What a signal shows to a train that passes the next ones at identifier light counts for the ways beyond, too."""
+    for run in runs_past(f, first):
+        lit, last = f.system.after(run.lit(f)), run.parts[-1]
+        for what, x in at_speed(f, signal, last, conj((here, lit))):
+            yield "S-SPEED", f"{run.called}{what}", x
+        exit_ = exit_of(f, last)
         if exit_ is not None:
-            lying = after(conj((f.sym.aspects.identifies(passed), lie(f, (*first.ways, *path.ways)))))
-            for id_, what, x in entry(f, signal, path, exit_, f.track.overlap_paths(exit_)):
-                yield id_, f" past {passed}:{k}{what}", implies(lying, x)
+            for id_, what, x in entry(f, signal, last, exit_, f.track.overlap_paths(exit_)):
+                yield id_, f"{run.called}{what}", implies(lit, x)
 
 
 def entry(
@@ -73,9 +68,9 @@ def clear_aspect(f: Facts, g: SignalId) -> Expr:
     return f.system.after(var(f.sym.aspects.clear[g])) if g in f.sym.aspects.clear else FALSE
 
 
-def allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None, past: bool = False) -> Expr:
+def allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None, passed: frozenset[SignalId] = frozenset()) -> Expr:
     """Whether a path may be shown as clear: the line beyond is checked, or the next main signal will be open (R11); one
-    that shows its identifier light is not the next (`past`: the path begins at such a one)."""
+    that shows its identifier light is not the next (`passed`: those of them before the path)."""
     kmh = path_speed(f.layout, path.ways)
     if kmh is not None and kmh < f.layout.principles.slow_below_kmh:
         return FALSE
@@ -85,22 +80,16 @@ def allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None, past: bool 
     turned = any(x is Position.REVERSE for t in path.ways for _, x in t.points)
     if exit_ is None or (turned and f.layout.principles.caution is Caution.TURNOUT):
         return FALSE
-    return (
-        f.system.after(shows_open(f, exit_))
-        if past
-        else disj((f.system.after(shows_open(f, exit_)), *_clear_past(f, exit_)))
-    )
+    return disj((f.system.after(shows_open(f, exit_)), *_clear_past(f, exit_, passed)))
 
 
-def _clear_past(f: Facts, passed: SignalId) -> Iterator[Expr]:
+def _clear_past(f: Facts, signal: SignalId, passed: frozenset[SignalId]) -> Iterator[Expr]:
     """The signal shows its identifier light, and the way beyond, as the points lie, may be shown as clear."""
-    if passed not in f.sym.aspects.identifier:
+    if signal not in f.sym.aspects.identifier or signal not in f.layout.identifiers or signal in passed:
         return
-    for path in signal_paths(f, passed):
-        ahead = f.topo.beyond(path.ways[-1].section, path.ways[-1].exit)
-        exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
-        lit = f.system.after(conj((f.sym.aspects.identifies(passed), lie(f, path.ways))))
-        yield conj((lit, allows_clear(f, path, exit_, past=True)))
+    for path in signal_paths(f, signal):
+        lit = f.system.after(conj((f.sym.aspects.identifies(signal), lie(f, path.ways))))
+        yield conj((lit, allows_clear(f, path, exit_of(f, path), passed | {signal})))
 
 
 def distants(f: Facts) -> Iterator[tuple[str, str, Expr]]:

@@ -107,7 +107,7 @@ def _given_up(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                 )
             )
             for r in f.sym.routes.of_signal.get(g, ())
-            for x in (f.sym.routes.number[n] for n in r.path.parts_of)
+            for x in f.sym.routes.set_with(r)
         )
         yield "L-REASON", f"{g} cancelled", implies(asked, disj((var(f.sym.cancellation.cancel[g]), *withdrawn)))
         yield "L-APPROACH", g, implies(given_up, disj((nobody, stands)))
