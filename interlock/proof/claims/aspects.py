@@ -10,7 +10,7 @@ from interlock.model.overlap import entry_speed
 from interlock.model.principles import Caution
 from interlock.model.traversal import Traversal, path_speed
 from interlock.proof.claims.kinds import Facts
-from interlock.proof.claims.paths import SignalPath, exit_of, lie, runs_past, signal_paths
+from interlock.proof.claims.paths import SignalPath, exit_of, lie, runs_past
 
 
 def at_speed(f: Facts, signal: SignalId, path: SignalPath, here: Expr) -> Iterator[tuple[str, Expr]]:
@@ -68,28 +68,33 @@ def clear_aspect(f: Facts, g: SignalId) -> Expr:
     return f.system.after(var(f.sym.aspects.clear[g])) if g in f.sym.aspects.clear else FALSE
 
 
-def allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None, passed: frozenset[SignalId] = frozenset()) -> Expr:
-    """Whether a path may be shown as clear: the line beyond is checked, or the next main signal will be open (R11); one
-    that shows its identifier light is not the next (`passed`: those of them before the path)."""
-    kmh = path_speed(f.layout, path.ways)
-    if kmh is not None and kmh < f.layout.principles.slow_below_kmh:
-        return FALSE
+def allows_clear(f: Facts, path: SignalPath) -> Expr:
+    """Whether a path may be shown as clear: the line beyond is checked, or the next main signal will be open (R11);
+    where signals show their identifier lights, the one after them is the next, and all before it must allow it."""
+    runs = (run for run in runs_past(f, path) if all(_awaits(f, p) for p in run.parts[:-1]))
+    past = (conj((f.system.after(run.lit(f)), _ends_clear(f, run.parts[-1]))) for run in runs)
+    return disj((_ends_clear(f, path), *past))
+
+
+def _ends_clear(f: Facts, path: SignalPath) -> Expr:
+    """The line beyond a path is checked, or the next main signal will be open."""
     boundary = f.layout.boundary_at.get(path.ways[-1].exit)
     if boundary is not None and boundary.checked:
-        return TRUE
+        return FALSE if _slow(f, path) else TRUE
+    exit_ = exit_of(f, path)
+    return f.system.after(shows_open(f, exit_)) if exit_ is not None and _awaits(f, path) else FALSE
+
+
+def _awaits(f: Facts, path: SignalPath) -> bool:
+    """Clear may be shown over a path to a main signal, if that is open."""
     turned = any(x is Position.REVERSE for t in path.ways for _, x in t.points)
-    if exit_ is None or (turned and f.layout.principles.caution is Caution.TURNOUT):
-        return FALSE
-    return disj((f.system.after(shows_open(f, exit_)), *_clear_past(f, exit_, passed)))
+    last = exit_of(f, path) is not None and path.ways[-1].exit not in f.layout.boundary_at
+    return last and not _slow(f, path) and not (turned and f.layout.principles.caution is Caution.TURNOUT)
 
 
-def _clear_past(f: Facts, signal: SignalId, passed: frozenset[SignalId]) -> Iterator[Expr]:
-    """The signal shows its identifier light, and the way beyond, as the points lie, may be shown as clear."""
-    if signal not in f.sym.aspects.identifier or signal not in f.layout.identifiers or signal in passed:
-        return
-    for path in signal_paths(f, signal):
-        lit = f.system.after(conj((f.sym.aspects.identifies(signal), lie(f, path.ways))))
-        yield conj((lit, allows_clear(f, path, exit_of(f, path), passed | {signal})))
+def _slow(f: Facts, path: SignalPath) -> bool:
+    kmh = path_speed(f.layout, path.ways)
+    return kmh is not None and kmh < f.layout.principles.slow_below_kmh
 
 
 def distants(f: Facts) -> Iterator[tuple[str, str, Expr]]:

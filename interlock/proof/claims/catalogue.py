@@ -289,7 +289,7 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
         yield from entry(f, signal, path, exit_, over)
     if not shunt and f.layout.principles.caution is not Caution.NEVER:
         clear = conj((clear_aspect(f, signal), after(lie(f, path.ways))))
-        yield "S-ASPECT", "", implies(clear, allows_clear(f, path, exit_))
+        yield "S-ASPECT", "", implies(clear, allows_clear(f, path))
     if not shunt:
         yield from past_identifier(f, signal, path, here)
     secured = [

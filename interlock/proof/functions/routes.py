@@ -11,7 +11,7 @@ from interlock.model.elements import Position, SectionId, SignalId
 from interlock.model.overlap import route_speed
 from interlock.model.principles import Closes
 from interlock.proof.claims.aspects import allows_clear
-from interlock.proof.claims.paths import SignalPath, exit_of
+from interlock.proof.claims.paths import SignalPath
 from interlock.proof.functions.words import Way, Words
 
 
@@ -142,12 +142,11 @@ def _passing(w: Words, r: RouteSymbols, name: Name) -> Expr:
 def _may_show_clear(w: Words, r: RouteSymbols) -> Expr:
     """The path allows clear, and its lamp is intact (R11)."""
     path = SignalPath(r.entry, False, tuple(w.ways.way(s, n) for s, n in r.path.ways), None)
-    exit_ = exit_of(w.f, path)
     lamp = [var(w.sym.lamp_proof.clear[r.entry])] if r.entry in w.sym.lamp_proof.clear else []
     speed = _speed(w, r)
     if speed is not None and speed < w.layout.principles.slow_below_kmh:
         return FALSE
-    return conj((allows_clear(w.f, path, exit_), *lamp))
+    return conj((allows_clear(w.f, path), *lamp))
 
 
 def _speed(w: Words, r: RouteSymbols) -> int | None:
