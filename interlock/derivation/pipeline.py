@@ -1,7 +1,7 @@
 """The derivation as a visible order of steps.
 
 Input: a `Layout`.  Output: an `InterlockingTable`; diagnostics
-IL4001-IL4005, IL4010-IL4012, IL4016, IL4017, IL2007, IL2008, IL2019, IL2024, IL3012; warning IL7011.
+IL4001-IL4005, IL4010-IL4012, IL4016-IL4018, IL2007, IL2008, IL2019, IL2024, IL3012; warning IL7011.
 """
 
 from __future__ import annotations
@@ -27,6 +27,7 @@ from interlock.derivation.locks import derive_locks, route_demands
 from interlock.derivation.named import derive_automatic, derive_names
 from interlock.derivation.own_train import check_own_train
 from interlock.derivation.practice import check_practice
+from interlock.derivation.reached import check_reached
 from interlock.derivation.routes import Path, find_routes
 from interlock.derivation.voyages import derive_voyages
 from interlock.diag import Element, Sink
@@ -119,7 +120,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
         )
         for p in paths
     )
-    _never_set(layout, rows, by_key, sink)
+    _never_set(layout, paths, rows, by_key, sink)
     voyages, automatic = derive_voyages(layout, rows, by_key, sink), derive_automatic(layout, paths, sink)
     check_practice(layout, paths, by_key, sink)
     beside.report(sink)
@@ -208,9 +209,14 @@ def _end(layout: Layout, p: Path) -> str:
 
 
 def _never_set(
-    layout: Layout, rows: Sequence[RouteRow], locks: Mapping[TraversalKey, TraversalRow], sink: Sink
+    layout: Layout,
+    paths: Sequence[Path],
+    rows: Sequence[RouteRow],
+    locks: Mapping[TraversalKey, TraversalRow],
+    sink: Sink,
 ) -> None:
-    """Routes that something of their own keeps from being set: a joint, or their train."""
+    """Routes that something of their own keeps from being set, a joint or their train, and those without a train."""
+    check_reached(layout, paths, sink)
     _foul_themselves(rows, sink)
     check_own_train(layout, rows, locks, sink)
 

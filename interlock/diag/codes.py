@@ -104,6 +104,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL4015": (_E, "a route past a signal that is hostile to itself"),
     "IL4016": (_E, "a route that its own train keeps from being set"),
     "IL4017": (_W, "vehicles that only the end of their track keeps from points"),
+    "IL4018": (_E, "a route to whose signal no train can come"),
     "IL4012": (_I, "an addition that adds nothing"),
     "IL4010": (_I, "a flank with substitute protection"),
     "IL4009": (_W, "an overlap that was to swing and cannot"),
