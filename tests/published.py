@@ -94,7 +94,7 @@ class Station:
 
     def way(self, r: RouteRow) -> tuple[object, ...]:
         """What the routes of a row have in common that differ in their overlaps."""
-        return r.kind, r.entry, r.traversals, () if r.onward is None else self.table.route[r.onward].traversals
+        return r.kind, r.entry, *(p.traversals for p in self.table.parts(r))
 
     @cached_property
     def reading(self) -> Reading:
@@ -104,7 +104,7 @@ class Station:
     def overlaps(self, name: str) -> set[str]:
         """The overlaps of a row, each as its sections and its points: `q4+q5:P2+P3R`."""
         those = [r for r in self.table.routes if self.way(r) == self.way(self.derived[name])]
-        last = [r if r.onward is None else self.table.route[r.onward] for r in those]
+        last = [self.table.parts(r)[-1] for r in those]
         return {_overlap(r) for r in last if r.overlap is not None}
 
     @cached_property

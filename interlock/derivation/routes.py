@@ -260,7 +260,8 @@ def _overlap_along(layout: Layout, signal: str, ways: Ways) -> tuple[int, Ways] 
 
 
 def _excludes(x: Exclude, path: _Found) -> bool:
-    ends, sections = {path.end, path.run[-1].section}, {t.section for t in path.run}
+    last, sections = path.run[-1], {t.section for t in path.run}
+    ends = {path.end, last.section, last.exit}  # before a boundary a shunting movement ends in the last section
     return x.fits(path.signal.id, ends, sections, path.kind is RouteKind.SHUNT)
 
 
