@@ -148,6 +148,23 @@ def test_faults_are_alarms_until_they_are_gone_and_seen(at_work: tuple[Desk, Any
         assert [e["who"] for e in b.events if e["kind"] == "acknowledged"] in (["Cleo"], ["Cleo", "Cleo"])
 
 
+def test_points_that_nobody_has_commanded_are_supervised_too(ready: Ready) -> None:
+    """After a restart nothing is commanded, and the controller supervises what it commands: what loses its detection then
+    would be told of when a route is refused over it."""
+    with panel(ready) as (_, browser), browser() as b:
+        b.ask("speed", times=10)
+        b.until(lambda: b.rest["sys"]["valid"])
+        assert b.state["m:P4"][:2] == ["N", ""]  # never commanded
+        b.ask("fail", kind="machine", name="P4", on=True)
+        b.until(lambda: b.state["m:P4"][0] == "")
+        assert not b.state["m:P4"][3] and not b.rest["alarms"][1:]  # not before the supervision time, 13 s
+        b.until(lambda: b.state["m:P4"][3] and b.rest["alarms"][1:])
+        assert b.rest["alarms"][1][1:3] == ["P4 is not detected, and was not commanded", ["m:P4"]]
+        b.ask("fail", kind="machine", name="P4", on=False)
+        b.until(lambda: b.state["m:P4"][0] == "N" and not b.rest["alarms"][1][4])
+        assert not b.state["m:P4"][3]
+
+
 def test_trains_are_put_driven_turned_and_divided(at_work: tuple[Desk, Any]) -> None:
     _, browser = at_work
     with browser() as b:
