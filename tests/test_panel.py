@@ -149,8 +149,8 @@ def test_faults_are_alarms_until_they_are_gone_and_seen(at_work: tuple[Desk, Any
 
 
 def test_points_that_nobody_has_commanded_are_supervised_too(ready: Ready) -> None:
-    """After a restart nothing is commanded, and the controller supervises what it commands: what loses its detection then
-    would be told of when a route is refused over it."""
+    """After a restart nothing is commanded, and the controller supervises what it commands: what loses its detection
+    then would be told of only when a route over it is refused."""
     with panel(ready) as (_, browser), browser() as b:
         b.ask("speed", times=10)
         b.until(lambda: b.rest["sys"]["valid"])

@@ -248,8 +248,8 @@ def test_on_small_screens_nothing_lies_over_anything_or_is_cut(chromium: Any, se
         assert boxes[0]["height"] > 200
         for above, below in pairwise(boxes):
             assert above["bottom"] <= below["top"] + 1
-        width, y = "Number(document.querySelector('#plan svg').getAttribute('viewBox').split(' ')[2])", boxes[0]["y"] + 80
-        before, touch = page.evaluate(width), page.context.new_cdp_session(page)
+        width = "Number(document.querySelector('#plan svg').getAttribute('viewBox').split(' ')[2])"
+        before, touch, y = page.evaluate(width), page.context.new_cdp_session(page), boxes[0]["y"] + 80
         for kind, apart in (("Start", 20), ("Move", 40), ("Move", 80), ("End", None)):  # two fingers look closer
             points = [] if apart is None else [{"x": 195 - apart, "y": y, "id": 0}, {"x": 195 + apart, "y": y, "id": 1}]
             touch.send("Input.dispatchTouchEvent", {"type": f"touch{kind}", "touchPoints": points})

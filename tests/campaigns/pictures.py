@@ -1,5 +1,5 @@
-"""Pictures of the panel's page in Debian's Chromium: the steps after a restart, the ends of a route, a refused one, a fault
-(on a phone, too), the connection lost.
+"""Pictures of the panel's page in Debian's Chromium: the steps after a restart, the ends of a route, a refused one,
+a fault (on a phone, too), the connection lost.
 
 python -m tests.campaigns.pictures [-o interlock/docs/panel]
 """
@@ -27,7 +27,7 @@ def taken(page: Any, given: Path, name: str) -> None:
 
 
 def fault(page: Any) -> None:
-    """The train stands before its signal; points that nobody has commanded lose their detection, and a reminder says so."""
+    """The train stands before its signal; points that nobody has commanded lose their detection, with a reminder."""
     page.wait_for_selector("#section-s6 .track.occupied", state="attached")
     click(page, "#point-P4 .reach")
     press(page, "Fail: detection lost")

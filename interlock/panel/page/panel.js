@@ -102,7 +102,7 @@ const choice = new Rows($("acts"), v => {
   if (v.lines) return element("div", "");
   if (v.input) return input(v.input, v.label);
   const b = button("", () => b.does());
-  b.classList.toggle("wide", v.label.length > 20);
+  b.classList.toggle("wide", v.fault || v.label.length > 20);
   return b;
 }, (row, v) => {
   if (v.lines) { row.className = "lines"; row.replaceChildren(...v.lines.map(l => element("p", l))); return; }
