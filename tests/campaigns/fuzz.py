@@ -3,7 +3,8 @@
     python -m tests.campaigns.fuzz --count 100000 -j 2
 
 Every mutated layout must end in a table or in diagnostics: no exception, nothing over 2 s of the processor (a machine
-that stands still for as long is no fault of ours), and no PLC text from a layout with an error.  The last line is the result; the exit code is 1 when anything went wrong.
+that stands still for as long is no fault of ours), and no PLC text from a layout with an error.  The last line is the
+result; the exit code is 1 when anything went wrong.
 """
 
 from __future__ import annotations
