@@ -5,7 +5,9 @@ from __future__ import annotations
 import errno
 import json
 import os
+import signal
 import socket
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 from random import Random
@@ -24,7 +26,7 @@ from interlock.panel.clock import MOST_S, Clock
 from interlock.panel.desk import Desk, Person
 from interlock.panel.journal import page, trace
 from interlock.panel.recorder import Recorder
-from interlock.panel.server import FILES, Access, application
+from interlock.panel.server import FILES, Access, application, listening, serve
 from interlock.panel.simulated import SimulatedField
 from interlock.record.log import read_file
 from tests.layouts import SHIPPED
@@ -365,6 +367,16 @@ def test_a_port_in_use_and_a_missing_extra_are_messages(monkeypatch: pytest.Monk
     monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
     done = CliRunner().invoke(cli, args)
     assert done.exit_code == 2 and "interlock[panel]" in done.output
+
+
+def test_who_interrupts_twice_is_told_no_traceback_and_all_is_restrictive(
+    ready: Ready, capfd: pytest.CaptureFixture[str]
+) -> None:
+    desk, both = Desk(ready), [signal.SIGINT, signal.SIGINT]
+    threading.Timer(0.5, lambda: [os.kill(os.getpid(), s) for s in both]).start()
+    serve(desk, Access(), listening("127.0.0.1", 0))
+    assert not desk._thread.is_alive() and desk.broken == ""
+    assert capfd.readouterr().err == ""
 
 
 def test_tokens_are_made_where_others_can_reach_the_panel() -> None:
