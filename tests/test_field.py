@@ -426,6 +426,7 @@ def test_the_command_runs_proves_and_stops(ready: Ready) -> None:
         typed = "\n" * 30 + "release\nset X7-X1\nrubbish\n"  # a line a cycle
         done = CliRunner().invoke(cli, [*args, "--cycles", "50", "--cycle", "40"], input=typed)
         assert done.exit_code == 0, done.output
+        assert ready.proved.seconds > 0.0  # it says how long that took, as `prove` does
         assert "PROVED" in done.output and "inputs valid" in done.output and "YP_X7 = 1" in done.output
         assert "write set ROUTE" in done.output and "the longest cycle took" in done.output
         locks = hold([f"127.0.0.1:{east.port}/1"])  # the run has ended, and holds nothing
