@@ -22,6 +22,7 @@ from starlette.websockets import WebSocketDisconnect
 from interlock.app.run import Ready, run
 from interlock.cli.main import cli
 from interlock.cli.panel import opened
+from interlock.field.alone import InUse
 from interlock.panel.clock import MOST_S, Clock
 from interlock.panel.desk import Desk, Person
 from interlock.panel.journal import page, trace
@@ -434,6 +435,21 @@ def test_a_shift_is_recorded_printed_and_played(ready: Ready, tmp_path: Path, mo
     assert done.exit_code == 1 and "something was changed" in done.output
     with pytest.raises(ValueError, match="something was changed"):
         Recorder(path, ready)
+
+
+def test_two_panels_do_not_write_one_record(ready: Ready, tmp_path: Path) -> None:
+    """Their events would be between each other's, and the digests of neither would hold."""
+    path = tmp_path / "one.log"
+    path.touch()  # it may be there, and empty
+    recorder = Recorder(path, ready)
+    with pytest.raises(InUse, match="two may not write the same record"):
+        Recorder(path, ready)
+    more = ["--panel", "--port", "0", "--record", str(path)]
+    done = CliRunner().invoke(cli, ["run", ready.proved.checked.path, *more])
+    assert done.exit_code == 2 and "two may not write the same record" in done.output, done.output
+    recorder.close()
+    Recorder(path, ready).close()
+    assert read_file(path).ended
 
 
 def test_where_nothing_can_be_written_the_panel_works_on_and_nothing_is_lost(
