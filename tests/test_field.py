@@ -438,6 +438,9 @@ def test_the_command_runs_proves_and_stops(ready: Ready) -> None:
             lock.close()
         wrong = CliRunner().invoke(cli, ["run", path, "--modbus", "north=127.0.0.1:1"])
         assert wrong.exit_code == 2 and "substations: west, east" in wrong.output
+        for more, told in (("--record x.log", "--record goes with --panel"), ("--port 0", "--port goes with --panel")):
+            no = CliRunner().invoke(cli, [*args, *more.split()])
+            assert no.exit_code == 2 and told in no.output, no.output
         missing = CliRunner().invoke(cli, [*args[:4]])
         assert missing.exit_code == 2 and "missing for east" in missing.output
     finally:

@@ -357,6 +357,11 @@ def test_a_computer_that_is_busy_slows_the_railway_down_and_no_cycle_is_too_long
     assert desk.field is not None and desk.field.world.scan_s == desk.clock.most_s
 
 
+def test_what_only_a_run_without_panel_has_is_refused(ready: Ready) -> None:
+    done = CliRunner().invoke(cli, ["run", ready.proved.checked.path, "--panel", "--port", "0", "--cycles", "3"])
+    assert done.exit_code == 2 and "--cycles goes without --panel" in done.output
+
+
 def test_a_port_in_use_and_a_missing_extra_are_messages(monkeypatch: pytest.MonkeyPatch) -> None:
     with socket.socket() as s:
         s.bind(("127.0.0.1", 0))
