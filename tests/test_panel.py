@@ -151,6 +151,24 @@ def test_faults_are_alarms_until_they_are_gone_and_seen(at_work: tuple[Desk, Any
         assert [e["who"] for e in b.events if e["kind"] == "acknowledged"] in (["Cleo"], ["Cleo", "Cleo"])
 
 
+def test_a_signal_that_closes_says_what_has_closed_it(at_work: tuple[Desk, Any]) -> None:
+    """Not that a delay runs: what it waits for is what has just ended it."""
+    _, browser = at_work
+    with browser() as b:
+        b.ask("set", route="XI9-XC5")
+        b.until(lambda: b.state["g:XI9"][0] == "clear")
+        b.events.clear()
+        b.ask("fail", kind="section", name="s11_xc5", on=True)
+        b.until(lambda: kinds(b.events, "alarm"))
+        closed = next(e for e in b.events if e["kind"] == "alarm")
+        b.ask("fail", kind="section", name="s11_xc5", on=False)
+        b.ask("cancel", signal="XI9")
+        b.until(lambda: b.state["s:s11_xc5"][0] == 0 and not b.state["s:s9"][1])
+        b.ask("acknowledge")
+        assert closed["text"] == "signal XI9 has returned to stop"
+        assert closed["reasons"] == [["section s11_xc5 is occupied", ["s:s11_xc5"]]]
+
+
 def test_points_that_nobody_has_commanded_are_supervised_too(ready: Ready) -> None:
     """After a restart nothing is commanded, and the controller supervises what it commands: what loses its detection
     then would be told of only when a route over it is refused."""
