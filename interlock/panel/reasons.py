@@ -218,7 +218,7 @@ class _Look:
             yield from self.why(self.r._steps[step.input].expr, True)  # type: ignore[union-attr]
             return
         left = max(0, step.preset_ms - (self.moment.before.elapsed.get(step.name) or 0)) / 1000
-        yield Reason(f"{step.note.split(' (')[0]}: {left:.0f} s to go")
+        yield Reason(f"{step.note.split(' (')[0]}: {left:.0f} s to go", about(step.name))
 
     def _leaf(self, name: str, is_true: bool) -> Iterator[Reason]:
         if is_true and name in self.r.locks:
