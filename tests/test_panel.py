@@ -448,6 +448,8 @@ def test_a_shift_is_recorded_printed_and_played(ready: Ready, tmp_path: Path, mo
     for more, file in (([], "shift.html"), (["--journal", "-o", str(tmp_path / "page.html")], "page.html")):
         done = CliRunner().invoke(cli, ["play", str(path), *more])
         assert done.exit_code == 0 and (tmp_path / file).stat().st_size > 1000, done.output
+    played = (tmp_path / "shift.html").read_text("utf-8")
+    assert "reported occupied" in played and "a train</span>" not in played, "what is reported is no train yet"
     for more in (["--from", "tea"], ["--from", "2001-01-01", "--to", "2001-01-02"]):
         assert CliRunner().invoke(cli, ["play", str(path), *more, "-o", str(tmp_path / "x.html")]).exit_code == 1
     shift(ready, path)  # the same file: the count of releases goes on

@@ -39,6 +39,7 @@ def player_html(itf: str) -> str:
             title=str(meta.get("title", "Trace")),
             claim=str(meta.get("claim", "")),
             sentence=str(meta.get("sentence", "")),
+            occupied=str(meta.get("occupied", "a train")),
             plan=plan,
             steps=texts,
             css=Markup(asset("player.css")),
@@ -46,6 +47,7 @@ def player_html(itf: str) -> str:
             data=script_json(
                 {
                     "texts": texts,
+                    "trains": "occupied" not in meta,
                     "shown": list(range(len(states))),
                     "states": [[n for n in names if n in used] for names in shown],
                     "views": used,
