@@ -257,6 +257,14 @@ def test_on_small_screens_nothing_lies_over_anything_or_is_cut(chromium: Any, se
         assert page.evaluate(width) < before / 2
         press(page, "fit")
         assert page.evaluate(width) == before
+        page.evaluate("""() => { const svg = document.querySelector("#plan svg"), r = svg.getBoundingClientRect();
+            const at = (kind, x) => svg.dispatchEvent(new PointerEvent(kind, {pointerId: 1, isPrimary: true, buttons: 1,
+                bubbles: true, pointerType: "mouse", clientX: r.x + x, clientY: r.y + 20}));
+            at("pointerdown", 50); at("pointermove", 90); at("pointerdown", 60); }""")  # let go outside the window
+        press(page, "fit")
+        click(page, "#signal-XB .reach")
+        is_(page, "#signal-XB", "chosen")
+        page.keyboard.press("Escape")
         page.set_viewport_size({"width": 1280, "height": 760})
         tops = "[...document.querySelectorAll('header > :not([hidden])')].map(e => e.getBoundingClientRect().bottom)"
         assert max(page.evaluate(tops)) < 40, "the head is one line"

@@ -62,7 +62,7 @@ export class Plan {
     svg.addEventListener("wheel", e => { e.preventDefault(); this.zoom(e.deltaY < 0 ? 0.8 : 1.25, this.at(e)); }, {passive: false});
     this.fingers = new Map();
     svg.addEventListener("pointerdown", e => {
-      if (!this.fingers.size) this.moved = false;
+      if (e.isPrimary) { this.fingers.clear(); this.moved = false; } // it may have been let go outside the window
       this.fingers.set(e.pointerId, [e.clientX, e.clientY]);
       this.drag = [e.clientX, e.clientY, ...this.box];
     });
