@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import sys
 from pathlib import Path
 
@@ -49,5 +50,5 @@ def command(tracks: int | None, stations: int | None, output: str, force: bool, 
     if form == "json":
         put_json({"ok": True, "file": output, "lines": lines})
     else:
-        click.echo(f"{output}: {lines} lines; next: interlock check {output}")
+        click.echo(f"{output}: {lines} lines; next: interlock check {shlex.quote(output)}")
     sys.exit(OK)
