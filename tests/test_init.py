@@ -46,5 +46,5 @@ def test_the_command_writes_a_file_once(tmp_path: Path) -> None:
 
 
 def test_the_next_command_can_be_copied(tmp_path: Path) -> None:
-    done = CliRunner().invoke(cli, ["init", "-o", str(tmp_path / "my station.yaml")])
+    done = CliRunner().invoke(command, ["-o", str(tmp_path / "my station.yaml")])
     assert f"next: interlock check '{tmp_path / 'my station.yaml'}'" in done.output
