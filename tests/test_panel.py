@@ -579,6 +579,21 @@ def test_a_command_with_a_locomotive_number_is_carried_out_route_by_route(at_wor
         b.until(lambda: any("train 14: it is lost: s4_xc1 became clear" in a[1] for a in b.rest["alarms"]))
 
 
+def test_a_train_that_stands_before_the_signal_gets_the_number_of_the_command(ready: Ready) -> None:
+    """It was the train from nowhere, and the next one that came in would have borne its number."""
+    with panel(ready) as (_, browser), browser(name="Gus") as b:
+        b.ask("speed", times=10)
+        b.released()
+        b.ask("bring", boundary="W", train="x", metres=30)
+        b.until(lambda: b.state["s:s1_wait"][0] == 1)
+        assert b.ask("voyage", name="12:W>s4_xc1")["ok"]
+        b.until(lambda: b.state["s:s4_xc1"][0] == 1 and not b.rest["sys"]["voyages"])
+        b.until(lambda: b.rest["sys"]["numbers"] == [["12", ["s4_xc1"]]])
+        assert not [a for a in b.rest["alarms"] if a[0].startswith("train")]
+        b.ask("bring", boundary="W", train="y", metres=30)
+        b.until(lambda: any("no number in s1_wait" in a[1] for a in b.rest["alarms"]))
+
+
 @pytest.mark.parametrize("metres", [0.2, 0.6, 0.9, 1.2])
 def test_a_train_starts_however_far_it_stands_from_where_it_meant_to_stand(metres: float) -> None:
     """Between half a metre and one metre before that place it stood for ever, though its signal was open."""
