@@ -19,7 +19,7 @@ from interlock.field.plc import Cycle, Link
 from interlock.field.polling import Beside, InTurn
 from interlock.panel.alarms import Alarm
 from interlock.panel.browsers import Browsers
-from interlock.panel.causes import causes, fallen_back
+from interlock.panel.causes import Idle, causes, fallen_back
 from interlock.panel.clock import MOST_S, SPEEDS, Clock
 from interlock.panel.commands import Refused
 from interlock.panel.event import Event, stamp
@@ -64,6 +64,7 @@ class Desk:
         self.links: Mapping[str, Link] = self.field.links if self.field is not None else links or {}
         self.picture = Picture(ready)
         self.operating = Operating(ready, self.picture.dark(), 0 if recorder is None else recorder.releases, self._note)
+        self._idle = Idle(ready)
         self.power = True
         self.longest_s = 0.0
         self._queue: queue.SimpleQueue[tuple[Person, dict[str, Any], Reply]] = queue.SimpleQueue()
@@ -118,7 +119,7 @@ class Desk:
     def _powered(self) -> None:
         now, sleep = (time.monotonic, time.sleep) if self.field is None else (self.clock.now, self.clock.sleep)
         self._last = Cycle({}, {}, False, ())
-        self._ran_ms = 0
+        self._ran_ms, self._idle = 0, Idle(self.ready)
         self._once("the controller starts: every section stays locked until it is released")
         poll = InTurn() if self.field is not None else Beside()
         with closing(run(self.ready, self.links, self._cycle_ms, None, self._inputs, now, sleep, poll)) as cycles:
@@ -161,8 +162,9 @@ class Desk:
         for text, at, reasons in fallen_back(self.ready, self.operating.reasons, before, cycle, moment):
             self._alarm(self.operating.alarms.once(text, at, stamp()), reasons)
         self._ran_ms += self._dt_ms
+        self._idle.after(cycle, self._dt_ms)
         if self._ran_ms > SETTLES_MS:
-            found = causes(self.ready, cycle)
+            found = causes(self.ready, cycle) | self._idle.causes
             found |= {f"train {n}": told for n, told in self.operating.operator.numbers.alarms.items()}
             if self._recorder is not None and self._recorder.lost:
                 found["record"] = (self._recorder.lost, ())
@@ -176,7 +178,7 @@ class Desk:
         if self._recorder is not None:
             self._recorder.cycle(cycle)
         self.publish(cycle)
-        self.browsers.tell(self.picture.of(cycle), lambda: self._rest(cycle))
+        self.browsers.tell(self.picture.of(cycle, self._idle.causes), lambda: self._rest(cycle))
         self.longest_s = max(self.longest_s, time.monotonic() - self._began)
 
     # --- telling -----------------------------------------------------------------------------------
