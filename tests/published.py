@@ -37,6 +37,7 @@ STATIONS = (
     "phausen",
     "edgware",
     "czbs",
+    "munkerod",
 )
 COLUMNS = ("route", "ends", "past", "decides", "points", "overlap", "clear", "locked", "hostile", "delay")
 ROLES = {Role.PATH: "", Role.DEVICE: "", Role.FLANK: " (flank)", Role.ADDED: " (added)", Role.OVERLAP: " (overlap)"}
