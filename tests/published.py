@@ -38,6 +38,7 @@ STATIONS = (
     "edgware",
     "czbs",
     "munkerod",
+    "swtbahnfull",
 )
 COLUMNS = ("route", "ends", "past", "decides", "points", "overlap", "clear", "locked", "hostile", "delay")
 ROLES = {Role.PATH: "", Role.DEVICE: "", Role.FLANK: " (flank)", Role.ADDED: " (added)", Role.OVERLAP: " (overlap)"}
