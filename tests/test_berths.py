@@ -80,7 +80,9 @@ def test_shunting_movements_end_before_a_boundary_in_clear_track(trains: str) ->
 @pytest.mark.parametrize("approach", ["", ", approach: ea 600"])
 def test_vehicles_come_in_over_a_boundary_at_a_shunt_signal(approach: str) -> None:
     """Trains leave there; no train comes in.  Outside nothing is locked that its use could be asked of (R9)."""
-    text = TURN.replace("TRAINS", f"both{approach}").replace("  D: {from: line, into: t1, ", "  D: {from: E, into: line, ")
+    text = TURN.replace("TRAINS", f"both{approach}").replace(
+        "  D: {from: line, into: t1, ", "  D: {from: E, into: line, "
+    )
     text = text.replace("sections:\n  line: {berth: no}\n", "")
     made = grown(text)
     assert made is not None

@@ -149,7 +149,9 @@ def test_routes_from_both_ends_into_one_track_are_told_once() -> None:
     (sheet,) = national_sheets(made[0], made[1])
     cells = {(r[5], r[1]): (r[9], r[11], r[12]) for r in sheet.rows}
     assert cells["X", "至3股道"] == ("D1、S3", "3G", "3G") and cells["S", "至3股道"] == ("D2、X3", "3G", "3G")
-    assert cells["D1", "至3股道"] == ("S3、X", "3G", "3G"), "two shunting movements into one track exclude each other (R2)"
+    assert cells["D1", "至3股道"] == ("S3、X", "3G", "3G"), (
+        "two shunting movements into one track exclude each other (R2)"
+    )
     assert cells["S3", "由3股道"] == ("D1、S3D、X", "", "")
 
 
