@@ -6,8 +6,9 @@ from interlock.frontend.context import Context
 from interlock.model.elements import BoundaryKind
 from interlock.model.layout import Layout
 
-
-SHUNTED = "; shunting movements keep to it, too: where only they run the other way, leave it out, and `exclude` the train routes"
+SHUNTED = (
+    "; shunting movements keep to it, too: where they alone run the other way, leave it out and `exclude` train routes"
+)
 """A double line through a station, on whose tracks dwarf signals stand both ways."""
 
 
