@@ -287,3 +287,10 @@ def test_a_delay_that_is_too_short_is_told_where_principles_stand(tmp_path: Path
     """Written beside them, and not as a second `principles`, which would be a duplicate key."""
     (one,) = (d for d in checked(tmp_path, PASSED.replace("l1 200", "l1 9000")).diagnostics if d.code == "IL3023")
     assert one.span is not None and one.span.line == 3 and "under `principles`" in str(one.fix)
+
+
+def test_a_dwarf_signal_against_the_trains_is_told_the_way_out(tmp_path: Path) -> None:
+    """Main tracks of a double line, in one direction for trains, in both for shunting."""
+    text = PASSED.replace("  Y1: {from: m1, into: p1}", "  Y1: {from: m1, into: p1, kind: shunt}")
+    (found,) = (d for d in checked(tmp_path, text + "sections: {m1: {one_way: forward}}\n").diagnostics)
+    assert found.code == "IL3019" and "`exclude` train routes" in str(found.fix)

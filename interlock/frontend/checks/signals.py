@@ -6,9 +6,7 @@ from interlock.frontend.context import Context
 from interlock.model.elements import BoundaryKind
 from interlock.model.layout import Layout
 
-SHUNTED = (
-    "; shunting movements keep to it, too: where they alone run the other way, leave it out and `exclude` train routes"
-)
+SHUNTED = "; shunting movements keep to it, too: where they run both ways, leave it out and `exclude` train routes"
 """A double line through a station, on whose tracks dwarf signals stand both ways."""
 
 
