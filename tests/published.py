@@ -39,6 +39,7 @@ STATIONS = (
     "czbs",
     "munkerod",
     "swtbahnfull",
+    "daidoji",
 )
 COLUMNS = ("route", "ends", "past", "decides", "points", "overlap", "clear", "locked", "hostile", "delay")
 ROLES = {Role.PATH: "", Role.DEVICE: "", Role.FLANK: " (flank)", Role.ADDED: " (added)", Role.OVERLAP: " (overlap)"}
