@@ -36,6 +36,10 @@ STATIONS = (
     "spurs",
     "phausen",
     "edgware",
+    "czbs",
+    "munkerod",
+    "swtbahnfull",
+    "daidoji",
 )
 COLUMNS = ("route", "ends", "past", "decides", "points", "overlap", "clear", "locked", "hostile", "delay")
 ROLES = {Role.PATH: "", Role.DEVICE: "", Role.FLANK: " (flank)", Role.ADDED: " (added)", Role.OVERLAP: " (overlap)"}

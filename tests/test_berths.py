@@ -15,6 +15,7 @@ from interlock.model.elements import RouteId
 from interlock.proof.engines.limits import Limits
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
+from interlock.proof.witnesses.routes import witnesses
 from interlock.verify import Rejected
 from tests.layouts import grown
 from tests.written import told
@@ -73,6 +74,24 @@ def test_shunting_movements_end_before_a_boundary_in_clear_track(trains: str) ->
     assert [c.section for c in route.sections] == ["t1", "line"] == list(route.section_ids) and route.berth is None
     assert {"M-line", "N-line.s"} <= {str(r.id) for r in table.routes}
     assert prove(System(layout, lower(layout, table)), limits=Limits(search_s=0)).proved
+    assert agree(*told(text), specification.shipped()).left == ()
+
+
+@pytest.mark.parametrize("approach", ["", ", approach: ea 600"])
+def test_vehicles_come_in_over_a_boundary_at_a_shunt_signal(approach: str) -> None:
+    """Trains leave there; no train comes in.  Outside nothing is locked that its use could be asked of (R9)."""
+    text = TURN.replace("TRAINS", f"both{approach}").replace(
+        "  D: {from: line, into: t1, ", "  D: {from: E, into: line, "
+    )
+    text = text.replace("sections:\n  line: {berth: no}\n", "")
+    made = grown(text)
+    assert made is not None
+    layout, table, _ = made
+    assert audit(layout, table) == ()
+    assert {"A-N", "D-B", "D-g1", "N-E"} == {str(r.id) for r in table.routes}
+    system = System(layout, lower(layout, table))
+    assert prove(system, limits=Limits(search_s=0)).proved
+    assert all(w.ok for w in witnesses(system))
     assert agree(*told(text), specification.shipped()).left == ()
 
 

@@ -481,3 +481,19 @@ def test_slips_with_files_are_told_with_the_way_out(tmp_path: Path) -> None:
     assert drawn.exit_code == 2 and "call it halt.svg" in drawn.output and not (tmp_path / "halt.pdf").exists()
     far = run("run", str(layout), "--modbus", "localhost:99999")
     assert far.exit_code == 2 and "between 1 and 65535" in far.output
+
+
+def test_a_signal_to_which_no_route_leads_is_told_as_that(tmp_path: Path) -> None:
+    """Nothing is unsafe: all claims are proved, and a route begins where no train comes."""
+    path = tmp_path / "far.yaml"
+    text = (
+        "interlock: 1\nname: far\nboundaries: {E: {approach: ea 600, trains: in}, W: {trains: out}, N: {trains: out}}\n"
+    )
+    text += (
+        "tracks: {a: [W, s2 90], b: [N, s6 90]}\npoints: {P: {section: s4, toe: E, normal: b.end, reverse: a.end}}\n"
+    )
+    text += "signals: {X: {from: E, into: s4, kind: board}, G: {from: s4, into: s2}}\n"
+    path.write_text(text, "utf-8")
+    done = run("prove", str(path))
+    assert done.exit_code == 1 and "CANNOT BE DRIVEN" in done.output and "NOT SAFE" not in done.output
+    assert "fix: no route leads to G: add a signal from which one does, or remove G" in done.output

@@ -122,6 +122,39 @@ def test_buttons_aspects_and_facing_routes() -> None:
     assert table["S5", "由5股道", ""][13] in ("BS", "")
 
 
+LOOP = """interlock: 1
+name: loop
+profile: cn
+boundaries: {W: {approach: a 1000}, E: {approach: b 1000}}
+tracks: {west: [W, WG 200], main: [IG 850], loop: [3G 850], east: [EG 200, E]}
+points:
+  1: {section: 1DG, toe: west.end, normal: main.start, reverse: loop.start}
+  2: {section: 2DG, toe: east.start, normal: main.end, reverse: loop.end}
+signals:
+  X: {from: W, into: WG}
+  S: {from: E, into: EG}
+  D1: {from: WG, into: 1DG, kind: shunt}
+  D2: {from: EG, into: 2DG, kind: shunt}
+  SI: {from: IG, into: 1DG, kind: combined}
+  S3: {from: 3G, into: 1DG, kind: combined}
+  XI: {from: IG, into: 2DG, kind: combined}
+  X3: {from: 3G, into: 2DG, kind: combined}
+"""
+
+
+def test_routes_from_both_ends_into_one_track_are_told_once() -> None:
+    """In the columns of facing routes, and not as hostile signals of the other throat, too."""
+    made = grown(LOOP)
+    assert made is not None
+    (sheet,) = national_sheets(made[0], made[1])
+    cells = {(r[5], r[1]): (r[9], r[11], r[12]) for r in sheet.rows}
+    assert cells["X", "至3股道"] == ("D1、S3", "3G", "3G") and cells["S", "至3股道"] == ("D2、X3", "3G", "3G")
+    assert cells["D1", "至3股道"] == ("S3、X", "3G", "3G"), (
+        "two shunting movements into one track exclude each other (R2)"
+    )
+    assert cells["S3", "由3股道"] == ("D1、S3D、X", "", "")
+
+
 @pytest.mark.parametrize("name", SHIPPED)
 def test_every_form_is_a_rectangle_and_names_every_route(name: str) -> None:
     layout, table, _ = built(name)

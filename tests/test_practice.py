@@ -259,3 +259,38 @@ def test_one_starting_signal_for_several_tracks_wants_a_shunt_signal_at_each(tmp
     system = System(whole.layout, lower(whole.layout, whole.table))
     assert prove(system, limits=Limits(search_s=0)).proved and all(w.ok for w in witnesses(system))
     assert not [p for p in availability(system, whole.table).pairs if p.failure is not None]
+
+
+PASSED = """interlock: 1
+name: passed
+principles: {line_speed_kmh: 40}
+boundaries: {W: {approach: a 600}}
+buffers: [B, B2, B3]
+tracks: {lead: [W, l1 200], one: [r1 200, B], mid: [m1 100], two: [r2 200, B2]}
+points:
+  1: {section: p1, toe: lead.end, normal: mid.start, reverse: two.start}
+  2: {section: p2, toe: mid.end, normal: one.start, reverse: B3}
+signals:
+  X: {from: W, into: l1}
+  Y1: {from: m1, into: p1}
+  Y2: {from: r2, into: p1}
+"""
+"""A short piece with a signal that leads back, into which no route leads, but over which two lead to buffers."""
+
+
+def test_a_place_that_trains_pass_and_where_none_stops_is_told_so(tmp_path: Path) -> None:
+    said = [d.message for d in checked(tmp_path, PASSED).diagnostics if d.code == "IL7004"]
+    assert "no train comes to stand in m1: no route, or chain of routes, from a boundary ends there" in said
+
+
+def test_a_delay_that_is_too_short_is_told_where_principles_stand(tmp_path: Path) -> None:
+    """Written beside them, and not as a second `principles`, which would be a duplicate key."""
+    (one,) = (d for d in checked(tmp_path, PASSED.replace("l1 200", "l1 9000")).diagnostics if d.code == "IL3023")
+    assert one.span is not None and one.span.line == 3 and "under `principles`" in str(one.fix)
+
+
+def test_a_dwarf_signal_against_the_trains_is_told_the_way_out(tmp_path: Path) -> None:
+    """Main tracks of a double line, in one direction for trains, in both for shunting."""
+    text = PASSED.replace("  Y1: {from: m1, into: p1}", "  Y1: {from: m1, into: p1, kind: shunt}")
+    (found,) = (d for d in checked(tmp_path, text + "sections: {m1: {one_way: forward}}\n").diagnostics)
+    assert found.code == "IL3019" and "`exclude` train routes" in str(found.fix)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
 
@@ -118,19 +118,21 @@ def _notes(checked: Checked, proof: ProofResult) -> list[Diagnostic]:
                     "nothing may be concluded; try `--search-depth` or report the layout",
                 )
             )
-    entry: dict[str, str] = {r.id: r.entry for r in checked.table.routes} if checked.table else {}
-    for w in proof.witnesses:
-        if not w.ok:
-            out.append(
-                Diagnostic(
-                    "IL4006",
-                    Severity.ERROR,
-                    f"route {w.route} cannot be driven: {w.text}",
-                    checked.source.at("signals", entry[w.route]) if w.route in entry else span,
-                    "check lengths, directions and conditions on its way",
-                )
-            )
-    return out
+    return [*out, *_undriven(checked, proof)]
+
+
+def _undriven(checked: Checked, proof: ProofResult) -> Iterator[Diagnostic]:
+    """Routes that no run drives; most often because none leads to the signal at which they begin."""
+    assert checked.table is not None and checked.layout is not None
+    rows = {str(r.id): r for r in checked.table.routes}
+    reached = {x for r in rows.values() for x in (r.exit, r.destination)}
+    for w in (w for w in proof.witnesses if not w.ok):
+        r = rows[w.route]
+        fix = "check lengths, directions and conditions on its way"
+        if r.entry not in reached and r.entry_node not in checked.layout.boundary_at:
+            fix = f"no route leads to {r.entry}: add a signal from which one does, or remove {r.entry}"
+        where = checked.source.at("signals", r.entry)
+        yield Diagnostic("IL4006", Severity.ERROR, f"route {w.route} cannot be driven: {w.text}", where, fix)
 
 
 def _origin(layout: Layout) -> list[str]:

@@ -278,6 +278,8 @@ def show_proof(p: Proved, form: str, verbose: bool) -> None:
         verdict = click.style("COULD NOT BE PROVED", fg="red")
     elif p.proof.proved and p.text_equal:
         verdict = click.style("PROVED", fg="green")
+    elif p.text_equal and all(c.verdict == "PROVED" for c in p.proof.claims if c.places):
+        verdict = click.style("CANNOT BE DRIVEN", fg="red")
     else:
         verdict = click.style("NOT SAFE", fg="red")
     routes = len(p.proof.witnesses)

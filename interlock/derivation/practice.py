@@ -149,7 +149,7 @@ def _check_places(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
         name = found.by_id[place].name or found.by_id[place].edges[0].section
         words = _called(found, place)
         if begins and place not in reached:
-            said = f"no train can reach {words}: no route from a boundary leads there"
+            said = f"no train comes to stand in {words}: no route, or chain of routes, from a boundary ends there"
             fix = "add a signal that leads there, or check the directions of those near it"
             sink.add("IL7004", said, None, fix, about=Element("sections", str(name)), cause="reach", note=str(name))
         elif leaves and place in backward and place not in left:

@@ -26,6 +26,9 @@ class Places:
             for i, w in enumerate(f.waive):
                 if w.flank == name:
                     return self._ctx.at("waive", i, "flank")
+        for lists in ("buffers", "traps") if room == "buffers" else ():
+            if name in getattr(f, lists):
+                return self._ctx.at(lists, getattr(f, lists).index(name))
         if room in ("points", "crossings"):
             return self._ctx.at_key(*self._moved(str(name)))
         if isinstance(name, int) or name in getattr(f, room, ()):

@@ -34,13 +34,16 @@ def check_delays(ctx: Context, layout: Layout) -> None:
         own = float(getattr(rules, name))
         need = max(found, default=0)
         if round(own * 1000) < need:
-            at = ("principles", name) if getattr(ctx.file.principles, name) is not None else ("name",)
+            spoken = "principles" in ctx.file.model_fields_set
+            stated = getattr(ctx.file.principles, name) is not None
+            at = ("principles", name) if stated else ("principles",) if spoken else ("name",)
+            wanted = f"{name}: {-(-need // 1000)}"
             slower = "" if name == "restart_delay_s" else ", or the lower speeds that are run there"
             ctx.add(
                 "IL3023",
                 f"{name} is {own:g} s, and {need / 1000:.1f} s are needed {words}",
                 ctx.at_key(*at),
-                f"state `principles: {{{name}: {-(-need // 1000)}}}`{slower}",
+                f"state {f'`{wanted}` under `principles`' if spoken else f'`principles: {{{wanted}}}`'}{slower}",
             )
     for g, own in layout.overlap_releases:
         if round(own * 1000) < least.stand[g]:

@@ -6,6 +6,9 @@ from interlock.frontend.context import Context
 from interlock.model.elements import BoundaryKind
 from interlock.model.layout import Layout
 
+SHUNTED = "; shunting movements keep to it, too: where they run both ways, leave it out and `exclude` train routes"
+"""A double line through a station, on whose tracks dwarf signals stand both ways."""
+
 
 def check_signals(ctx: Context, layout: Layout) -> None:
     """Report layouts without signals, and signals that govern nothing."""
@@ -40,5 +43,5 @@ def check_signals(ctx: Context, layout: Layout) -> None:
                 "IL3019",
                 f"no train comes to {g.id}: the only direction of {behind.section} leads away from it",
                 ctx.at_key("signals", g.id),
-                "turn the signal round, or change `one_way`",
+                f"turn the signal round, or change `one_way`{'' if g.main else SHUNTED}",
             )

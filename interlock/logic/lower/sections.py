@@ -105,7 +105,8 @@ def three_point(d: Draft) -> None:
                 Term(d.sections.occupied(s), "occupied"),
                 Term(d.sections.occupied(rear), "rear occupied", f"{rear or 'no detection'} in rear occupied"),
             ]
-            if d.signals.main_at(s, node) is None and rear is not None:
+            if d.signals.main_at(s, node) is None and rear is not None and rear in d.sections.locks_of:
+                # outside, at a boundary, nothing is locked
                 own = neg(d.sections.train(s)) if d.signals.signal_at(s, node) is not None else FALSE
                 # a train that has overrun a signal runs on within the overlap
                 own = disj([own, *(d.overlaps.held(x) for x in d.overlaps.along(rear, node, s))])

@@ -401,7 +401,26 @@ class _Form:
             return "", ""
         exits = self._opposing(track, self._way(r.traversals[-1]).entry)
         trains = track if exits is not None and self.layout.signal[exits].main else ""
-        return (trains, track) if r.kind is RouteKind.MAIN else (trains, "")
+        shunts = r.kind is RouteKind.MAIN or any(self._meet(r, t) for t in self._into[track] if t.kind is r.kind)
+        return trains, track if shunts else ""
+
+    @cached_property
+    def _into(self) -> dict[SectionId, list[RouteRow]]:
+        """The routes that end in each section."""
+        out: dict[SectionId, list[RouteRow]] = {}
+        for t in self.table.routes:
+            out.setdefault(self._end(t), []).append(t)
+        return out
+
+    def _meet(self, r: RouteRow, t: RouteRow) -> bool:
+        """Both end in one track, into which they come at its two ends, and share nothing else."""
+        mine, theirs = self._way(r.traversals[-1]), self._way(t.traversals[-1])
+        shared = set(r.section_ids) & set(t.section_ids)
+        return mine.section == theirs.section and mine.entry != theirs.entry and shared <= {mine.section}
+
+    def _told_as_facing(self, r: RouteRow, t: RouteRow) -> bool:
+        """The columns of facing routes tell that the two are hostile."""
+        return bool(self._facing(r)[t.kind is not RouteKind.MAIN]) and self._meet(r, t)
 
     def _other(self, r: RouteRow) -> str:
         """The block of the line on which a train departs (BS: 闭塞)."""
@@ -448,7 +467,7 @@ class _Form:
         It tells the signal's hostile routes from its other routes that the points of this one permit.
         """
         routes = [t for t in self._of_signal.get((g, kind), []) if self._agree(r, t)]
-        bad = [t for t in routes if self._conflicts(r, t)]
+        bad = [t for t in routes if self._conflicts(r, t) and not self._told_as_facing(r, t)]
         if not bad:
             return None
         good = [t for t in routes if t not in bad]
