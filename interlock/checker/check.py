@@ -60,8 +60,14 @@ def agree(body: dict[str, Any], system: str, text: str, spec: Specification) -> 
     told, silent = claims.compare(world, spec, claimed, w)
     moves = plant.compare(world, spec, defined, w, scan)
     claims.outputs_read(claimed, scan.outputs)
-    names = f"under the assumptions {', '.join(claims.assumed(world, spec))}"
+    names = f"under the assumptions {', '.join(claims.assumed(world, spec))}{_contradicted(world)}"
     return Checked((said, told, moves, names), (f"the claims {', '.join(silent)}",) if silent else ())
+
+
+def _contradicted(world: World) -> str:
+    """Where the layout's own numbers leave a train no time in which A-SCAN could hold."""
+    fast = [f"{s} in {seconds:.2f} s" for s, seconds in world.lengths.unseen().items()]
+    return f"; but A-SCAN holds of no train at full speed through {', '.join(fast)}" if fast else ""
 
 
 def _body(layout: Path, text: str) -> dict[str, Any]:

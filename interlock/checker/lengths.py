@@ -249,6 +249,22 @@ class Lengths:
         fastest = max(self.kmh(s) for s in [None, *self.r.sections])
         return self.halt(fastest) + round(1000 * longest / (self.d.rule("line_speed_kmh") / 3.6 / 2))
 
+    def unseen(self) -> dict[str, float]:
+        """Sections, and approaches from which trains come, that may be run through in less than A-SCAN asks for, with
+        the seconds: over the shortest way that no buffer ends, at the speed of the section or of reversed points."""
+        found: dict[str, float] = {}
+        for s in self.r.sections:
+            for w in self.r.ways[s] if s not in self.r.undetected else ():
+                if not {w.entry, w.exit} & {*self.d.buffers}:
+                    reverse = [self.d.points[p].kmh for p, x in w.points if x.position == "R"]
+                    kmh = min([self.kmh(s), *(float(v) for v in reverse if v is not None)])
+                    found[s] = min(found.get(s, float("inf")), w.length / (kmh / 3.6))
+        for b in self.r.boundaries.values():
+            name, metres = item_parts(b.get("approach", ""))
+            if name and b.get("trains") != "out":
+                found[name] = float(metres) / (self.d.rule("line_speed_kmh") / 3.6)
+        return {s: t for s, t in sorted(found.items()) if t < self.d.rule("detection_delay_s")}
+
     def supervision(self, m: str) -> float:
         """Seconds after which a machine raises an alarm: its own, the longest of its ends, or as the principle says."""
         body, own = self.r.body, []
