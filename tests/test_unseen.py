@@ -68,6 +68,6 @@ def test_speed_length_and_delay_decide() -> None:
 
 
 def test_verify_says_where_the_assumption_cannot_hold() -> None:
-    said = [agree(*told(x), specification()).compared[-1] for x in (LINE, LINE.replace("q2 12", "q2 10"))]
+    said = [agree(*told(x), specification()).compared[3] for x in (LINE, LINE.replace("q2 12", "q2 10"))]
     assert "but A-SCAN" not in said[0]
     assert said[1].endswith("but A-SCAN holds of no train at full speed through q2 in 0.45 s")
