@@ -174,6 +174,7 @@ EDITS = {
     "one with a blank before": ("D.RSTI := D.PWR;", "D.RSTI := D.PWR; (* @END_DECLARATION *)", "is not known here"),
     "a comment within a comment": ("D.RSTI := D.PWR;", "D.RSTI := D.PWR; (* (* *)", "is not known here"),
     "a line that only some compilers end": ("D.RSTI := D.PWR;", "D.RSTI :=\u2028D.PWR;", "is not known here"),
+    "a number that C takes for octal": ("(INP.REQ = 0)", "(INP.REQ = 00)", "is not known here"),
     "a duration that no compiler takes": ("T#3s", "T#1s2s", "malformed duration T#1s2s"),
 }
 
