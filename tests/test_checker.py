@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import re
 import shutil
 from pathlib import Path
@@ -86,6 +87,7 @@ EDITS = {
     "the start of an output": ("YS_X1 : BOOL := TRUE", "YS_X1 : BOOL := FALSE", "YS_X1"),
     "the start of an input": ("VALID : BOOL := FALSE", "VALID : BOOL := TRUE", "valid before they are read"),
     "the start of a word": ("YX_R1 : INT := 0", "YX_R1 : INT := 1", "YX_R1 does not begin with 0"),
+    "a word that says open at stop": ("IF D.N_S_R1 THEN OUTP.YX_R1", "IF D.N_A_R1 THEN OUTP.YX_R1", "says open"),
     "a preset": (
         "(IN := D.RTI_DP, PT := T#3s)",
         "(IN := D.RTI_DP, PT := T#1ms)",
@@ -172,6 +174,7 @@ EDITS = {
     "one with a blank before": ("D.RSTI := D.PWR;", "D.RSTI := D.PWR; (* @END_DECLARATION *)", "is not known here"),
     "a comment within a comment": ("D.RSTI := D.PWR;", "D.RSTI := D.PWR; (* (* *)", "is not known here"),
     "a line that only some compilers end": ("D.RSTI := D.PWR;", "D.RSTI :=\u2028D.PWR;", "is not known here"),
+    "a number that C takes for octal": ("(INP.REQ = 0)", "(INP.REQ = 00)", "is not known here"),
     "a duration that no compiler takes": ("T#3s", "T#1s2s", "malformed duration T#1s2s"),
 }
 
@@ -192,6 +195,16 @@ def test_one_changed_output_equation(copy: Path) -> None:
 def test_a_preset_that_only_the_written_system_has(copy: Path) -> None:
     edit(files(copy)[1] / "system.txt", "timer RT_DP RTI_DP 3000", "timer RT_DP RTI_DP 9000")
     assert "RT_DP has 3000 ms in the text, 9000 ms as written" in refused(copy)
+
+
+def test_a_table_of_words_that_lies(copy: Path) -> None:
+    """What the display shows for a code: changed alone, and with the list of outputs that names it."""
+    table, listed = (copy / "generated/fig2_2" / x for x in ("io/words.csv", "manifest.json"))
+    before = hashlib.sha256(table.read_bytes()).hexdigest()
+    edit(table, ",10008,section DP is occupied,", ",10008,section DP is blocked,")
+    assert "is not the table" in refused(copy)
+    edit(listed, before, hashlib.sha256(table.read_bytes()).hexdigest())
+    assert "10008 is published as 'section DP is blocked'" in refused(copy)
 
 
 def test_which_text_was_read_is_told(copy: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import random
 import re
+import warnings
 import zipfile
 from functools import cache
 from pathlib import Path
@@ -301,6 +302,87 @@ def test_a_table_of_tags_is_read_from_its_workbook() -> None:
         assert wrong("scl1500", files, edited(old, new)), old
     with pytest.raises(BadTags):
         read_tags(b"no workbook", "")
+
+
+SHEET, BOOK, STRINGS, LINKS = (
+    *("xl/worksheets/sheet1.xml", "xl/workbook.xml", "xl/sharedStrings.xml", "xl/_rels/workbook.xml.rels"),
+)
+OTHER_SHEET = (
+    """<worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><sheetData/></worksheet>"""
+)
+FORGED_BOOKS: dict[str, dict[str, tuple[str, str]]] = {
+    "the sheet that is shown is another file": {LINKS: ('"worksheets/sheet1.xml"', '"worksheets/sheet2.xml"')},
+    "the texts are in another file": {LINKS: ('"sharedStrings.xml"', '"others.xml"')},
+    "the workbook is another file": {"_rels/.rels": ('"xl/workbook.xml"', '"xl/other.xml"')},
+    "a sheet before": {BOOK: ("<sheets>", '<sheets><sheet name="PLC Tags" sheetId="2" r:id="rId9"/>')},
+    "a sheet after": {BOOK: ("</sheets>", '<sheet name="Constants" sheetId="2" r:id="rId9"/></sheets>')},
+    "a formula": {SHEET: ("<v>0</v>", "<f>B1</f><v>0</v>")},
+    "a cell twice": {SHEET: ('<c r="D2" t="s"', '<c r="D2" t="s"><v>19</v></c><c r="D2" t="s"')},
+    "a cell of another row": {SHEET: ('<c r="D2"', '<c r="D3"')},
+    "a row twice": {SHEET: ('<row r="3"', '<row r="2"')},
+    "a text read aloud": {STRINGS: ("<t>fig2_2_HB_main</t>", "<t>fig2_2_HB</t><rPh><t>_main</t></rPh>")},
+    "a text in pieces, of which one is deleted": {STRINGS: ("<t>%I0.0</t>", "<r><t>%I0.0</t></r>")},
+    "a document type": {SHEET: ("<worksheet ", '<!DOCTYPE worksheet [<!ENTITY a "0">]><worksheet ')},
+}
+"""What our reader would take from one place and a spreadsheet from another."""
+
+
+@pytest.mark.parametrize("which", FORGED_BOOKS)
+def test_a_workbook_that_shows_others_than_it_holds_is_refused(which: str) -> None:
+    layout, _, controller = built("fig2_2")
+    a = allocate(layout, controller)
+    book = tags_xlsx(layout, a)
+    with pytest.raises(BadTags):
+        read_tags(packed(book, FORGED_BOOKS[which]), "fig2_2_")
+    assert read_tags(packed(book, {}), "fig2_2_") == read_tags(book, "fig2_2_")
+
+
+def test_a_workbook_with_a_part_twice_is_refused() -> None:
+    """One reader of archives takes the first, another the last."""
+    layout, _, controller = built("fig2_2")
+    out = io.BytesIO(packed(tags_xlsx(layout, allocate(layout, controller)), {}))
+    with zipfile.ZipFile(out) as z:
+        sheet = z.read(SHEET)
+    for name in (SHEET, SHEET.replace("xl", "XL")):
+        again = io.BytesIO(out.getvalue())
+        with warnings.catch_warnings(), zipfile.ZipFile(again, "a") as z:
+            warnings.simplefilter("ignore")
+            z.writestr(name, sheet)
+        with pytest.raises(BadTags):
+            read_tags(again.getvalue(), "fig2_2_")
+
+
+def packed(book: bytes, changes: dict[str, tuple[str, str]]) -> bytes:
+    """A workbook with other parts."""
+    out = io.BytesIO()
+    with zipfile.ZipFile(io.BytesIO(book)) as before, zipfile.ZipFile(out, "w") as z:
+        for name in before.namelist():
+            old, new = changes.get(name, ("", ""))
+            text = before.read(name).decode()
+            assert old in text
+            z.writestr(name, text.replace(old, new, 1) if old else text)
+        z.writestr("xl/worksheets/sheet2.xml", OTHER_SHEET) if changes else None
+    return out.getvalue()
+
+
+SYMBOLS = {
+    "lines that only some tools end": ("\n", "\r"),
+    "a symbol within a comment that goes on in the next line": ('"BOOL","', '"BOOL","\nX,I 0.0,BOOL,'),
+    "parts without quotation marks": ('"SFB 4"', "SFB 4"),
+    "quotation marks within": ('"BOOL","', '"BOOL","""'),
+    "an empty line": ("\n", "\n\n"),
+    "no end of the last line": ('"\n', '"'),
+    "a sign that is no print": ('"BOOL","', '"BOOL","\x1a'),
+}
+
+
+@pytest.mark.parametrize("which", SYMBOLS)
+def test_a_symbol_table_that_is_read_otherwise_line_by_line_is_refused(which: str) -> None:
+    files, (old, new) = files_of("scl300"), SYMBOLS[which]
+    text = files["fig2_2.sdf"]
+    at = text.rindex(old) if old == '"\n' else text.index(old)
+    changed = text.replace(old, new) if new == "\r" else text[:at] + new + text[at + len(old) :]
+    assert wrong("scl300", {**files, "fig2_2.sdf": changed})
 
 
 def test_two_stations_in_one_controller_have_no_name_in_common() -> None:

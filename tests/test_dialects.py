@@ -252,6 +252,43 @@ def test_a_reader_refuses_what_a_tool_might_act_on(dialect: str, old: str, new: 
         BY_NAME[dialect].read({**files, name: files[name].replace(old, new, 1)})
 
 
+CONSTRUED = {
+    "a comment within a comment, which some tools nest": (r" := ", " (* (* *) := "),
+    "a condition of a compiler of the Pascal family": (r" := ", " (*$IFDEF x*) := "),
+    "a comment that CODESYS 2.3 obeys": (r" := ", " (* @END_DECLARATION := '0' *) := "),
+    "a comment that TwinCAT 2 obeys": (r" := ", " (*~ (OPC:1:visible) ~*) := "),
+    "a space that not every tool takes for one": (r" := ", " \u00a0:= "),
+    "an end of a line that not every tool takes for one": (r" := ", " \u2028:= "),
+    "the same of one byte": (r" := ", " \x85:= "),
+    "a separator of files": (r" := ", " \x1c:= "),
+    "a form feed": (r" := ", " \x0c:= "),
+    "a vertical tab": (r" := ", " \x0b:= "),
+    "a number that C takes for octal": (r"= (\d\))", r"= 01\1"),
+}
+"""What our reader might pass over, and a tool obey, or the other way round."""
+
+
+@pytest.mark.parametrize("dialect", ALL)
+@pytest.mark.parametrize("which", CONSTRUED)
+def test_what_a_tool_may_read_otherwise_is_refused(dialect: str, which: str) -> None:
+    _, _, controller = built("fig2_2")
+    old, new = CONSTRUED[which]
+    files = write_st(controller, BY_NAME[dialect], ["made for a test"])
+    name = max(files, key=lambda f: len(files[f]))
+    text = re.sub(old, new, files[name], count=1)
+    if text != files[name]:  # in a ladder nothing is assigned by words
+        assert not compare_dialect(controller, BY_NAME[dialect], {**files, name: text}).proved
+
+
+@pytest.mark.parametrize("dialect", [d.name for d in DIALECTS if d.restart])
+def test_a_restart_that_is_not_noticed_in_the_first_scan_is_refuted(dialect: str) -> None:
+    """After a load a controller may run before anything has set RESTART."""
+    _, _, controller = built("fig2_2")
+    files = write_st(controller, BY_NAME[dialect], [])
+    forged = {n: t.replace("RESTART : BOOL := TRUE", "RESTART : BOOL := FALSE", 1) for n, t in files.items()}
+    assert forged != files and not compare_dialect(controller, BY_NAME[dialect], forged).proved
+
+
 @pytest.mark.parametrize(
     "name", ["dt_ms", "bool", "self", "read", "INPUTS", "TIMERS", "int", "min", "dict", "map", "zip"]
 )

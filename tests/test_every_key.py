@@ -416,6 +416,7 @@ CANNOT_MATTER: dict[str, str] = {
     **dict.fromkeys(("principles.priorities", "principles.priority_wait_s", "section_form.lane"), DISPATCH),
     **dict.fromkeys(("layout.substations", "layout.addresses", "layout.telegram"), CABINET),
     **dict.fromkeys(("layout.health", "health.by", "health.within"), CABINET),
+    "principles.detection_delay_s": "compared with lengths and speeds for A-SCAN: told by check, and beside VERIFIED",
     **dict.fromkeys(("layout.target", *(f"target.{x}" for x in ("cpu", "blocks", "block_kb", "memory_kb"))), SIZES),
     "principles.flank_by": EITHER + "T-FLANK and S-FLANK ask that nothing rolls in, however it is kept out",
     "principles.drive_points": EITHER + "a driven point is never a condition of proceed, and P-LOCKED is claimed of it",

@@ -15,6 +15,7 @@ from interlock.checker.moves import World
 from interlock.checker.railway import Railway
 from interlock.checker.reading import loaded
 from interlock.checker.specification import FOLDER, Specification
+from interlock.checker.told import Telling
 from interlock.checker.written import written
 from interlock.logic.plant import ASSUMPTIONS
 from interlock.model.principles import KNOBS, PROFILES
@@ -25,6 +26,7 @@ from tests.written import shipped, told
 
 CLAIMS_TEXT = (FOLDER / "claims.yaml").read_text("utf-8")
 PLANT_TEXT = (FOLDER / "plant.yaml").read_text("utf-8")
+TOLD_TEXT = (FOLDER / "told.yaml").read_text("utf-8")
 OTHERS = (
     *("balloon", "closing", "closing_next", "devices", "foul_beyond"),
     *("overlap_head", "scripts", "spaces", "speeds", "token", "trap_beyond", "undetected"),
@@ -387,7 +389,7 @@ WEAKENED = {
 def weakened(before: str, after: str) -> Specification:
     whole = CLAIMS_TEXT.count(before) + PLANT_TEXT.count(before)
     assert whole == 1, f"{whole} times in the specification: {before}"
-    return specification.read(CLAIMS_TEXT.replace(before, after), PLANT_TEXT.replace(before, after))
+    return specification.read(CLAIMS_TEXT.replace(before, after), PLANT_TEXT.replace(before, after), TOLD_TEXT)
 
 
 @pytest.mark.parametrize("which", WEAKENED)
@@ -436,7 +438,7 @@ def test_every_word_is_used_and_none_is_explained_in_vain() -> None:
     def read(x: object) -> None:
         if isinstance(x, dict):
             for k, v in x.items():
-                if k in ("for", "must", "says", "when"):
+                if k in ("for", "must", "because", "says", "when"):
                     tokens.update(re.findall(r"[A-Za-z_]\w*", v))
                 elif k == "words":
                     tokens.update(t for s in v.values() for t in re.findall(r"[A-Za-z_]\w*", s))
@@ -448,6 +450,7 @@ def test_every_word_is_used_and_none_is_explained_in_vain() -> None:
 
     read(loaded(CLAIMS_TEXT))
     read(loaded(PLANT_TEXT))
-    known, explained = {n[2:] for n in dir(World) if n.startswith("w_")}, set(specification.shipped().words)
+    read(loaded(TOLD_TEXT))
+    known, explained = {n[2:] for n in dir(Telling) if n.startswith("w_")}, set(specification.shipped().words)
     assert known <= tokens and explained <= tokens
     assert not known & explained, "no word has two meanings"

@@ -17,6 +17,7 @@ from tests.in_metres import Specified, Step, steps
 
 CLAIMS = (FOLDER / "claims.yaml").read_text("utf-8")
 PLANT = (FOLDER / "plant.yaml").read_text("utf-8")
+TOLD = (FOLDER / "told.yaml").read_text("utf-8")
 
 LAYOUTS = {"pit_bottom": (0, 4), "terminus": (0, 1)}
 """With seeds of their runs."""
@@ -126,5 +127,5 @@ SHORTER = (
 @pytest.mark.parametrize(("old", "new"), [x[1:] for x in SHORTER], ids=[x[0] for x in SHORTER])
 def test_a_world_that_can_do_less_is_contradicted(old: str, new: str) -> None:
     assert (PLANT.count(old), CLAIMS.count(old)) in ((1, 0), (0, 1))
-    shorter = specification.read(CLAIMS.replace(old, new), PLANT.replace(old, new))
+    shorter = specification.read(CLAIMS.replace(old, new), PLANT.replace(old, new), TOLD)
     assert any(contradicted(name, shorter) for name in LAYOUTS)

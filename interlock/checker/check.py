@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
+import csv
 import hashlib
-from collections.abc import Collection
+import io
+import json
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any
 
 import yaml
 
-from interlock.checker import claims, controller, plant
+from interlock.checker import claims, controller, plant, said
 from interlock.checker.drawing import Unread
-from interlock.checker.moves import World
 from interlock.checker.railway import Railway, safe
 from interlock.checker.reading import loaded
 from interlock.checker.scan import execute
 from interlock.checker.specification import Specification, shipped
+from interlock.checker.told import Telling
 from interlock.checker.written import written
 from interlock.verify import ERRORS, Rejected, check_files, need, verify, why
 
@@ -40,28 +43,38 @@ def check(layout: Path, folder: Path) -> Checked:
     proof = verify(folder, files)
     text = _text(files, str(body["name"]))
     system = files["system.txt"].decode()
-    found = agree(body, system, files[text].decode(), shipped())
+    found = agree(body, system, files[text].decode(), shipped(), _published(folder, files, text))
     read = f"read: {(folder / text).resolve()}, and of the outputs nothing else: no mapping program, no other dialect"
     return Checked((proof, *found.compared, read), found.left)
 
 
-def agree(body: dict[str, Any], system: str, text: str, spec: Specification) -> Checked:
+def agree(
+    body: dict[str, Any], system: str, text: str, spec: Specification, published: said.Published | None = None
+) -> Checked:
     """Layout, written system and Structured Text, whatever is proved of the system; raises Rejected where they do not
-    say the same."""
+    say the same.  published: what is told of words, where a table is certified with the text."""
     w = written(system)
     scan = execute(text, frozenset(w.state), w.definitions)
-    said = f"{body['name']}.st says the same: {controller.compare(scan, w)}"
+    same = f"{body['name']}.st says the same: {controller.compare(scan, w)}"
     try:
-        world = World(Railway(body), w)
+        world = Telling(Railway(body), w)
     except Unread as unread:
-        return Checked((said,), (f"plant, assumptions and claims (the checker does not read {unread})",))
+        return Checked((same,), (f"plant, assumptions and claims (the checker does not read {unread})",))
     defined = plant.define(world, spec)
     claimed = claims.asked(spec.claims, world)
     told, silent = claims.compare(world, spec, claimed, w)
     moves = plant.compare(world, spec, defined, w, scan)
     claims.outputs_read(claimed, scan.outputs)
-    names = f"under the assumptions {', '.join(claims.assumed(world, spec))}"
-    return Checked((said, told, moves, names), (f"the claims {', '.join(silent)}",) if silent else ())
+    spoken, strange = said.compare(world, spec, scan, published)
+    names = f"under the assumptions {', '.join(claims.assumed(world, spec))}{_contradicted(world)}"
+    left = [f"the claims {', '.join(silent)}"] if silent else []
+    return Checked((same, told, moves, names, spoken), (*left, *strange))
+
+
+def _contradicted(world: Telling) -> str:
+    """Where the layout's own numbers leave a train no time in which A-SCAN could hold."""
+    fast = [f"{s} in {seconds:.2f} s" for s, seconds in world.lengths.unseen().items()]
+    return f"; but A-SCAN holds of no train at full speed through {', '.join(fast)}" if fast else ""
 
 
 def _body(layout: Path, text: str) -> dict[str, Any]:
@@ -81,6 +94,29 @@ def _text(files: Collection[str], name: str) -> str:
     found = [n for n in files if PurePosixPath(n).parts[-4:] == wanted]
     need(len(found) == 1, f"the certificate names no Structured Text of {name}, or several")
     return found[0]
+
+
+def _published(folder: Path, files: Mapping[str, bytes], text: str) -> said.Published | None:
+    """What io/words.csv beside the text says of words, if the certificate ties the table; else None."""
+    top = PurePosixPath(text).parents[2]
+    listed = files.get(str(top / "manifest.json"))
+    if listed is None:
+        return None
+    digest = json.loads(listed)["files"].get("io/words.csv")
+    raw = (folder / top / "io/words.csv").read_bytes()
+    need(hashlib.sha256(raw).hexdigest() == digest, "io/words.csv is not the table that the manifest of outputs names")
+    codes: dict[int, str] = {}
+    words: dict[str, str] = {}
+    for row in csv.DictReader(io.StringIO(raw.decode("utf-8"), newline=""), strict=True):
+        word, code, says = row["Word"], row["Code"], row["Says"]
+        need((word == "") is not (code == ""), "io/words.csv has a row that is of a word and of a code, or of neither")
+        twice = word in words or code in map(str, codes)
+        need(not twice, f"io/words.csv says two things of {word or code}")
+        if word:
+            words[word] = says
+        else:
+            codes[int(code)] = says
+    return said.Published(codes, words)
 
 
 def report(layout: Path, folder: Path) -> int:

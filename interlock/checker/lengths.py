@@ -56,7 +56,7 @@ class Lengths:
     """Of one railway."""
 
     def __init__(self, railway: Railway) -> None:
-        self.r, self.d = railway, railway.drawn
+        self.r, self._d = railway, railway.drawn
 
     # --- overlaps: from the signal to the first joint at or beyond their length ---
 
@@ -113,13 +113,13 @@ class Lengths:
             ways = self.r.track.ways[before] if before else []
             longest = max((w.length for w in ways if w.exit == g.node), default=0.0)
             return 1000 * -(-(round(1000 * longest / (kmh / 3.6 / 2)) + self.halt(kmh)) // 1000)
-        return round(1000 * self.d.rule("overlap_release_s"))
+        return round(1000 * self._d.rule("overlap_release_s"))
 
     def _metres(self, told: dict[str, str] | None) -> float:
         """As stated; or as German examples have it: 50, 100 or 200 m to 40, 60 km/h or above, 10 % more for each
         permille falling, 5 % less for each rising."""
         if told is None:
-            return self.d.rule("overlap_m")
+            return self._d.rule("overlap_m")
         if told.get("successive") in ("yes", "true"):
             return float("inf")
         if "length" in told:
@@ -150,7 +150,7 @@ class Lengths:
         """Sections, and ends of points and the like, over which no alternative of the overlap shall lead."""
         told = ((self.r.body.get("overlaps") or {}).get(g.name) or {}).get("not_over") or ()
         for x in told:
-            if x not in self.d.edges and x not in self.r.track.sections:
+            if x not in self._d.edges and x not in self.r.track.sections:
                 raise Unread(f"the overlap of {g.name}: {x} is no section and no end")
         return frozenset(told)
 
@@ -160,17 +160,17 @@ class Lengths:
     def foul_joints(self) -> list[FoulJoint]:
         """Joints nearer to a point or diamond than its fouling point and the clearance."""
         found: list[FoulJoint] = []
-        margin = self.d.rule("clearance_m")
-        for p in self.d.points.values():
+        margin = self._d.rule("clearance_m")
+        for p in self._d.points.values():
             for side in ("N", "R"):
-                e = self.d.edges[p.leg(side)]
+                e = self._d.edges[p.leg(side)]
                 found += self._along(e, p.name, 0.0, p.section, (p.name, side, p.section), p.fouling + margin)
-        for c in self.d.diamonds.values():
+        for c in self._d.diamonds.values():
             for arm, edges in enumerate(c.arms):
-                across = self.d.edges[c.arms[1 - arm][0]].section
+                across = self._d.edges[c.arms[1 - arm][0]].section
                 for n in edges:
-                    e = self.d.edges[n]
-                    needed = self.d.rule("fouling_m") + margin
+                    e = self._d.edges[n]
+                    needed = self._d.rule("fouling_m") + margin
                     found += self._along(e, c.name, 0.0, e.section, (c.name, arm, across), needed)
         return found
 
@@ -181,7 +181,7 @@ class Lengths:
         gone += e.length
         if gone >= needed or far == of[0]:
             return
-        for x in self.d.onward(far, e):
+        for x in self._d.onward(far, e):
             if x.section not in (home, of[2], e.section):
                 yield FoulJoint(*of, x.section, far, self._decider(x, far))
             yield from self._along(x, far, gone, home, of, needed)
@@ -191,14 +191,14 @@ class Lengths:
         seen = {node}
         while True:
             node = e.far(node)
-            if node in seen or node in self.d.diamonds:
+            if node in seen or node in self._d.diamonds:
                 return None
             seen.add(node)
-            p = self.d.points.get(node)
+            p = self._d.points.get(node)
             if p is not None:
                 x = p.position(e.name)
                 return None if x is None else Demand(p.machine, x)
-            onward = [x for x in self.d.at[node] if x.name != e.name and x.section == e.section]
+            onward = [x for x in self._d.at[node] if x.name != e.name and x.section == e.section]
             if len(onward) != 1:
                 return None
             e = onward[0]
@@ -208,26 +208,26 @@ class Lengths:
     def kmh(self, section: str | None) -> float:
         """The speed permitted in a section, or on the line."""
         told = (self.r.track.told.get(section or "") or {}).get("speed")
-        return float(told) if told is not None else self.d.rule("line_speed_kmh")
+        return float(told) if told is not None else self._d.rule("line_speed_kmh")
 
     def path_kmh(self, p: Path) -> float | None:
         """The lowest speed stated along a path: of its sections, and over reversed points."""
         told = [(self.r.track.told.get(w.section) or {}).get("speed") for w in p.ways]
-        over = [self.d.points[n].kmh for w in p.ways for n, d in w.points if d.position == "R"]
+        over = [self._d.points[n].kmh for w in p.ways for n, d in w.points if d.position == "R"]
         return min((float(v) for v in (*told, *over) if v is not None), default=None)
 
     def halt(self, kmh: float) -> int:
         """From the command of stop until a train stands: delay of outputs, reaction, braking."""
-        return round(1000 * (self._wait + kmh / 3.6 / self.d.rule("braking_ms2")))
+        return round(1000 * (self._wait + kmh / 3.6 / self._d.rule("braking_ms2")))
 
     def braking(self, kmh: float) -> float:
         """Metres in which it stands."""
         v = kmh / 3.6
-        return v * self._wait + v * v / (2 * self.d.rule("braking_ms2"))
+        return v * self._wait + v * v / (2 * self._d.rule("braking_ms2"))
 
     @property
     def _wait(self) -> float:
-        return self.d.rule("output_delay_s") + self.d.rule("reaction_s")
+        return self._d.rule("output_delay_s") + self._d.rule("reaction_s")
 
     def before(self, g: Signal) -> str | None:
         """The section or approach in rear of a signal, from which it is read."""
@@ -249,7 +249,23 @@ class Lengths:
 
         longest = max((run(w) for s in self.r.track.sections for w in self.r.track.ways[s]), default=0.0)
         fastest = max(self.kmh(s) for s in [None, *self.r.track.sections])
-        return self.halt(fastest) + round(1000 * longest / (self.d.rule("line_speed_kmh") / 3.6 / 2))
+        return self.halt(fastest) + round(1000 * longest / (self._d.rule("line_speed_kmh") / 3.6 / 2))
+
+    def unseen(self) -> dict[str, float]:
+        """Sections, and approaches from which trains come, that may be run through in less than A-SCAN asks for, with
+        the seconds: over the shortest way that no buffer ends, at the speed of the section or of reversed points."""
+        found: dict[str, float] = {}
+        for s in self.r.track.sections:
+            for w in self.r.track.ways[s] if s not in self.r.track.undetected else ():
+                if not {w.entry, w.exit} & {*self._d.buffers}:
+                    reverse = [self._d.points[p].kmh for p, x in w.points if x.position == "R"]
+                    kmh = min([self.kmh(s), *(float(v) for v in reverse if v is not None)])
+                    found[s] = min(found.get(s, float("inf")), w.length / (kmh / 3.6))
+        for b in self.r.drawn.boundaries.values():
+            name, metres = item_parts(b.get("approach", ""))
+            if name and b.get("trains") != "out":
+                found[name] = float(metres) / (self._d.rule("line_speed_kmh") / 3.6)
+        return {s: t for s, t in sorted(found.items()) if t < self._d.rule("detection_delay_s")}
 
     def supervision(self, m: str) -> float:
         """Seconds after which a machine raises an alarm: its own, the longest of its ends, or as the principle says."""
@@ -259,16 +275,16 @@ class Lengths:
                 works = {p.machine for k, p in self.r.drawn.points.items() if k == name or _half(k, name, part)}
                 if v.get("supervision") is not None and m in (works or {name}):
                     own.append(float(v["supervision"]))
-        return max(own, default=self.d.rule("point_supervision_s"))
+        return max(own, default=self._d.rule("point_supervision_s"))
 
     def swings_in_time(self, g: Signal) -> bool:
         """A train needs longer through the section before a signal than its swinging overlap may take to turn."""
         told = (self.r.body.get("overlaps") or {}).get(g.name) or {}
         s = self.before(g)
-        if told.get("swing") not in ("yes", "true") or s is None or self.d.rule("point_start_gap_s") > 0:
+        if told.get("swing") not in ("yes", "true") or s is None or self._d.rule("point_start_gap_s") > 0:
             return False
         metres = min((w.length for w in self.r.track.ways[s] if w.exit == g.node), default=0.0)
-        return metres / (self.kmh(s) / 3.6) >= self.d.rule("output_delay_s") + max(
+        return metres / (self.kmh(s) / 3.6) >= self._d.rule("output_delay_s") + max(
             map(self.supervision, self.r.machines)
         )
 
@@ -277,7 +293,7 @@ class Lengths:
     def approach(self, g: Signal) -> Approach:
         """Everything in rear of a signal back to the braking distance, and to the first main signal announcing it, with
         the way in rear of that one on which a driver does not act any more on a worse aspect."""
-        announced = not g.main or self.d.rules["caution"] == "never"
+        announced = not g.main or self._d.rules["caution"] == "never"
         found = self._before(g, g.into, g.node, 0.0, 0.0, announced, None, frozenset({g.into}))
         return Approach(None) if found is None else found
 
@@ -321,8 +337,8 @@ class Lengths:
 
     def _metres_to_act(self, g: Signal, section: str, tells: float | None) -> float:
         """Until a train stands; from a signal that announces this one, until its driver acts on it."""
-        kmh = self.kmh(section) if g.main else min(self.kmh(section), self.d.rule("shunt_speed_kmh"))
-        acts = kmh / 3.6 * (self.d.rule("output_delay_s") + self.d.rule("reaction_s"))
+        kmh = self.kmh(section) if g.main else min(self.kmh(section), self._d.rule("shunt_speed_kmh"))
+        acts = kmh / 3.6 * (self._d.rule("output_delay_s") + self._d.rule("reaction_s"))
         return max(self.braking(kmh), 0.0 if tells is None else tells + acts)
 
 

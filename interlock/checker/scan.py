@@ -27,10 +27,12 @@ LARGEST = 32_767
 
 @dataclass
 class Scan:
-    """What a text says, by names.  `definitions`: wires by their names, next values and outputs with a prime."""
+    """What a text says, by names.  `definitions`: wires by their names, next values and outputs with a prime; `shown`:
+    outputs and words of routes, with their types."""
 
     inputs: dict[str, str] = field(default_factory=dict)
     outputs: dict[str, bool] = field(default_factory=dict)
+    shown: dict[str, str] = field(default_factory=dict)
     initial: dict[str, bool] = field(default_factory=dict)
     definitions: dict[str, Formula] = field(default_factory=dict)
     timers: dict[str, tuple[str, int]] = field(default_factory=dict)
@@ -101,6 +103,7 @@ class Execution:
             self.values[name] = leaf(name) if v.type == "BOOL" else ("number", name)
         for name, v in self.shown.items():
             need(v.type in ("BOOL", "INT"), f"{name} is an output of type {v.type}")
+            found.shown[name] = v.type
             if v.type == "INT":
                 need(v.initial in (None, ("int", 0)), f"{name} does not begin with 0: nothing is known")
             else:

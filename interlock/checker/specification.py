@@ -20,7 +20,8 @@ Schemas = Sequence[Mapping[str, Any]]
 @dataclass(frozen=True)
 class Specification:
     """words: those that the specification explains itself.  guards: the sentences of assumptions that are no formulas
-    of their own, but conditions of the world's moves."""
+    of their own, but conditions of the world's moves.  told: what words say of routes; states, sentences: what
+    is published of their codes; unread: how those begin that nobody compares."""
 
     words: Mapping[str, tuple[list[str], str]]
     assumptions: Schemas
@@ -29,6 +30,10 @@ class Specification:
     next: Schemas
     initial: Schemas
     guards: Mapping[str, str]
+    told: Schemas
+    states: Mapping[int, str]
+    sentences: Schemas
+    unread: Sequence[str]
 
     @property
     def moves(self) -> Schemas:
@@ -48,9 +53,9 @@ def _each(schemas: Sequence[Mapping[str, Any]]) -> Iterator[Mapping[str, Any]]:
         yield from ({"id": s["id"], **more} for more in s.get("also", ()))
 
 
-def read(claims: str, plant: str) -> Specification:
-    """A specification from its two texts."""
-    said, moves = loaded(claims), loaded(plant)
+def read(claims: str, plant: str, told: str) -> Specification:
+    """A specification from its three texts."""
+    said, moves, words = loaded(claims), loaded(plant), loaded(told)
     return Specification(
         explained({**said["words"], **moves["words"]}),
         list(_each(said["assumptions"])),
@@ -59,10 +64,14 @@ def read(claims: str, plant: str) -> Specification:
         moves["next"],
         moves["initial"],
         moves["guards"],
+        list(_each(words["claims"])),
+        {int(code): sentence for code, sentence in words["states"].items()},
+        words["sentences"],
+        words["unread"],
     )
 
 
 @cache
 def shipped() -> Specification:
     """The specification that comes with the package."""
-    return read((FOLDER / "claims.yaml").read_text("utf-8"), (FOLDER / "plant.yaml").read_text("utf-8"))
+    return read(*((FOLDER / f"{name}.yaml").read_text("utf-8") for name in ("claims", "plant", "told")))

@@ -14,7 +14,8 @@ from interlock.verify import Rejected, need
 TOKEN = re.compile(
     r"""[ \t\r\n]+ | \(\*(?![ \t\r\n]*[@$\#~{%&])  # what begins so is obeyed by some tool
     (?:[^*(] | \*(?!\)) | \((?!\*))*\*\)             # compilers differ on what begins a comment within one
-    | (?P<time>T\#[0-9a-z_]+) | (?P<number>[0-9]+) | (?P<name>[A-Za-z_][A-Za-z0-9_]*) | (?P<sign>:=|[;:,().=])""",
+    | (?P<time>T\#[0-9a-z_]+) | (?P<number>(?:0|[1-9][0-9]*)(?![0-9A-Za-z_]))
+    | (?P<name>[A-Za-z_][A-Za-z0-9_]*) | (?P<sign>:=|[;:,().=])""",
     re.VERBOSE,
 )
 UNITS = {"d": 86_400_000, "h": 3_600_000, "m": 60_000, "s": 1000, "ms": 1}

@@ -90,6 +90,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3026": (_E, "blades of a slip are placed where there is no choice"),
     "IL3025": (_I, "a road that is no berth, for what lies over it"),
     "IL3031": (_W, "a berth is denied where there is none"),
+    "IL3037": (_W, "a section that a train may run through unseen"),
     "IL3040": (_W, "a principle that no railway keeps"),
     "IL3021": (_I, "an inclined lane without a condition"),
     "IL3019": (_E, "a signal for a direction in which no train runs"),

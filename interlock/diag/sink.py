@@ -60,6 +60,10 @@ class Sink:
         """Whether a code, or one that begins so, was reported."""
         return any(code.startswith(codes) for code, _ in self._causes)
 
+    def gave(self, code: str, about: Element) -> bool:
+        """Whether a code was reported about an element."""
+        return any(about == x for (c, _), of in self._causes.items() if c == code for _, x, _ in of.found)
+
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
         """Everything found so far, in the order of the source text; what has one cause, once."""

@@ -461,6 +461,7 @@ class PrinciplesSpec(_Part):
     braking_ms2: Seconds | None = knob("braking_ms2")
     reaction_s: Seconds | None = knob("reaction_s")
     output_delay_s: Seconds | None = knob("output_delay_s")
+    detection_delay_s: Seconds | None = knob("detection_delay_s")
     point_run_s: Seconds | None = knob("point_run_s")
     restart_delay_s: Seconds | None = knob("restart_delay_s")
     slow_below_kmh: Amount | None = knob("slow_below_kmh")

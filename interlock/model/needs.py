@@ -8,10 +8,10 @@ section before a signal, brings it to a stand there (R4).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
-from interlock.model.elements import SectionId, SignalId
+from interlock.model.elements import BoundaryKind, Position, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.principles import Principles
 from interlock.model.times import longest_supervision_s
@@ -37,6 +37,40 @@ class Needs:
     run: int
     restart: int
     swings: frozenset[SignalId]
+
+
+@dataclass(frozen=True, slots=True)
+class Passage:
+    """How fast a train may run through a section, or an approach: in metres, over its shortest way at its speed."""
+
+    section: SectionId
+    metres: float
+    kmh: float
+
+    @property
+    def seconds(self) -> float:
+        """The least time from when its head comes in until it leaves."""
+        return self.metres / (self.kmh / 3.6)
+
+
+def passages(layout: Layout) -> Iterator[Passage]:
+    """The fastest passage of each section that is reported, approaches too; none over a way that ends at a buffer."""
+    line = layout.principles.line_speed_kmh
+    for s, ways in topology(layout).traversals.items():
+        through = [t for t in ways if not {t.entry, t.exit} & layout.buffer_at.keys()]
+        if s not in layout.undetected and through:
+            yield min((_passage(layout, t, line) for t in through), key=lambda x: x.seconds)
+    for b in layout.boundaries:
+        if b.approach is not None and b.kind is not BoundaryKind.OUT:
+            yield Passage(b.approach, b.approach_m, line)
+
+
+def _passage(layout: Layout, t: Traversal, line: float) -> Passage:
+    """At the section's speed, or at that of reversed points where it is lower."""
+    own = layout.section[t.section].speed if t.section in layout.section else None
+    over = [layout.point[p].speed for p, x in t.points if x is Position.REVERSE]
+    kmh = min([line if own is None else float(own), *(float(v) for v in over if v is not None)])
+    return Passage(t.section, sum(layout.edge[e].length for e in t.edges), kmh)
 
 
 def halt_ms(rules: Principles, kmh: float) -> int:

@@ -70,6 +70,7 @@ class Principles:
     braking_ms2: float = 0.6
     reaction_s: float = 4.0
     output_delay_s: float = 1.0
+    detection_delay_s: float = 0.5
     point_run_s: float = 6.0
     restart_delay_s: float = 180.0
     main_closes: Closes = Closes.FIRST_AXLE
@@ -154,6 +155,10 @@ MEANING: dict[str, str] = {
     ),
     "reaction_s": "time until a driver who sees stop applies the brake (our choice)",
     "output_delay_s": "time from a decision of the controller until the driver can see it (two scans; our choice)",
+    "detection_delay_s": (
+        "time from when an axle comes into a section until a scan has read it as occupied: the detector and one scan; "
+        "no train runs through a section, or past a joint, in less (A-SCAN; our choice)"
+    ),
     "point_run_s": "time in which a point machine runs from one position to the other (our choice)",
     "restart_delay_s": (
         "time after power-up before which no section is released: whatever ran at the power cut has come to a stand"

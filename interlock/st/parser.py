@@ -38,15 +38,15 @@ from interlock.st.ast import (
     Time,
     Unit,
 )
-from interlock.st.style import IEC, Style
+from interlock.st.style import COMMENT, IEC, SPACE, Style
 
 _UNITS = {"ms": 1, "s": 1000, "m": 60_000, "h": 3_600_000}
 _GOOD = r"""
     %[IQ]X[0-9]+\.[0-7] | [Tt](?:[Ii][Mm][Ee])?\#[0-9]+(?:ms|s|m|h)\b
-    | \#?[A-Za-z_][A-Za-z0-9_]* | [0-9]+(?:\.[0-9]+)?(?![A-Za-z0-9_]) | "[A-Za-z0-9_]+" | \{[^{}]*\}
+    | \#?[A-Za-z_][A-Za-z0-9_]* | (?:0|[1-9][0-9]*)(?:\.[0-9]+)?(?![A-Za-z0-9_]) | "[A-Za-z0-9_]+" | \{[^{}]*\}
     | := | <> | <= | >= | [-+*/=<>();:.,\[\]&]"""
 _TOKEN = re.compile(
-    rf"""(?: \s+ | \(\*[^*]*(?:\*(?!\))[^*]*)*\*\) )*  # space and comments before it
+    rf"""(?: {SPACE} | {COMMENT} )*  # space and comments before it
     ( {_GOOD} | \Z | .+ )                               # what is nothing of this is one token with all that follows""",
     re.VERBOSE | re.DOTALL,
 )

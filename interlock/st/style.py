@@ -4,6 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+SPACE = r"[\x20\t\r\n]+"
+"""What every tool takes for space, and nothing else: no form feed, no space of Unicode."""
+COMMENT = r"\(\*(?![\x20\t\r\n]*[@$\x23~{%&])[^*(]*(?:(?:\*(?!\))|\((?!\*))[^*(]*)*\*\)"
+"""A comment that every tool takes for one and none obeys (`printer.DIRECTIVES`); none begins in another, since some
+nest them."""
+
 
 @dataclass(frozen=True)
 class Style:

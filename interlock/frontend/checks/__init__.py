@@ -14,6 +14,7 @@ from interlock.frontend.checks.overlaps import check_overlaps
 from interlock.frontend.checks.principles import check_principles
 from interlock.frontend.checks.signals import check_signals
 from interlock.frontend.checks.standing import check_standing
+from interlock.frontend.checks.unseen import check_unseen
 from interlock.frontend.checks.zones import check_zones
 
 CHECKS = (
@@ -29,6 +30,7 @@ CHECKS = (
     check_overlaps,
     check_delays,
     check_lengths,
+    check_unseen,
     check_principles,
     check_approach,
     check_facing,

@@ -66,17 +66,18 @@ def compare_unit(controller: Controller, unit: Unit, restart: bool) -> Translati
     """Compare what was read of an interlocking with its controller; `restart`: it has an input RESTART."""
     try:
         found = compare_scan(controller, _scan(controller, unit, restart))
-        found = replace(found, differences=(*found.differences, *_beginning(controller, unit)))
+        found = replace(found, differences=(*found.differences, *_beginning(controller, unit, restart)))
         return _restarted(controller, unit, found) if restart else found
     except (BadText, KeyError) as error:
         return Translation(0, (Difference("text", f"cannot be read: {error}"),))
 
 
-def _beginning(controller: Controller, unit: Unit) -> Iterator[Difference]:
+def _beginning(controller: Controller, unit: Unit, restart: bool) -> Iterator[Difference]:
     """What is wrong with inputs and outputs before the first scan, with types, and with blocks that no other calls."""
     start: dict[str, int] = {o.name: int(o.restrictive) for o in controller.outputs}
     start |= {i.name: int(i.restrictive) for i in controller.inputs}
     start |= dict.fromkeys(controller.words.routes.values(), UNKNOWN)
+    start |= {RESTART: 1} if restart else {}
     for d in (*unit.blocks[-1].outputs, *unit.blocks[-1].inputs):
         first = int(getattr(d.initial, "value", 0))
         if first != start.get(d.name, first):

@@ -1,4 +1,8 @@
-"""What a table of tags for TIA Portal says, read from the workbook itself by Python's standard library."""
+"""What a table of tags for TIA Portal says, read from the workbook itself by Python's standard library.
+
+A workbook is an archive of files that name each other, and a spreadsheet follows these names: so whatever could lead it
+to another sheet, text or cell than is read here is refused.
+"""
 
 from __future__ import annotations
 
@@ -6,8 +10,11 @@ import io
 import re
 import xml.etree.ElementTree as ElementTree
 import zipfile
+from itertools import pairwise
 
 _MAIN = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
+_OFFICE = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
+_BOOK, _SHEET, _STRINGS = "xl/workbook.xml", "worksheets/sheet1.xml", "sharedStrings.xml"
 
 
 class BadTags(Exception):
@@ -19,14 +26,12 @@ def read_tags(data: bytes, before: str) -> dict[str, str]:
     each.  Raises `BadTags`."""
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as book:
-            strings = ["".join(t.itertext()) for t in _parsed(book, "xl/sharedStrings.xml").iter(f"{_MAIN}si")]
-            sheet = _parsed(book, "xl/worksheets/sheet1.xml")
-            names = [s.get("name") for s in _parsed(book, "xl/workbook.xml").iter(f"{_MAIN}sheet")]
-    except (zipfile.BadZipFile, KeyError, ElementTree.ParseError) as error:
+            _check_parts(book)
+            strings = [_text(si) for si in _parsed(book, f"xl/{_STRINGS}")]
+            sheet = _parsed(book, f"xl/{_SHEET}")
+    except (zipfile.BadZipFile, KeyError, ElementTree.ParseError, UnicodeDecodeError) as error:
         raise BadTags(str(error)) from None
-    if names[:1] != ["PLC Tags"]:
-        raise BadTags("the first sheet is not PLC Tags")
-    rows = [_cells(row, strings) for row in sheet.iter(f"{_MAIN}row")]
+    rows = [_cells(row, number, strings) for number, row in enumerate(sheet.iter(f"{_MAIN}row"), 1)]
     if not rows or [rows[0].get(c) for c in "ABCD"] != ["Name", "Path", "Data Type", "Logical Address"]:
         raise BadTags("other columns than a table of tags has")
     found: dict[str, str] = {}
@@ -41,19 +46,61 @@ def read_tags(data: bytes, before: str) -> dict[str, str]:
     return found
 
 
+def _check_parts(book: zipfile.ZipFile) -> None:
+    """One workbook with one sheet of its name, and the files from which these are read are those that they name."""
+    names = sorted(n.casefold() for n in book.namelist())
+    if any(a == b for a, b in pairwise(names)):
+        raise BadTags("a part of the workbook is there twice")
+    sheets = list(_parsed(book, _BOOK).iter(f"{_MAIN}sheet"))
+    if [s.get("name") for s in sheets] != ["PLC Tags"]:
+        raise BadTags("not the one sheet PLC Tags")
+    links = _links(book, "xl/_rels/workbook.xml.rels")
+    shown = sheets[0].get(f"{{{_OFFICE}}}id", "")
+    held = {kind: [x for x, (k, _) in links.items() if k == kind] for kind in ("worksheet", "sharedStrings")}
+    if held["worksheet"] != [shown] or links[shown][1] != _SHEET:
+        raise BadTags("the sheet that is shown is another")
+    if [links[x][1] for x in held["sharedStrings"]] != [_STRINGS]:
+        raise BadTags("the texts are those of another file")
+    if [x for k, x in _links(book, "_rels/.rels").values() if k == "officeDocument"] != [_BOOK]:
+        raise BadTags("the workbook is another")
+
+
+def _links(book: zipfile.ZipFile, name: str) -> dict[str, tuple[str, str]]:
+    """The kind and the target of each relationship, by its name."""
+    found: dict[str, tuple[str, str]] = {}
+    for x in _parsed(book, name):
+        if set(x.attrib) != {"Id", "Type", "Target"} or x.attrib["Id"] in found:
+            raise BadTags(f"a relationship in {name} that is not understood")
+        found[x.attrib["Id"]] = x.attrib["Type"].rpartition("/")[2], x.attrib["Target"]
+    return found
+
+
 def _parsed(book: zipfile.ZipFile, name: str) -> ElementTree.Element:
-    return ElementTree.fromstring(book.read(name))
+    text = book.read(name).decode()
+    if "<!" in text or not text.startswith('<?xml version="1.0" encoding="UTF-8"'):
+        raise BadTags(f"{name} is of another encoding, or has a document type")
+    return ElementTree.fromstring(text.encode())
 
 
-def _cells(row: ElementTree.Element, strings: list[str]) -> dict[str, str]:
+def _text(si: ElementTree.Element) -> str:
+    """A text that is one piece, and no other is read aloud."""
+    if [x.tag for x in si] != [f"{_MAIN}t"] or len(si[0]):
+        raise BadTags("a text in pieces")
+    return si[0].text or ""
+
+
+def _cells(row: ElementTree.Element, number: int, strings: list[str]) -> dict[str, str]:
     """The texts of a row by column."""
-    found = {}
-    for cell in row.iter(f"{_MAIN}c"):
+    found: dict[str, str] = {}
+    for cell in row:
+        place = re.fullmatch(rf"([A-Z]+){number}", cell.get("r", ""))
+        plain = cell.tag == f"{_MAIN}c" and [x.tag for x in cell] == [f"{_MAIN}v"] and cell.get("t") == "s"
+        if place is None or not plain or place[1] in found:
+            raise BadTags(f"row {number} has a cell twice, one that computes, or one of another row")
         value = cell.findtext(f"{_MAIN}v", "")
-        column = re.sub(r"[0-9]", "", cell.get("r", ""))
-        if cell.get("t") == "s":
-            if not value.isdigit() or int(value) >= len(strings):
-                raise BadTags("a cell without its text")
-            value = strings[int(value)]
-        found[column] = value
+        if not re.fullmatch("[0-9]+", value) or int(value) >= len(strings):
+            raise BadTags("a cell without its text")
+        found[place[1]] = strings[int(value)]
+    if row.get("r") != str(number):
+        raise BadTags(f"row {number} is called {row.get('r')}")
     return found

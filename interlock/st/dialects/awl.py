@@ -28,7 +28,7 @@ from interlock.st.ast import (
     Statement,
     Time,
 )
-from interlock.st.dialects.classic import Language
+from interlock.st.dialects.classic import Language, unprintable
 from interlock.st.dialects.dialect import Dialect, Unsupported
 from interlock.st.parser import NotInSubset, parse_unit
 from interlock.st.printer import declarations, print_expression, wrapped
@@ -214,7 +214,7 @@ def _organization(name: str, *lines: str) -> list[str]:
 
 def _uncommented(text: str) -> str:
     """Without comments, titles, empty lines and space that says nothing."""
-    if not text.isascii() or any(x in text for x in ("(*", "*)", "/*", "*/", "\r", "\f", "\v", "\t")):
+    if not text.isascii() or any(x in text for x in ("(*", "*)", "/*", "*/")) or unprintable(text):
         raise NotInSubset("a comment of another kind")
     lines = (line.partition("//")[0].rstrip() for line in text.split("\n"))
     return "\n".join(x for x in lines if x and not x.startswith("TITLE =")) + "\n"

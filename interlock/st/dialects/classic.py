@@ -25,6 +25,11 @@ _ABSOLUTE = re.compile(r"(?:[TCZMIQEA]|DB|DI|FB|FC|OB|SFB|SFC|UDT|P[IQEA])[BWDX]
 """What STEP 7 takes for an address, a timer or a block, whoever declares it."""
 
 
+def unprintable(text: str, also: str = "") -> bool:
+    """Whether signs stand in a text that end no line and are no print: tools differ on them."""
+    return any(not x.isprintable() for x in set(text) - {"\n", *also})
+
+
 ONLY = "One interlocking in one controller: the symbol table of another gives the same numbers to its blocks."
 
 

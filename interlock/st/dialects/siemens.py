@@ -12,14 +12,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from interlock.st.ast import Block, Declaration, Statement
-from interlock.st.dialects.classic import Language
+from interlock.st.dialects.classic import Language, unprintable
 from interlock.st.parser import NotInSubset, parse_unit
 from interlock.st.printer import body, comment, declarations, wrapped
 from interlock.st.shared import Frame, frame, names_in
-from interlock.st.style import Style
+from interlock.st.style import COMMENT, Style
 
 _MARKED = Style(local="#")
-_COMMENT = re.compile(r"\(\*(?:[^*]|\*(?!\)))*\*\)")
+_COMMENT = re.compile(COMMENT)
 _QUOTED = re.compile(r'"(\w+)"(?:(\()|\."(\w+)"\(|\.(\w+))?', re.ASCII)
 
 
@@ -171,6 +171,6 @@ def _printed(s: Statement) -> list[str]:
 def uncommented(text: str) -> str:
     """Without comments and empty lines; what other tools might take for a comment is refused."""
     text = re.sub(r"[ \t]+$", "", _COMMENT.sub("", text), flags=re.MULTILINE)
-    if not text.isascii() or any(x in text for x in ("//", "/*", "(*", "*)", "\r", "\f", "\v")):
+    if not text.isascii() or any(x in text for x in ("//", "/*", "(*", "*)")) or unprintable(text, "\t"):
         raise NotInSubset("a comment of another kind")
     return re.sub(r"\n\n+", "\n", text).lstrip("\n")

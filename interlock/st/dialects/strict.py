@@ -45,14 +45,14 @@ def expect(e: ElementTree.Element, rules: Mapping[str, Rule]) -> None:
     for a in e.attrib:
         if a not in rule.attributes.split():
             raise NotInSubset(f"attribute {a} of {e.tag}")
-    if not rule.text and (e.text or "").strip():
+    if not rule.text and (e.text or "").strip(" \t\r\n"):
         raise NotInSubset(f"text in {e.tag}")
     many = {c.removesuffix("*"): c.endswith("*") for c in rule.children.split()}
     seen = set()
     for child in e:
         if child.tag not in many or (child.tag in seen and not many[child.tag]):
             raise NotInSubset(f"element {child.tag} in {e.tag}")
-        if (child.tail or "").strip():
+        if (child.tail or "").strip(" \t\r\n"):
             raise NotInSubset(f"text in {e.tag}")
         seen.add(child.tag)
         expect(child, rules)

@@ -23,6 +23,10 @@ _KINDS = {"FUNCTION_BLOCK": "FB", "FUNCTION": "FC", "DATA_BLOCK": "DB", "INSTANC
 def symbol_table(blocks: Sequence[Block], wires: Block) -> str:
     """The table: blocks in their order, then terminals."""
     rows = [*_blocks(blocks), *_wires(wires)]
+    return _written(rows)
+
+
+def _written(rows: Sequence[Sequence[str]]) -> str:
     out = io.StringIO()
     csv.writer(out, quoting=csv.QUOTE_ALL, lineterminator="\n").writerows(rows)
     return out.getvalue()
@@ -39,6 +43,8 @@ def read_symbols(text: str, blocks: Sequence[Block]) -> tuple[Declaration, ...]:
         raise NotInSubset(str(error)) from None
     if any(len(r) != 4 for r in rows) or not text.isascii():
         raise NotInSubset("a symbol table whose rows have not four parts")
+    if _written(rows) != text or any('"' in x or not x.isprintable() for r in rows for x in r):
+        raise NotInSubset("a symbol table that may be read otherwise line by line")
     names = [r[0] for r in rows]
     if len({n.upper() for n in names}) != len(names) or len({r[1] for r in rows}) != len(rows):
         raise NotInSubset("a symbol table with a name or an address twice")

@@ -18,6 +18,7 @@ from interlock.st.parser import NotInSubset, parse_block, parse_structure
 from interlock.st.printer import body, comment, declarations, structure, wrapped
 from interlock.st.program import Runs
 from interlock.st.structures import plain, structured
+from interlock.st.style import COMMENT, SPACE
 
 _RULES = {
     "TcPlcObject": Rule("Version ProductVersion", "POU DUT"),
@@ -33,7 +34,7 @@ _TASK_RULES = {
     "PouCall": Rule(children="Name"),
     **dict.fromkeys(("CycleTime", "Priority", "Name", "TaskFBGuid"), Rule(text=True)),
 }
-_HEAD = re.compile(r"(?:\(\*(?:[^*]|\*(?!\)))*\*\)\s*)*(FUNCTION_BLOCK|PROGRAM|TYPE) (\w+)(?: :)?\n")
+_HEAD = re.compile(rf"(?:{COMMENT}(?:{SPACE})?)*(FUNCTION_BLOCK|PROGRAM|TYPE) (\w+)(?: :)?\n")
 _END = "END_STRUCT"
 """How a structure closes here: without a semicolon."""
 _OBJECT = '<TcPlcObject Version="1.1.0.1" ProductVersion="3.1.4024.0">'

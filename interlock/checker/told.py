@@ -1,0 +1,89 @@
+"""What the words of the specification mean that tell what is said of routes: codes of a word, and whom they name."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from interlock.checker.ahead import Overlap
+from interlock.checker.formula import Formula, leaf
+from interlock.checker.moves import World
+from interlock.checker.railway import Signal, safe
+from interlock.checker.track import Way
+
+
+class Telling(World):
+    """Words of words."""
+
+    called: Mapping[int, str] = {}
+    """What a table calls the routes, by number, where one is read."""
+
+    def w_name_of_route(self, r: int) -> list[str]:
+        return [self.called[r]] if r in self.called else []
+
+    def w_movable(self, m: str) -> Formula:
+        """The machine may be commanded elsewhere."""
+        return leaf(f"MOV_{safe(m)}")
+
+    def w_said_unknown(self) -> Formula:
+        return leaf("said.unknown")
+
+    def w_said_free(self) -> Formula:
+        return leaf("said.free")
+
+    def w_said_set(self) -> Formula:
+        return leaf("said.set")
+
+    def w_said_open(self) -> Formula:
+        return leaf("said.open")
+
+    def w_said_cancelling(self) -> Formula:
+        return leaf("said.cancelling")
+
+    def w_said_waiting(self) -> Formula:
+        return leaf("said.waiting")
+
+    def w_said_refused(self) -> Formula:
+        return leaf("said.refused")
+
+    def w_stays_open(self, r: int) -> Formula:
+        """Open for the movement that has begun to pass the signal."""
+        return self.known(f"PA_R{r}")
+
+    def w_ways_locked(self, r: int) -> Formula:
+        """Its ways lie and are locked, and so is its overlap."""
+        return leaf(f"B_R{r}")
+
+    def w_could_be_locked(self, r: int) -> Formula:
+        """All its ways lie and are clear, and so does its overlap, in this scan."""
+        return leaf(f"LK_R{r}")
+
+    def w_granted(self, r: int) -> Formula:
+        """A request for it is granted in this scan."""
+        return leaf(f"G_R{r}")
+
+    def w_side_of_entry(self, w: Way) -> list[str]:
+        """What lies before a way: the neighbour, or what stands at its end."""
+        return [self.r.track.beyond(w.section, w.entry) or w.entry]
+
+    def w_side_of_exit(self, w: Way) -> list[str]:
+        return [self.r.track.beyond(w.section, w.exit) or w.exit]
+
+    def w_signal_of_overlap(self, o: Overlap) -> list[Signal]:
+        return [o.signal]
+
+    def w_number_of_overlap(self, o: Overlap) -> list[int]:
+        return [o.number]
+
+    def w_lamps_reported(self) -> list[Signal]:
+        return self.w_opening() if self.r.drawn.asks("lamp_proof") else []
+
+    def w_stop_lamp(self, g: Signal) -> Formula:
+        """The stop lamp is reported intact."""
+        return leaf(f"RL_{g.safe}")
+
+    def from_and_to(self, r: int) -> tuple[str, set[str]]:
+        """The signal from which a route leads, and what its end is called: the signal, boundary or buffer there, or the
+        section in which it ends."""
+        c, p = self._whole(r)
+        ahead = self.r.signal_into.get((p.last.exit, self.r.track.beyond(p.last.section, p.last.exit) or ""))
+        return c.name, {p.last.exit, p.last.section, *([ahead.name] if ahead is not None else [])}

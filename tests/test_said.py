@@ -1,0 +1,137 @@
+"""What the second checker reads of the words of routes: whoever lies to an operator is refused, in text or table."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+
+from interlock.checker.check import agree
+from interlock.checker.said import Published
+from interlock.checker.specification import shipped as specification
+from interlock.emit.io import words_csv
+from interlock.proof.functions import FUNCTIONS
+from interlock.verify import Rejected
+from tests.layouts import SHIPPED, built
+from tests.written import shipped, told
+
+OTHERS = ("added", "boards", "devices", "identifier", "overlap_berth", "spaces", "token", "turning_loop")
+
+
+def table(name: str) -> Published:
+    """The table of a layout's words, as it is written."""
+    rows = list(csv.DictReader(io.StringIO(words_csv(built(name)[2]))))
+    codes = {int(r["Code"]): r["Says"] for r in rows if r["Code"]}
+    return Published(codes, {r["Word"]: r["Says"] for r in rows if r["Word"]})
+
+
+@pytest.mark.parametrize("name", [*SHIPPED, *(f"../tests/layouts_for_tests/{x}" for x in OTHERS)])
+def test_words_and_sentences_of_a_layout_are_read(name: str) -> None:
+    source = Path(f"layouts/{name}.yaml").read_text("utf-8")
+    found = agree(*told(source), specification(), table(name))
+    assert found.left == ()
+    assert (
+        "words of routes say what is so" in found.compared[4] and "sentences of io/words.csv read" in found.compared[4]
+    )
+
+
+def test_its_sentence_is_that_of_the_function() -> None:
+    assert {s["id"]: s["sentence"] for s in specification().told if "sentence" in s} == {"F-WORD": FUNCTIONS["F-WORD"]}
+
+
+def test_without_a_table_it_says_that_none_was_read() -> None:
+    found = agree(*shipped("fig2_2"), specification())
+    assert "no table that says what their 13 codes mean" in found.compared[4] and found.left == ()
+
+
+FALSE_WORDS = {
+    "open while at stop": ("IF D.N_S_R1 THEN OUTP.YX_R1", "IF D.N_A_R1 THEN OUTP.YX_R1", "says open"),
+    "open a scan late": ("IF D.N_S_R1 THEN OUTP.YX_R1", "IF D.S_R1 THEN OUTP.YX_R1", "says open"),
+    "open of another route": ("IF D.N_S_R1 THEN OUTP.YX_R1", "IF D.N_S_R2 THEN OUTP.YX_R1", "says open"),
+    "never open": ("IF D.N_S_R1 THEN OUTP.YX_R1 := 3;", "IF D.N_S_R1 THEN OUTP.YX_R1 := 2;", "says set"),
+    "free while set": ("ELSIF D.N_A_R1 THEN OUTP.YX_R1 := D.XW_R1;", "", "says refused"),
+    "free that would be refused": ("ELSIF NOT D.WF_DP_3 THEN OUTP.YX_R1 := D.XF_DP_3;", "", "says free"),
+    "refused that is free": (
+        "ELSE OUTP.YX_R1 := 1;",
+        "ELSE OUTP.YX_R1 := 10001;",
+        "said of two conditions|says refused",
+    ),
+    "refused at once": ("ELSE OUTP.YX_R1 := 1;", "ELSE OUTP.YX_R1 := 10010;", "says refused"),
+    "what has no part in it": (
+        "  IF D.K_DP THEN D.XS_DP",
+        "  IF D.TR_P1 THEN D.XS_DP := 10012; ELSIF D.K_DP THEN D.XS_DP",
+        "has no part in",
+    ),
+    "what the grant does not ask for": (
+        "ELSIF NOT INP.VALID THEN OUTP.YX_R1",
+        "ELSIF NOT INP.CLR_SC THEN OUTP.YX_R1 := 10097; ELSIF NOT INP.VALID THEN OUTP.YX_R1",
+        "says refused",
+    ),
+    "cancelling as another signal": ("IF D.N_X_X1 THEN D.XW_R1", "IF D.N_X_X2 THEN D.XW_R1", "says cancelling"),
+    "cancelling a scan late": ("IF D.N_X_X1 THEN D.XW_R1", "IF D.X_X1 THEN D.XW_R1", "says cancelling"),
+    "waiting while locked": ("ELSIF D.N_B_R1 THEN D.XW_R1 := 2;", "", "says waiting"),
+    "waiting for what lies": ("ELSIF NOT D.QN_P1 THEN D.XW_R1", "ELSIF D.QN_P1 THEN D.XW_R1", "says waiting"),
+    "nothing known": ("ELSE OUTP.YX_R1 := 1;", "ELSE OUTP.YX_R1 := 0;", "says unknown"),
+    "nothing is named": ("ELSIF D.L_DP_1 THEN D.XS_DP := 10003;", "", "says unknown"),
+    "a value that says nothing": ("ELSE OUTP.YX_R1 := 1;", "ELSE OUTP.YX_R1 := 7;", "value 7, which says nothing"),
+    "a code that nobody explains": ("D.XC_DP := 10008;", "D.XC_DP := 10098;", "nothing is published of the code 10098"),
+    "a code of two conditions": ("D.XC_DP := 10008;", "D.XC_DP := 10009;", "10009 is said of two conditions"),
+    "another condition": (
+        "NOT INP.CLR_DP THEN D.XC_DP := 10008;",
+        "NOT INP.CLR_SA THEN D.XC_DP := 10008;",
+        "has no part in",
+    ),
+    "another that is asked for": (
+        "INP.BLK_DP THEN D.XF_DP_3 := 10009;",
+        "INP.BLK_DP THEN D.XF_DP_3 := 10010;",
+        "10010",
+    ),
+    "the other direction": ("ELSIF D.L_DP_1 THEN D.XS_DP := 10003;", "ELSIF D.L_DP_1 THEN D.XS_DP := 10004;", "10004"),
+}
+
+
+@pytest.mark.parametrize("which", FALSE_WORDS)
+def test_a_word_that_lies_is_refused(which: str) -> None:
+    before, after, why = FALSE_WORDS[which]
+    body, system, text = shipped("fig2_2")
+    assert text.count(before) >= 1, before
+    with pytest.raises(Rejected, match=why):
+        agree(body, system, text.replace(before, after, 1), specification(), table("fig2_2"))
+
+
+def exchanged(codes: Mapping[int, str], a: int, b: int) -> dict[int, str]:
+    return {**codes, a: codes[b], b: codes[a]}
+
+
+@pytest.mark.parametrize(("a", "b"), [(10002, 10009), (10003, 10004), (10001, 10008), (10008, 10009), (2, 4), (1, 3)])
+def test_exchanged_sentences_are_refused(a: int, b: int) -> None:
+    whole = table("fig2_2")
+    with pytest.raises(Rejected, match="is published as"):
+        agree(*shipped("fig2_2"), specification(), Published(exchanged(whole.codes, a, b), whole.words))
+
+
+def test_machines_that_are_exchanged_are_refused() -> None:
+    whole = table("junction")
+    a, b = (k for k, v in whole.codes.items() if v.startswith("set, waiting for points"))
+    with pytest.raises(Rejected, match="is published as"):
+        agree(*shipped("junction"), specification(), Published(exchanged(whole.codes, a, b), whole.words))
+
+
+def test_route_names_that_are_exchanged_are_refused() -> None:
+    whole = table("fig2_2")
+    for a, b in (("YX_R1", "YX_R2"), ("YX_R1", "YX_R3")):
+        words = {**whole.words, a: whole.words[b], b: whole.words[a]}
+        with pytest.raises(Rejected, match="calls YX_R1"):
+            agree(*shipped("fig2_2"), specification(), Published(whole.codes, words))
+
+
+def test_a_sentence_that_nobody_can_compare_verifies_nothing() -> None:
+    """What the specification does not know is told, and then nothing counts as verified."""
+    whole = table("fig2_2")
+    strange = Published({**whole.codes, 10008: "all is well with section DP"}, whole.words)
+    assert agree(*shipped("fig2_2"), specification(), strange).left == (
+        "the sentences of the codes 10008 in io/words.csv",
+    )
