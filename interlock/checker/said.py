@@ -39,6 +39,8 @@ class Supposed:
     known: dict[Formula, bool] = field(default_factory=dict)
     loose: list[Formula] = field(default_factory=list)
     """Conjunctions that are false, of which nobody knows which part is."""
+    open: set[Formula] = field(default_factory=set)
+    """What came out as neither since something was last supposed."""
 
     def with_(self, *xs: Formula) -> Supposed:
         """These supposed, too.  Raises _Contradiction where they cannot be."""
@@ -62,6 +64,7 @@ class Supposed:
                 raise _Contradiction
             return
         self.known[x] = is_so
+        self.open.clear()
         if x[0] == "v":
             name = x[1]
             if name in self.scan.definitions:
@@ -99,6 +102,8 @@ class Supposed:
             return bool(x == TRUE)
         if x in self.known:
             return self.known[x]
+        if x in self.open:
+            return None
         found: bool | None = None
         if x[0] == "v":
             if x[1] in self.scan.definitions:
@@ -106,9 +111,16 @@ class Supposed:
             elif x[1] in self.scan.timers and self.value(leaf(self.scan.timers[x[1]][0])) is False:
                 found = False
         else:
-            parts = [self.value(y) for y in x[1]]
-            found = False if False in parts else None if None in parts else True
-        if found is not None:
+            found = True
+            for y in x[1]:
+                part = self.value(y)
+                if part is False:
+                    found = False
+                    break
+                found = None if part is None else found
+        if found is None:
+            self.open.add(x)
+        else:
             self.known[x] = found
         return found
 

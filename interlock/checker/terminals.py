@@ -216,7 +216,8 @@ class Terminals(Lamps):
         return sorted(lit - {r for g in self.w_opening() for r in self._routes_by(g, (*MAIN, *CALL_ON, *WHITE))})
 
     def w_own_routes(self) -> list[int]:
-        return [r for r in self.w_routes() if r not in self.w_identifier_routes()]
+        others = self.w_identifier_routes()
+        return [r for r in self.w_routes() if r not in others]
 
     @cached_property
     def _past(self) -> dict[int, list[int]]:
