@@ -14,11 +14,14 @@ from itertools import chain
 
 from interlock.logic.expr import AND, FALSE, Expr, conj, disj, implies, neg, rebuild, var
 from interlock.logic.names import Form, Name, Owner, of_block
+from interlock.logic.names import Kind as ElementKind
 from interlock.model.bits import bits, bits_of
 from interlock.proof.abstraction.indexed import GuardedClause, IndexedVariable, Kind
 from interlock.proof.abstraction.local import Focus, LocalAbstraction, LocalAbstractions, Occurrences, families_in
 
 _DEFINED = Kind.DEFINED
+
+SHORT = 3  # names that a meaning reads which is there for goals that name many elements
 
 
 def _at(where: Mapping[Name, Sequence[int]], names: Iterable[Name]) -> dict[int, None]:
@@ -40,7 +43,7 @@ class _Cone:
     """The cone of influence of a focus; `truncated`: it ends at elements that the goals do not name."""
 
     def __init__(self, local: LocalAbstractions, focus: Focus, truncated: bool) -> None:
-        self._local, self._truncated = local, truncated
+        self._local, self._truncated, self._far = local, truncated, focus.far
         self.names: dict[Name, None] = {}
         self._families: dict[Name, None] = {}
         self._elements: dict[Owner, None] = dict.fromkeys(focus.homes)
@@ -50,7 +53,7 @@ class _Cone:
         """Begin with the names in the goals, and the elements to which they belong."""
         m, homes = self._local.members, self._local.places.homes
         names: dict[Name, None] = {}
-        families: dict[Name, None] = {}
+        families: dict[Name, None] = {} if self._truncated else dict.fromkeys(focus.families)
         for _, x in focus.whole:
             names |= dict.fromkeys(m.read(x)[0])
             families |= dict.fromkeys(families_in(self._local.members, x))
@@ -60,7 +63,9 @@ class _Cone:
                     families[v] = None
                 else:
                     names[v] = None
-        self._elements |= dict.fromkeys(homes[v] for v in names if v in homes)
+        if not self._truncated or not self._far:
+            self._elements |= dict.fromkeys(homes[v] for v in names if v in homes)
+        self._named = frozenset(names)
         self._reach(names, families, self._elements)
 
     def _reach(self, names: Iterable[Name], families: Iterable[Name], elements: Iterable[Owner]) -> None:
@@ -69,7 +74,6 @@ class _Cone:
         A truncated cone has no reasons for what is at an element that the goals do not name.
         """
         todo, fresh, leads = list(names), list(families), self._local.places.leads
-        homes, named = self._local.places.homes if self._truncated else {}, self._elements
         while todo or fresh:
             while fresh:
                 f = fresh.pop()
@@ -82,10 +86,19 @@ class _Cone:
                 v = todo.pop()
                 if v not in self.names:
                     self.names[v] = None
-                    if v in leads and (v not in homes or homes[v] in named):
+                    if v in leads and (not self._truncated or self._is_near(v)):
                         reads, speaks_of = leads[v]
                         todo += reads
                         fresh += speaks_of
+
+    def _is_near(self, name: Name) -> bool:
+        """Whether a truncated cone has the meaning of a name."""
+        places = self._local.places
+        home = places.homes.get(name)
+        if self._far:
+            short = len(places.leads[name][0]) <= SHORT
+            return home is None or short or home in self._elements or home.kind is ElementKind.SIGNAL
+        return (name not in places.far or name in self._named) and (home is None or home in self._elements)
 
     def _around(self) -> dict[int, None]:
         """Facts that speak of the names."""
