@@ -32,8 +32,8 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Protocol
 
-from interlock.logic.expr import AND, NOT, OR, VAR, Expr
-from interlock.logic.names import NONE, Name, Owner
+from interlock.logic.expr import AND, NOT, OR, VAR, Expr, var
+from interlock.logic.names import NONE, Name, Owner, of_block
 from interlock.model.bits import bits, bits_of
 from interlock.proof.abstraction.indexed import GuardedClause, HasFamilies, IndexedFamilies, Kind
 
@@ -233,6 +233,14 @@ class ClauseIndex:
         self.families.setdefault(t.family, {}).update(dict.fromkeys(t.families))
 
 
+class BlockVariables(dict[tuple[Name, int], Expr]):
+    """The variables of blocks, by family and number of the block: all abstractions have the same."""
+
+    def __missing__(self, key: tuple[Name, int]) -> Expr:
+        found = self[key] = var(of_block(*key))
+        return found
+
+
 class LocalAbstractions:
     """The local abstractions of a system."""
 
@@ -244,6 +252,7 @@ class LocalAbstractions:
         self.places = PlaceIndex(system, self.members)
         self.clauses = ClauseIndex(self.members, self.homes)
         self._groups: dict[Expr, list[Occurrences]] = {}
+        self.variables = BlockVariables()
         self.of_block: dict[tuple[Expr, int], Expr] = {}
         """Expressions over families, by blocks: what abstractions have in common."""
         self.told: dict[int, dict[GuardedClause, Expr]] = {}

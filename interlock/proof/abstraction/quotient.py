@@ -12,8 +12,8 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import chain
 
-from interlock.logic.expr import AND, FALSE, Expr, conj, disj, implies, neg, rebuild, var
-from interlock.logic.names import Form, Name, Owner, of_block
+from interlock.logic.expr import AND, FALSE, Expr, conj, disj, implies, neg, rebuild
+from interlock.logic.names import Form, Name, Owner
 from interlock.logic.names import Kind as ElementKind
 from interlock.model.bits import bits, bits_of
 from interlock.proof.abstraction.indexed import GuardedClause, IndexedVariable, Kind
@@ -27,16 +27,6 @@ SHORT = 3  # names that a meaning reads which is there for goals that name many 
 def _at(where: Mapping[Name, Sequence[int]], names: Iterable[Name]) -> dict[int, None]:
     """The numbers that stand at some names."""
     return dict.fromkeys(chain.from_iterable(filter(None, map(where.get, names))))
-
-
-def _variable(family: Name, block: int) -> Expr:
-    return var(of_block(family, block))
-
-
-def _of_block(x: Expr, block: int) -> Expr:
-    if x.args:
-        return rebuild(x, tuple(_of_block(a, block) for a in x.args))
-    return _variable(x.name, block) if x.name.indexed else x
 
 
 class _Cone:
@@ -108,15 +98,15 @@ class _Cone:
         """See what names mean that stand in facts of which the abstraction sees all else."""
         homes, next_to, names_of = self._local.places.homes, self._local.places.next_to, self._local.places.names_of
         inside = set(map(homes.get, self.names)) - {None}
-        cone, states = set(self.names), self._local.places.state_homes
+        mine, states = self.names, self._local.places.state_homes
         for n in facts:
-            names = names_of[n]
-            if not cone.issuperset(names):
+            new = [v for v in names_of[n] if v not in mine]
+            if new:
                 for v in next_to[n]:
-                    if v not in self.names and states.get(v) not in inside:
+                    if v not in mine and states.get(v) not in inside:
                         break
                 else:
-                    self._reach(names, (), ())
+                    self._reach(new, (), ())
 
     def collect(self) -> tuple[list[Expr], list[Expr]]:
         """The facts of places, and those of several members."""
@@ -240,7 +230,7 @@ class _Quotient:
     def _use(self, family: Name, block: int) -> Expr:
         """The variable of a block."""
         self._reached[family, block] = None
-        return _variable(family, block)
+        return self._local.variables[family, block]
 
     def _merged(self, root: Expr) -> Expr:
         """An expression over blocks instead of members."""
@@ -296,7 +286,7 @@ class _Quotient:
                 self._reached[f, block] = None
             fact = known.get(t)
             if fact is None:
-                fact = known[t] = implies(_variable(t.family, block), _of_block(t.expr, block))
+                fact = known[t] = implies(self._local.variables[t.family, block], self._of_block(t.expr, block))
             self._facts.append(fact)
 
     def _over(self, x: Expr, block: int) -> Expr:
@@ -305,8 +295,13 @@ class _Quotient:
             self._reached[f, block] = None
         known = self._local.of_block.get((x, block))
         if known is None:
-            known = self._local.of_block[x, block] = _of_block(x, block)
+            known = self._local.of_block[x, block] = self._of_block(x, block)
         return known
+
+    def _of_block(self, x: Expr, block: int) -> Expr:
+        if x.args:
+            return rebuild(x, tuple([self._of_block(a, block) for a in x.args]))
+        return self._local.variables[x.name, block] if x.name.indexed else x
 
     def _one_value(self) -> None:
         """Of the values of one variable no two are taken at once."""
