@@ -269,8 +269,12 @@ def plot(points: dict[str, list[tuple[int, float]]], limit: float) -> str:
         line_ = " ".join(f"{a:.1f},{b:.1f}" for a, b in places)
         out.append(f'<polyline points="{line_}" fill="none" stroke="{COLOURS[name]}" stroke-width="2"/>')
         out += [f'<circle cx="{a:.1f}" cy="{b:.1f}" r="3.5" fill="{COLOURS[name]}"/>' for a, b in places]
-        a, b = places[-1]
-        out.append(f'<text x="{a + 8:.0f}" y="{b + 4:.0f}" fill="{COLOURS[name]}">{name}</text>')
+    written: list[tuple[float, float]] = []
+    ends = [(y(s) + 4, x(n) + 8, name) for name, ps in points.items() for n, s in sorted(ps)[-1:]]
+    for b, a, name in sorted(ends, reverse=True):  # from below: no name lies over another
+        b = min([b, *(d - 13 for c, d in written if abs(a - c) < 60 and b > d - 13)])
+        written.append((a, b))
+        out.append(f'<text x="{a:.0f}" y="{b:.0f}" fill="{COLOURS[name]}">{name}</text>')
     return "\n".join([*out, "</svg>"]) + "\n"
 
 

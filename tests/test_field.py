@@ -426,6 +426,7 @@ def test_the_command_runs_proves_and_stops(ready: Ready) -> None:
         typed = "\n" * 30 + "release\nset X7-X1\nrubbish\n"  # a line a cycle
         done = CliRunner().invoke(cli, [*args, "--cycles", "50", "--cycle", "40"], input=typed)
         assert done.exit_code == 0, done.output
+        assert ready.proved.seconds > 0.0  # it says how long that took, as `prove` does
         assert "PROVED" in done.output and "inputs valid" in done.output and "YP_X7 = 1" in done.output
         assert "write set ROUTE" in done.output and "the longest cycle took" in done.output
         locks = hold([f"127.0.0.1:{east.port}/1"])  # the run has ended, and holds nothing
@@ -437,6 +438,9 @@ def test_the_command_runs_proves_and_stops(ready: Ready) -> None:
             lock.close()
         wrong = CliRunner().invoke(cli, ["run", path, "--modbus", "north=127.0.0.1:1"])
         assert wrong.exit_code == 2 and "substations: west, east" in wrong.output
+        for more, told in (("--record x.log", "--record goes with --panel"), ("--port 0", "--port goes with --panel")):
+            no = CliRunner().invoke(cli, [*args, *more.split()])
+            assert no.exit_code == 2 and told in no.output, no.output
         missing = CliRunner().invoke(cli, [*args[:4]])
         assert missing.exit_code == 2 and "missing for east" in missing.output
     finally:

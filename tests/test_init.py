@@ -43,3 +43,8 @@ def test_the_command_writes_a_file_once(tmp_path: Path) -> None:
     assert CliRunner().invoke(command, ["--yard", "4", "--line", "2"]).exit_code == 2
     assert CliRunner().invoke(command, ["--yard", "3"]).exit_code == 2
     assert CliRunner().invoke(command, ["--line", "1"]).output == line(1)
+
+
+def test_the_next_command_can_be_copied(tmp_path: Path) -> None:
+    done = CliRunner().invoke(command, ["-o", str(tmp_path / "my station.yaml")])
+    assert f"next: interlock check '{tmp_path / 'my station.yaml'}'" in done.output

@@ -5,7 +5,9 @@ from __future__ import annotations
 import errno
 import json
 import os
+import signal
 import socket
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 from random import Random
@@ -20,11 +22,12 @@ from starlette.websockets import WebSocketDisconnect
 from interlock.app.run import Ready, run
 from interlock.cli.main import cli
 from interlock.cli.panel import opened
+from interlock.field.alone import InUse
 from interlock.panel.clock import MOST_S, Clock
 from interlock.panel.desk import Desk, Person
 from interlock.panel.journal import page, trace
 from interlock.panel.recorder import Recorder
-from interlock.panel.server import FILES, Access, application
+from interlock.panel.server import FILES, Access, application, listening, serve
 from interlock.panel.simulated import SimulatedField
 from interlock.record.log import read_file
 from tests.layouts import SHIPPED
@@ -146,6 +149,41 @@ def test_faults_are_alarms_until_they_are_gone_and_seen(at_work: tuple[Desk, Any
         b.ask("acknowledge")
         b.until(lambda: not b.rest["alarms"])
         assert [e["who"] for e in b.events if e["kind"] == "acknowledged"] in (["Cleo"], ["Cleo", "Cleo"])
+
+
+def test_a_signal_that_closes_says_what_has_closed_it(at_work: tuple[Desk, Any]) -> None:
+    """Not that a delay runs: what it waits for is what has just ended it."""
+    _, browser = at_work
+    with browser() as b:
+        b.ask("set", route="XI9-XC5")
+        b.until(lambda: b.state["g:XI9"][0] == "clear")
+        b.events.clear()
+        b.ask("fail", kind="section", name="s11_xc5", on=True)
+        b.until(lambda: kinds(b.events, "alarm"))
+        closed = next(e for e in b.events if e["kind"] == "alarm")
+        b.ask("fail", kind="section", name="s11_xc5", on=False)
+        b.ask("cancel", signal="XI9")
+        b.until(lambda: b.state["s:s11_xc5"][0] == 0 and not b.state["s:s9"][1])
+        b.ask("acknowledge")
+        assert closed["text"] == "signal XI9 has returned to stop"
+        assert closed["reasons"] == [["section s11_xc5 is occupied", ["s:s11_xc5"]]]
+
+
+def test_points_that_nobody_has_commanded_are_supervised_too(ready: Ready) -> None:
+    """After a restart nothing is commanded, and the controller supervises what it commands: what loses its detection
+    then would be told of only when a route over it is refused."""
+    with panel(ready) as (_, browser), browser() as b:
+        b.ask("speed", times=10)
+        b.until(lambda: b.rest["sys"]["valid"])
+        assert b.state["m:P4"][:2] == ["N", ""]  # never commanded
+        b.ask("fail", kind="machine", name="P4", on=True)
+        b.until(lambda: b.state["m:P4"][0] == "")
+        assert not b.state["m:P4"][3] and not b.rest["alarms"][1:]  # not before the supervision time, 13 s
+        b.until(lambda: b.state["m:P4"][3] and b.rest["alarms"][1:])
+        assert b.rest["alarms"][1][1:3] == ["P4 is not detected, and was not commanded", ["m:P4"]]
+        b.ask("fail", kind="machine", name="P4", on=False)
+        b.until(lambda: b.state["m:P4"][0] == "N" and not b.rest["alarms"][1][4])
+        assert not b.state["m:P4"][3]
 
 
 def test_trains_are_put_driven_turned_and_divided(at_work: tuple[Desk, Any]) -> None:
@@ -337,6 +375,11 @@ def test_a_computer_that_is_busy_slows_the_railway_down_and_no_cycle_is_too_long
     assert desk.field is not None and desk.field.world.scan_s == desk.clock.most_s
 
 
+def test_what_only_a_run_without_panel_has_is_refused(ready: Ready) -> None:
+    done = CliRunner().invoke(cli, ["run", ready.proved.checked.path, "--panel", "--port", "0", "--cycles", "3"])
+    assert done.exit_code == 2 and "--cycles goes without --panel" in done.output
+
+
 def test_a_port_in_use_and_a_missing_extra_are_messages(monkeypatch: pytest.MonkeyPatch) -> None:
     with socket.socket() as s:
         s.bind(("127.0.0.1", 0))
@@ -348,6 +391,16 @@ def test_a_port_in_use_and_a_missing_extra_are_messages(monkeypatch: pytest.Monk
     monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
     done = CliRunner().invoke(cli, args)
     assert done.exit_code == 2 and "interlock[panel]" in done.output
+
+
+def test_who_interrupts_twice_is_told_no_traceback_and_all_is_restrictive(
+    ready: Ready, capfd: pytest.CaptureFixture[str]
+) -> None:
+    desk, both = Desk(ready), [signal.SIGINT, signal.SIGINT]
+    threading.Timer(0.5, lambda: [os.kill(os.getpid(), s) for s in both]).start()
+    serve(desk, Access(), listening("127.0.0.1", 0))
+    assert not desk._thread.is_alive() and desk.broken == ""
+    assert capfd.readouterr().err == ""
 
 
 def test_tokens_are_made_where_others_can_reach_the_panel() -> None:
@@ -395,6 +448,8 @@ def test_a_shift_is_recorded_printed_and_played(ready: Ready, tmp_path: Path, mo
     for more, file in (([], "shift.html"), (["--journal", "-o", str(tmp_path / "page.html")], "page.html")):
         done = CliRunner().invoke(cli, ["play", str(path), *more])
         assert done.exit_code == 0 and (tmp_path / file).stat().st_size > 1000, done.output
+    played = (tmp_path / "shift.html").read_text("utf-8")
+    assert "reported occupied" in played and "a train</span>" not in played, "what is reported is no train yet"
     for more in (["--from", "tea"], ["--from", "2001-01-01", "--to", "2001-01-02"]):
         assert CliRunner().invoke(cli, ["play", str(path), *more, "-o", str(tmp_path / "x.html")]).exit_code == 1
     shift(ready, path)  # the same file: the count of releases goes on
@@ -405,6 +460,21 @@ def test_a_shift_is_recorded_printed_and_played(ready: Ready, tmp_path: Path, mo
     assert done.exit_code == 1 and "something was changed" in done.output
     with pytest.raises(ValueError, match="something was changed"):
         Recorder(path, ready)
+
+
+def test_two_panels_do_not_write_one_record(ready: Ready, tmp_path: Path) -> None:
+    """Their events would be between each other's, and the digests of neither would hold."""
+    path = tmp_path / "one.log"
+    path.touch()  # it may be there, and empty
+    recorder = Recorder(path, ready)
+    with pytest.raises(InUse, match="two may not write the same record"):
+        Recorder(path, ready)
+    more = ["--panel", "--port", "0", "--record", str(path)]
+    done = CliRunner().invoke(cli, ["run", ready.proved.checked.path, *more])
+    assert done.exit_code == 2 and "two may not write the same record" in done.output, done.output
+    recorder.close()
+    Recorder(path, ready).close()
+    assert read_file(path).ended
 
 
 def test_where_nothing_can_be_written_the_panel_works_on_and_nothing_is_lost(
@@ -507,6 +577,21 @@ def test_a_command_with_a_locomotive_number_is_carried_out_route_by_route(at_wor
         b.ask("take away", train="12")
         b.until(lambda: b.state["s:s4_xc1"][0] == 0)
         b.until(lambda: any("train 14: it is lost: s4_xc1 became clear" in a[1] for a in b.rest["alarms"]))
+
+
+def test_a_train_that_stands_before_the_signal_gets_the_number_of_the_command(ready: Ready) -> None:
+    """It was the train from nowhere, and the next one that came in would have borne its number."""
+    with panel(ready) as (_, browser), browser(name="Gus") as b:
+        b.ask("speed", times=10)
+        b.released()
+        b.ask("bring", boundary="W", train="x", metres=30)
+        b.until(lambda: b.state["s:s1_wait"][0] == 1)
+        assert b.ask("voyage", name="12:W>s4_xc1")["ok"]
+        b.until(lambda: b.state["s:s4_xc1"][0] == 1 and not b.rest["sys"]["voyages"])
+        b.until(lambda: b.rest["sys"]["numbers"] == [["12", ["s4_xc1"]]])
+        assert not [a for a in b.rest["alarms"] if a[0].startswith("train")]
+        b.ask("bring", boundary="W", train="y", metres=30)
+        b.until(lambda: any("no number in s1_wait" in a[1] for a in b.rest["alarms"]))
 
 
 @pytest.mark.parametrize("metres", [0.2, 0.6, 0.9, 1.2])

@@ -175,12 +175,13 @@ def test_from_request_to_release_by_mouse_alone(chromium: Any, server: Server) -
 
 
 OVERLAPPING = """() => {
-    const box = e => e.getBBox(), texts = [...document.querySelectorAll('#plan text:not(.title)')];
-    const all = texts.filter(e => box(e).width);
+    const box = e => e.getBBox(), all = [...document.querySelectorAll('#plan text:not(.title), #plan .lamp')];
     const meet = (a, b) => a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
-    return all.filter(e => e.matches('.number, .berth')).flatMap(n =>
-        all.filter(e => e !== n && meet(box(n), box(e))).map(e => n.textContent + ' over ' + e.textContent));
+    const seen = all.filter(e => box(e).width), told = e => e.textContent || e.closest('[data-key]').dataset.key;
+    return seen.filter(e => e.matches('.number, .berth, .note')).flatMap(n =>
+        seen.filter(e => e !== n && meet(box(n), box(e))).map(e => n.textContent + ' over ' + told(e)));
 }"""
+"""What stands on the plan for a while, over a name, a lamp or another."""
 
 
 def test_numbers_stand_at_their_sections_and_over_no_name(chromium: Any, server: Server) -> None:
@@ -235,7 +236,7 @@ def test_by_keys_alone(chromium: Any, server: Server) -> None:
         assert wrong == []
 
 
-def test_on_a_phone_the_plan_has_its_width_and_nothing_lies_over_anything(chromium: Any, server: Server) -> None:
+def test_on_small_screens_nothing_lies_over_anything_or_is_cut(chromium: Any, server: Server) -> None:
     with closing_pages(chromium) as b:
         page, wrong = opened(b, server.url)
         page.set_viewport_size({"width": 390, "height": 800})
@@ -247,6 +248,32 @@ def test_on_a_phone_the_plan_has_its_width_and_nothing_lies_over_anything(chromi
         assert boxes[0]["height"] > 200
         for above, below in pairwise(boxes):
             assert above["bottom"] <= below["top"] + 1
+        width = "Number(document.querySelector('#plan svg').getAttribute('viewBox').split(' ')[2])"
+        before, touch, y = page.evaluate(width), page.context.new_cdp_session(page), boxes[0]["y"] + 80
+        for kind, apart in (("Start", 20), ("Move", 40), ("Move", 80), ("End", None)):  # two fingers look closer
+            points = [] if apart is None else [{"x": 195 - apart, "y": y, "id": 0}, {"x": 195 + apart, "y": y, "id": 1}]
+            touch.send("Input.dispatchTouchEvent", {"type": f"touch{kind}", "touchPoints": points})
+        page.wait_for_timeout(200)
+        assert page.evaluate(width) < before / 2
+        press(page, "fit")
+        assert page.evaluate(width) == before
+        page.evaluate("""() => { const svg = document.querySelector("#plan svg"), r = svg.getBoundingClientRect();
+            const at = (kind, x) => svg.dispatchEvent(new PointerEvent(kind, {pointerId: 1, isPrimary: true, buttons: 1,
+                bubbles: true, pointerType: "mouse", clientX: r.x + x, clientY: r.y + 20}));
+            at("pointerdown", 50); at("pointermove", 90); at("pointerdown", 60); }""")  # let go outside the window
+        press(page, "fit")
+        click(page, "#signal-XB .reach")
+        is_(page, "#signal-XB", "chosen")
+        page.keyboard.press("Escape")
+        page.set_viewport_size({"width": 1280, "height": 760})
+        tops = "[...document.querySelectorAll('header > :not([hidden])')].map(e => e.getBoundingClientRect().bottom)"
+        assert max(page.evaluate(tops)) < 40, "the head is one line"
+        cut = """() => { const b = document.getElementById("steps"), r = b.getBoundingClientRect();
+            return [...b.children].filter(e => { const q = e.getBoundingClientRect();
+                return q.top < r.top - 1 && q.bottom > r.top + 1; }).map(e => e.textContent); }"""
+        page.wait_for_selector("#restart button:enabled")
+        page.wait_for_timeout(200)
+        assert page.evaluate(cut) == [], "the first step in view is whole"
         assert wrong == []
 
 
@@ -264,7 +291,8 @@ def test_two_browsers_agree_and_the_page_outlives_its_server(chromium: Any, serv
         one.locator("[data-mark=note]").fill("lamp is being changed")
         fresh(one)
         one.keyboard.press("Enter")
-        two.wait_for_selector(".note.reminder")
+        two.wait_for_selector(".note.reminder:has-text('XI9: lamp is being changed')")
+        assert two.evaluate(OVERLAPPING) == []
         press(one, "Cancel XI9-XC5")
         for page in (one, two):
             page.wait_for_selector("#plan:not(:has(.locked))")

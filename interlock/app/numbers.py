@@ -49,7 +49,7 @@ class Numbers:
         at, way = run.journey.start.under[-1]
         if way == OUTSIDE:
             approach = self.dispatcher.railway.approach.get(str(at))
-            if approach is not None:
+            if approach is not None and not self.describer.takes(approach, run.name):
                 self.describer.expected.setdefault(approach, []).append(run.name)
         else:
             self.describer.confirm(at, run.name)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Generator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from interlock.app.check import derive_file
 from interlock.app.numbers import Numbers
@@ -40,7 +40,9 @@ class Ready:
 
 def prepare(path: str, limits: Limits | None = None, progress: Progress = quiet) -> Ready:
     """Check, prove, and compare the runtime that is going to run."""
+    began = time.monotonic()
     proved, files = prove_derived(derive_file(path), limits, progress)
+    proved = replace(proved, seconds=time.monotonic() - began)
     checked = proved.checked
     if not proved.green or checked.layout is None or checked.table is None:
         return Ready(proved)

@@ -42,8 +42,8 @@ from interlock.st.dialects import DIALECTS
     "dialects",
     multiple=True,
     type=click.Choice([*(d.name for d in DIALECTS), "all", C99]),
-    help="Write the PLC text for this tool as well (several times, or `all`); iec is always written.  "
-    "c99 is the C runtime.",
+    help="Write the PLC text for this tool as well (several times, or `all` PLC texts); iec is always written.  "
+    "c99 is the C runtime, which `all` leaves out.",
 )
 @click.option("--check", is_flag=True, help="Write nothing; tell whether the outputs are current.")
 @click.option("--unproved", is_flag=True, help="Write PLC text even if something is not proved, marked as such.")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import sys
 from pathlib import Path
 
@@ -15,7 +16,11 @@ from interlock.cli.common import FINDINGS, OK, failed, force_option, format_opti
 @click.option("--yard", "tracks", type=click.IntRange(4, 2000), help="A yard with this many parallel tracks.")
 @click.option("--line", "stations", type=click.IntRange(1, 5000), help="A single line with this many stations.")
 @click.option(
-    "-o", "--output", type=click.Path(dir_okay=False), default="-", help="The file to write; - for the screen."
+    "-o",
+    "--output",
+    type=click.Path(dir_okay=False),
+    default="-",
+    help="The file to write; without it, or with -, it is shown on the screen.",
 )
 @force_option
 @format_option
@@ -30,6 +35,8 @@ def command(tracks: int | None, stations: int | None, output: str, force: bool, 
             put_json({"ok": True, "file": None, "lines": lines, "text": text})
         else:
             click.echo(text, nl=False)
+            if sys.stdout.isatty():
+                click.echo("\nto write it to a file: interlock init -o NAME.yaml", err=True)
         sys.exit(OK)
     path = Path(output)
     try:
@@ -43,5 +50,5 @@ def command(tracks: int | None, stations: int | None, output: str, force: bool, 
     if form == "json":
         put_json({"ok": True, "file": output, "lines": lines})
     else:
-        click.echo(f"{output}: {lines} lines; next: interlock check {output}")
+        click.echo(f"{output}: {lines} lines; next: interlock check {shlex.quote(output)}")
     sys.exit(OK)

@@ -18,6 +18,7 @@ import click
 from interlock.app.run import Ready
 from interlock.cli.common import told
 from interlock.cli.operator_place import answering
+from interlock.field.alone import InUse
 from interlock.field.operator_place import DOES, Reply
 from interlock.field.plc import Link
 from interlock.panel.desk import Desk, Person
@@ -60,7 +61,7 @@ def run_panel(
     record = record or Path(f"{ready.layout.name}-{datetime.now():%Y%m%d-%H%M%S}.log")
     try:
         recorder = Recorder(record, ready)
-    except (OSError, ValueError) as error:
+    except (InUse, OSError, ValueError) as error:
         raise click.UsageError(f"the record cannot be written: {told(error, record)}") from None
     desk = Desk(ready, links, cycle_ms, recorder)
     host, port = sock.getsockname()[:2]

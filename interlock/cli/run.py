@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import click
+from click.core import ParameterSource
 
 from interlock.app.run import BadCommand, Operator, Ready, prepare, refused, run
 from interlock.cli.common import exit_code, format_option, progress, proof_body, show_proof
@@ -241,6 +242,7 @@ def command(
     standard computer is no safety PLC: for trials, not for a railway.
     """
     place = _place(modbus, panel, operator_modbus, requests)
+    _only_there(panel)
     sock = None
     if panel:
         for module in ("starlette", "uvicorn", "websockets"):
@@ -265,6 +267,14 @@ def command(
         return
     assert links is not None
     _run(ready, links, Clock(cycle_ms, cycles), place, requests, say)
+
+
+def _only_there(panel: bool) -> None:
+    """An option that the other kind of run has is refused: nobody shall believe in a record that is not written."""
+    context = click.get_current_context()
+    for name in ("cycles",) if panel else ("host", "port", "record", "token", "look_token"):
+        if context.get_parameter_source(name) is ParameterSource.COMMANDLINE:
+            raise click.UsageError(f"--{name.replace('_', '-')} goes {'without' if panel else 'with'} --panel")
 
 
 def _json(event: dict[str, Any]) -> None:

@@ -165,6 +165,14 @@ class Describer:
         self.alarms.pop(number, None)
         return True
 
+    def takes(self, section: SectionId, number: str) -> bool:
+        """A train that stands in an approach section, and of which nothing is known, is the one that a command is for:
+        it is the first to pass the signal there.  False where none is, another is to come before, or the number is
+        described elsewhere."""
+        here = [t for t in self.trains if t.under == [section] and t.number == f"{UNKNOWN}{section}"]
+        free = not self.expected.get(section) and self.where(number) is None
+        return free and bool(here) and self.confirm(section, number)
+
     def _is_here(self, t: Described, number: str) -> None:
         """A train has this number, and is not to come any more."""
         t.number = number

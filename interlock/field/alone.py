@@ -1,4 +1,5 @@
-"""One controller for a substation: a second one on this computer that would write the same outputs is refused.
+"""One controller for a substation, and one panel for a record: a second one on this computer that would write the same
+outputs or the same file is refused.
 
 A lock on a file that the operating system lets go of with the process, however that ends.  What another computer writes
 cannot be seen from here.
@@ -15,11 +16,12 @@ from typing import IO
 
 
 class InUse(Exception):
-    """Another process holds one of the substations; the message says which."""
+    """Another process holds one of them; the message says which."""
 
 
-def hold(places: list[str]) -> list[IO[bytes]]:
-    """Hold substations by their addresses, as long as the files that are returned stay open.  Raises `InUse`."""
+def hold(places: list[str], what: str = "outputs") -> list[IO[bytes]]:
+    """Hold substations by their addresses, or a file by its path, as long as the files that are returned stay open;
+    `what` is written there.  Raises `InUse`."""
     held: list[IO[bytes]] = []
     for place in places:
         name = hashlib.sha256(place.encode()).hexdigest()[:20]
@@ -28,7 +30,7 @@ def hold(places: list[str]) -> list[IO[bytes]]:
         if not _lock(file):
             for one in held:
                 one.close()
-            raise InUse(f"{place} is held by another interlock on this computer: two may not write the same outputs")
+            raise InUse(f"{place} is held by another interlock on this computer: two may not write the same {what}")
     return held
 
 

@@ -6,6 +6,7 @@ when it does not.  Needs the extra `field` (pymodbus).
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Mapping
 from typing import Any
 
@@ -21,6 +22,7 @@ class ModbusLink:
     ) -> None:
         from pymodbus.client import ModbusTcpClient
 
+        logging.getLogger("pymodbus").setLevel(logging.CRITICAL)  # what is lost is told by `Cycle.lost`
         own = [c for c in a.wires if c.substation == station]
         self._inputs = {c.variable: 8 * c.byte + c.bit for c in own if c.direction == "I"}
         self._outputs = {c.variable: 8 * c.byte + c.bit for c in own if c.direction == "Q"}

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from interlock.app.run import Ready
 from interlock.diag.called import called
 from interlock.field.plc import Cycle
+from interlock.model.elements import Position
 from interlock.panel.reasons import Moment, Reason, Reasons
 
 Causes = dict[str, tuple[str, tuple[str, ...]]]
@@ -40,6 +41,39 @@ def causes(ready: Ready, cycle: Cycle) -> Causes:
         if cycle.valid and not cycle.inputs.get(name, 0):
             out[f"detector {s}"] = (f"the detector of {called('section', s)} is out of order", (f"s:{s}",))
     return out
+
+
+class Idle:
+    """Machines that nobody has commanded since the restart and that are not detected: the controller supervises what it
+    commands, and the panel supervises these for as long (R10)."""
+
+    def __init__(self, ready: Ready) -> None:
+        assert ready.layout is not None and ready.controller is not None
+        y = ready.controller.symbols.machines
+        self._machines = [
+            (
+                str(m),
+                round(1000 * ready.layout.supervision_s(m)),
+                tuple(y.detected[m, x] for x in Position if (m, x) in y.detected),
+                tuple(y.command[m, x] for x in Position if (m, x) in y.command),
+            )
+            for m in ready.layout.machines
+        ]
+        self._lost_ms: dict[str, int] = {}
+        self.causes: Causes = {}
+        """By key: what is not detected for longer than the supervision time."""
+
+    def after(self, cycle: Cycle, dt_ms: int) -> None:
+        """A cycle has ended, `dt_ms` milliseconds after the one before."""
+        self.causes = {}
+        for m, allowed_ms, contacts, commands in self._machines:
+            lies = sum(bool(cycle.inputs.get(n)) for n in contacts) == 1
+            if not cycle.valid or lies or any(cycle.memory.state.get(n) for n in commands):
+                self._lost_ms.pop(m, None)
+                continue
+            self._lost_ms[m] = lost_ms = self._lost_ms.get(m, -dt_ms) + dt_ms
+            if lost_ms >= allowed_ms:
+                self.causes[f"idle {m}"] = (f"{m} is not detected, and was not commanded", (f"m:{m}",))
 
 
 def fallen_back(

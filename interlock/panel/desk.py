@@ -24,7 +24,7 @@ from interlock.logic.words import UNKNOWN
 from interlock.model.elements import BlockKind
 from interlock.panel.alarms import Alarm, Alarms
 from interlock.panel.asked import Asked
-from interlock.panel.causes import causes, fallen_back
+from interlock.panel.causes import Idle, causes, fallen_back
 from interlock.panel.clock import MOST_S, SPEEDS, Clock
 from interlock.panel.commands import TEXT, Buttons, Refused
 from interlock.panel.event import Event, stamp
@@ -86,7 +86,7 @@ class Desk:
         self.picture, self.reasons = Picture(ready), Reasons(ready.layout, ready.controller)
         self.operator = Operator(ready)
         self.buttons = Buttons(ready, self.operator)
-        self.alarms = Alarms()
+        self.alarms, self._idle = Alarms(), Idle(ready)
         self.reminders: dict[str, list[str]] = {}
         self.releases = 0 if recorder is None else recorder.releases
         """Releases by hand, counted; the count goes on with a record that goes on."""
@@ -169,7 +169,7 @@ class Desk:
     def _powered(self) -> None:
         now, sleep = (time.monotonic, time.sleep) if self.field is None else (self.clock.now, self.clock.sleep)
         self._last = Cycle({}, {}, False, ())
-        self._ran_ms = 0
+        self._ran_ms, self._idle = 0, Idle(self.ready)
         self._once("the controller starts: every section stays locked until it is released")
         poll = InTurn() if self.field is not None else Beside()
         with closing(run(self.ready, self.links, self.cycle_ms, None, self._inputs, now, sleep, poll)) as cycles:
@@ -214,8 +214,9 @@ class Desk:
         for text, at, reasons in fallen_back(self.ready, self.reasons, before, cycle, moment):
             self._alarm(self.alarms.once(text, at, stamp()), reasons)
         self._ran_ms += self._dt_ms
+        self._idle.after(cycle, self._dt_ms)
         if self._ran_ms > SETTLES_MS:
-            found = causes(self.ready, cycle)
+            found = causes(self.ready, cycle) | self._idle.causes
             found |= {f"train {n}": told for n, told in self.operator.numbers.alarms.items()}
             if self.recorder is not None and self.recorder.lost:
                 found["record"] = (self.recorder.lost, ())
@@ -229,7 +230,7 @@ class Desk:
         if self.recorder is not None:
             self.recorder.cycle(cycle)
         self.publish(cycle)
-        self._tell(self.picture.of(cycle), cycle)
+        self._tell(self.picture.of(cycle, self._idle.causes), cycle)
         self.longest_s = max(self.longest_s, time.monotonic() - self._began)
 
     # --- telling -----------------------------------------------------------------------------------

@@ -94,6 +94,7 @@ def trace(found: Recorded, first: str = "", last: str = "") -> str:
             "title": f"{begin['title']}, {clock(start)} to {clock(end)}",
             "claim": "Record of the panel",
             "sentence": f"from {clock(start)} to {clock(end)}",
+            "occupied": "reported occupied",  # by a train or by nobody: that is not recorded
             "plan": begin["plan"],
             "views": begin["views"],
         },

@@ -7,7 +7,7 @@ their order (page/panel.js).
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from math import ceil
 from typing import Any
 
@@ -229,11 +229,12 @@ class Picture:
         """Seconds until the last of the timers that run is over."""
         return max((n for t in timers if (n := self.left(cycle, t)) is not None), default=None)
 
-    def of(self, cycle: Cycle) -> Shown:
-        """Every element after a cycle."""
+    def of(self, cycle: Cycle, idle: Container[str] = ()) -> Shown:
+        """Every element after a cycle; `idle M` stands in `idle` where machine M is not detected in time, though nobody
+        has commanded it."""
         shown: Shown = {}
         self._of_sections(cycle, shown)
-        self._of_machines(cycle, shown)
+        self._of_machines(cycle, shown, idle)
         self._of_signals(cycle, shown)
         state, inputs, y = cycle.memory.state, cycle.inputs, self.symbols
         for key, name in self._overlaps:
@@ -265,7 +266,7 @@ class Picture:
                 int(healthy is not None and not inputs.get(healthy, 0)),
             ]
 
-    def _of_machines(self, cycle: Cycle, shown: Shown) -> None:
+    def _of_machines(self, cycle: Cycle, shown: Shown, idle: Container[str]) -> None:
         state, inputs, outputs = cycle.memory.state, cycle.inputs, cycle.outputs
         for key, contacts, commands, late, trailed, held in self._machines:
             lies = "".join(x for x, n in zip("NR", contacts, strict=True) if n and inputs.get(n))
@@ -274,7 +275,7 @@ class Picture:
                 lies if cycle.valid else "",
                 wanted,
                 int(any(state.get(n) for n in held)),
-                int(bool(late and outputs.get(late))),
+                int(bool(late and outputs.get(late)) or f"idle {key[2:]}" in idle),
                 int(bool(trailed and state.get(trailed))),
             ]
 

@@ -214,12 +214,11 @@ class _Look:
     def _timer(self, step: Timer, wanted: bool) -> Iterator[Reason]:
         if not wanted:
             return
-        ran = self.moment.before.elapsed.get(step.name)
-        if ran is None:
+        if not self.value(step.input):
             yield from self.why(self.r._steps[step.input].expr, True)  # type: ignore[union-attr]
             return
-        left = max(0, step.preset_ms - ran) / 1000
-        yield Reason(f"{step.note.split(' (')[0]}: {left:.0f} s to go")
+        left = max(0, step.preset_ms - (self.moment.before.elapsed.get(step.name) or 0)) / 1000
+        yield Reason(f"{step.note.split(' (')[0]}: {left:.0f} s to go", about(step.name))
 
     def _leaf(self, name: str, is_true: bool) -> Iterator[Reason]:
         if is_true and name in self.r.locks:

@@ -14,6 +14,7 @@ from typing import Any
 from interlock import __version__
 from interlock.app.run import Ready
 from interlock.emit.drawing import plan_svg
+from interlock.field.alone import hold
 from interlock.field.plc import Cycle
 from interlock.model.traversal import topology
 from interlock.panel.event import Event, rules
@@ -52,11 +53,12 @@ class Recorder:
     """Writes a panel's record."""
 
     def __init__(self, path: Path, ready: Ready) -> None:
-        """Begin a log, or go on with one.  Raises `ValueError` for one that is damaged or of another layout, and
-        `OSError`."""
+        """Begin a log, or go on with one.  Raises `ValueError` for one that is damaged or of another layout, `InUse`
+        where another panel writes it, and `OSError`."""
         assert ready.controller is not None and ready.layout is not None and ready.table is not None
         y = ready.controller.symbols
         self.path, self.lost = path, ""
+        self._held = hold([str(path.resolve())], "record")
         self._clear: tuple[str, ...] = tuple(y.sections.clear.values())
         self._contacts: tuple[str, ...] = tuple(y.machines.detected.values())
         self._state: tuple[str, ...] = tuple(n for n in views(ready) if n not in {*self._clear, *self._contacts})
@@ -69,14 +71,11 @@ class Recorder:
         self._log: Log | None = None
         self._left: Log | None = None
         """Where writing had to stop."""
-        if path.exists() and path.stat().st_size:
-            self._log, found = Log.resume(path)
-            first = found.events[0] if found.events else {}
-            if first.get("layout") not in (None, str(ready.layout.name)):
-                raise ValueError(f"{path} is the record of {first.get('layout')}")
-            self.releases = sum(e["kind"] == "release" for e in found.events)
-        else:
-            self._log = Log.create(path)
+        try:
+            self._open(str(ready.layout.name))
+        except (OSError, ValueError):
+            self._let_go()
+            raise
         self._put(
             "begin",
             program=f"interlock {__version__}",
@@ -86,6 +85,21 @@ class Recorder:
             plan=plan_svg(ready.layout),
             views=views(ready),
         )
+
+    def _open(self, layout: str) -> None:
+        """Begin the log, or go on with it."""
+        if not self.path.exists():
+            self._log = Log.create(self.path)
+            return
+        self._log, found = Log.resume(self.path)
+        first = found.events[0] if found.events else {}
+        if first.get("layout") not in (None, layout):
+            raise ValueError(f"{self.path} is the record of {first.get('layout')}")
+        self.releases = sum(e["kind"] == "release" for e in found.events)
+
+    def _let_go(self) -> None:
+        for lock in self._held:
+            lock.close()
 
     def event(self, e: Event) -> None:
         """Something has happened."""
@@ -111,6 +125,7 @@ class Recorder:
     def close(self) -> None:
         """The panel ends."""
         self._put(END)
+        self._let_go()
         if self._log is not None:
             self._log.close()
             self._log = None

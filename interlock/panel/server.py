@@ -14,6 +14,7 @@ from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
 from dataclasses import dataclass
 from importlib import resources
+from types import FrameType
 from typing import Any
 from urllib.parse import urlsplit
 
@@ -185,8 +186,15 @@ def listening(host: str, port: int) -> socket.socket:
     return sock
 
 
+class _Server(uvicorn.Server):
+    """Ends in its own time however often it is interrupted; uvicorn's breaks off at the second, with a traceback."""
+
+    def handle_exit(self, sig: int, frame: FrameType | None) -> None:
+        self.should_exit = True
+
+
 def serve(desk: Desk, access: Access, sock: socket.socket) -> None:
-    """Serve until interrupted; then every output that can be reached is restrictive, and the interrupt goes on."""
+    """Serve until interrupted, once or more; then every output that can be reached is restrictive."""
     config = uvicorn.Config(
         application(desk, access),
         log_level="error",
@@ -196,6 +204,6 @@ def serve(desk: Desk, access: Access, sock: socket.socket) -> None:
         ws_max_size=4 * LARGEST,
         timeout_graceful_shutdown=1,
     )
-    server = uvicorn.Server(config)
+    server = _Server(config)
     desk.ended = lambda: setattr(server, "should_exit", True)
     server.run(sockets=[sock])

@@ -2,8 +2,9 @@
 
     python -m tests.campaigns.fuzz --count 100000 -j 2
 
-Every mutated layout must end in a table or in diagnostics: no exception, nothing over 2 s, and no PLC text from a
-layout with an error.  The last line is the result; the exit code is 1 when anything went wrong.
+Every mutated layout must end in a table or in diagnostics: no exception, nothing over 2 s of the processor (a machine
+that stands still for as long is no fault of ours), and no PLC text from a layout with an error.  The last line is the
+result; the exit code is 1 when anything went wrong.
 """
 
 from __future__ import annotations
@@ -101,15 +102,15 @@ def one(seed: int, tally: Tally, folder: str) -> None:
     text = (as_text if rng.random() < 0.5 else as_structure)(base, rng)
     path = os.path.join(folder, "fuzz.yaml")
     Path(path).write_text(text, encoding="utf-8", errors="replace")
-    began = time.perf_counter()
-    signal.setitimer(signal.ITIMER_REAL, LIMIT_S)
+    began = time.process_time()
+    signal.setitimer(signal.ITIMER_PROF, LIMIT_S)
     try:
         checked = check_file(path)
         tally.codes.update({d.code for d in checked.diagnostics if d.severity == "error"})
         if any(d.code == "IL4007" for d in checked.diagnostics):
             tally.bad.append(f"seed {seed}: audit and derivation disagree")
         tally.valid += checked.ok
-        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.setitimer(signal.ITIMER_PROF, 0)
         if not checked.ok and rng.random() < 0.02:
             _, files = build(path, unproved=True)
             if any(n.endswith((".st", ".py")) for n in files):
@@ -120,20 +121,20 @@ def one(seed: int, tally: Tally, folder: str) -> None:
             if not proved.green and any(n.endswith((".st", ".py")) for n in files):
                 tally.bad.append(f"seed {seed}: PLC text without a proof")
             tally.proved += proved.green
-            began = time.perf_counter()  # the limit of 2 s is for checking
+            began = time.process_time()  # the limit of 2 s is for checking
     except _TooLong:
-        tally.bad.append(f"seed {seed}: over {LIMIT_S} s")
+        tally.bad.append(f"seed {seed}: over {LIMIT_S} s of the processor")
     except Exception as error:  # the campaign is looking for exactly this
         tally.bad.append(f"seed {seed}: {type(error).__name__}: {error}")
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-    tally.slowest = max(tally.slowest, time.perf_counter() - began)
+        signal.setitimer(signal.ITIMER_PROF, 0)
+    tally.slowest = max(tally.slowest, time.process_time() - began)
     tally.count += 1
 
 
 def batch(first: int, count: int) -> Tally:
     """A run of seeds."""
-    signal.signal(signal.SIGALRM, _alarm)
+    signal.signal(signal.SIGPROF, _alarm)
     tally = Tally()
     with tempfile.TemporaryDirectory() as folder:
         for seed in range(first, first + count):

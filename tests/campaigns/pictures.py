@@ -1,4 +1,5 @@
-"""Pictures of the panel's page in Debian's Chromium: the steps after a restart, a refused route, the connection lost.
+"""Pictures of the panel's page in Debian's Chromium: the steps after a restart, the ends of a route, a refused one,
+a fault (on a phone, too), the connection lost.
 
 python -m tests.campaigns.pictures [-o interlock/docs/panel]
 """
@@ -25,6 +26,17 @@ def taken(page: Any, given: Path, name: str) -> None:
     print(f"{name}: {'whole' if fits else 'CLIPPED'}: {said.inner_text()}")
 
 
+def fault(page: Any) -> None:
+    """The train stands before its signal; points that nobody has commanded lose their detection, with a reminder."""
+    page.wait_for_selector("#section-s6 .track.occupied", state="attached")
+    click(page, "#point-P4 .reach")
+    press(page, "Fail: detection lost")
+    page.wait_for_selector("#point-P4.late", state="attached")
+    page.locator("[data-mark=note]").fill("being looked at")
+    page.keyboard.press("Enter")
+    page.wait_for_selector(".note.reminder")
+
+
 def main() -> None:
     """Heishan: from the restart to a train that has a route over the section that another route needs."""
     parser = argparse.ArgumentParser()
@@ -46,12 +58,20 @@ def main() -> None:
                 click(page, "#boundary-W .reach")
                 press(page, "A train comes in here")
                 click(page, "#signal-XB .reach")
+                page.wait_for_selector("#hint:not(:empty)")
+                taken(page, given, "entry")
                 click(page, "#signal-XI7 .reach")
                 page.wait_for_selector("#signal-XB.clear")
                 click(page, "#signal-XB .reach")
                 click(page, "#buffer-XC1 .reach")
                 page.wait_for_selector("#said:has-text('is refused')")
                 taken(page, given, "refused")
+                fault(page)
+                taken(page, given, "fault")
+                page.set_viewport_size({"width": 390, "height": 800})
+                press(page, "fit")
+                taken(page, given, "phone")
+                page.set_viewport_size({"width": 1280, "height": 760})
                 one.end(signal.SIGKILL)
                 page.wait_for_selector("body.stale")
                 taken(page, given, "lost")

@@ -24,7 +24,7 @@ function show(k) {
     if (!e) continue;
     marks.set(e, (marks.get(e) || "") + " " + what);
     if (!before.has(key) && at) e.classList.add("changed");
-    if (what === "occupied") train(e, id);
+    if (what === "occupied" && data.trains) train(e, id);
   }
   for (const [e, what] of marks) e.setAttribute("data-now", what.trim());
   const news = [];
@@ -70,6 +70,8 @@ document.addEventListener("keydown", (e) => {
   if (e.key === "Home") show(0);
   if (e.key === "End") show(data.texts.length - 1);
 });
-const frame = document.getElementById("plan"), start = frame.querySelector("svg").dataset.start;
+const frame = document.getElementById("plan"), drawing = frame.querySelector("svg"), start = drawing.dataset.start;
+const wide = drawing.clientWidth / frame.clientWidth;
+if (wide > 1 && wide < 1.6) { drawing.style.width = "100%"; drawing.style.height = "auto"; } // it is legible still
 if (start) { const [x, y] = start.split(" "); frame.scrollTo(x - 80, y - frame.clientHeight / 2); } // a large plan opens where its lines come in
 show(0);

@@ -27,9 +27,8 @@ def player_html(itf: str) -> str:
         texts = [str(s["#meta"]["text"]) for s in states]
         shown = [sorted(n for n in trace["vars"] if _true(s[n])) for s in states]
         plan, views = str(meta["plan"]), dict(meta["views"])
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
-        kind = type(error).__name__
-        raise BadTrace(f"not an ITF trace with a plan ({kind}: {error})") from None
+    except (ValueError, KeyError, TypeError, AttributeError):
+        raise BadTrace("not an ITF trace with a plan, as `prove` and `compile` write them, nor a record") from None
     if not states or not plan.startswith("<svg") or "<script" in plan.lower():
         raise BadTrace("the trace has no states, or its plan is no drawing")
     used = {n: views[n] for n in sorted(views)}
@@ -40,6 +39,7 @@ def player_html(itf: str) -> str:
             title=str(meta.get("title", "Trace")),
             claim=str(meta.get("claim", "")),
             sentence=str(meta.get("sentence", "")),
+            occupied=str(meta.get("occupied", "a train")),
             plan=plan,
             steps=texts,
             css=Markup(asset("player.css")),
@@ -47,6 +47,7 @@ def player_html(itf: str) -> str:
             data=script_json(
                 {
                     "texts": texts,
+                    "trains": "occupied" not in meta,
                     "shown": list(range(len(states))),
                     "states": [[n for n in names if n in used] for names in shown],
                     "views": used,

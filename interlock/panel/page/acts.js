@@ -44,10 +44,10 @@ export function train([name, , speed, metres, , held]) {
 
 function machine(still, state, rest, name, [lies, wanted, locked, late, trailed] = [], sys) {
   const one = still.machines[name], words = one.device ? {N: "open", R: "closed"} : {N: "normal", R: "reverse"}, out = [];
-  const lines = [[words[lies] ?? "not detected", wanted && wanted !== lies ? `commanded ${words[wanted]}` : "", locked ? "locked" : "", late ? "not detected in time" : "", trailed ? "trailed" : ""].filter(Boolean).join(", ")];
+  const lines = [[words[lies] ?? (late ? "not detected in time" : "not detected"), wanted && wanted !== lies ? `commanded ${words[wanted]}` : "", locked ? "locked" : "", trailed ? "trailed" : ""].filter(Boolean).join(", ")];
   if (one.hand) for (const to of ["N", "R"]) out.push(act(`Move ${words[to]}`, {do: "turn", machine: name, to}, {off: to === lies}));
   if (!one.device) out.push(act("It was looked at, and lies well", {do: "looked", machine: name}, {off: !trailed}));
-  if (still.simulated) out.push(fault(sys, "machine", name, "loses its detection"));
+  if (still.simulated) out.push(fault(sys, "machine", name, "detection lost"));
   return {lines, acts: out};
 }
 
@@ -66,7 +66,7 @@ function signal(still, state, rest, name, [aspect, cancelling, left, active, lam
     const on = state[`a:${r.id}`]?.[0];
     out.push(act(`${r.id}: ${on ? "no longer automatic" : "automatic"}`, {do: "automatic", route: r.id, on: !on}));
   }
-  for (const [what, input] of Object.entries(still.lamps[name] ?? {})) out.push(fault(sys, "lamp", input, `${what} lamp goes out`));
+  for (const [what, input] of Object.entries(still.lamps[name] ?? {})) out.push(fault(sys, "lamp", input, `${what} lamp out`));
   return {lines, acts: out, entry: routes.length > 0};
 }
 

@@ -102,6 +102,7 @@ const choice = new Rows($("acts"), v => {
   if (v.lines) return element("div", "");
   if (v.input) return input(v.input, v.label);
   const b = button("", () => b.does());
+  b.classList.toggle("wide", v.fault || v.label.length > 20);
   return b;
 }, (row, v) => {
   if (v.lines) { row.className = "lines"; row.replaceChildren(...v.lines.map(l => element("p", l))); return; }
@@ -237,8 +238,9 @@ function restart() {
     return line;
   }));
   requestAnimationFrame(() => { // the step that is due is in view, its box stays where it is
-    const now = $("steps").querySelector(".now");
-    if (now) $("steps").scrollTop = now.offsetTop + now.offsetHeight - $("steps").clientHeight;
+    const now = $("steps").querySelector(".now"), least = now ? now.offsetTop + now.offsetHeight - $("steps").clientHeight : 0;
+    const first = [...$("steps").children].find(line => line.offsetTop >= least || line === now); // and the first in view is whole
+    if (now) $("steps").scrollTop = least <= 0 ? 0 : first.offsetTop;
   });
 }
 

@@ -12,7 +12,10 @@ export const GROUP = {s: "section", g: "signal", b: "boundary", x: "buffer", m: 
 export const EXIT = {signal: "g", boundary: "b", buffer: "x", section: "s"};
 
 export class Plan {
-  constructor(holder, chosen) { this.holder = holder; this.chosen = chosen; this.state = {}; }
+  constructor(holder, chosen) {
+    Object.assign(this, {holder, chosen, state: {}, fingers: new Map(), drag: null});
+    for (const end of ["pointerup", "pointercancel"]) window.addEventListener(end, e => { this.fingers.delete(e.pointerId); this.drag = null; });
+  }
 
   draw(still) {
     this.still = still;
@@ -52,14 +55,18 @@ export class Plan {
     this.layer = make("g", {class: "trains"}, svg);
     this.berths = make("g", {class: "berths"}, svg);
     this.notes = make("g", {class: "notes"}, svg);
-    this.names = [...svg.querySelectorAll("text:not(.title)")].map(e => e.getBBox()).filter(r => r.width);
+    this.names = [...svg.querySelectorAll("text:not(.title), .lamp")].map(e => e.getBBox()).filter(r => r.width); // nothing is written over these
     this.heads = [];
     svg.addEventListener("click", e => this.clicked(e));
     svg.addEventListener("keydown", e => { if (e.key === "Enter" || e.key === " ") { e.preventDefault(); this.clicked(e); } });
     svg.addEventListener("wheel", e => { e.preventDefault(); this.zoom(e.deltaY < 0 ? 0.8 : 1.25, this.at(e)); }, {passive: false});
-    svg.addEventListener("pointerdown", e => { this.drag = [e.clientX, e.clientY, ...this.box]; this.moved = false; });
+    this.fingers = new Map();
+    svg.addEventListener("pointerdown", e => {
+      if (e.isPrimary) { this.fingers.clear(); this.moved = false; } // it may have been let go outside the window
+      this.fingers.set(e.pointerId, [e.clientX, e.clientY]);
+      this.drag = [e.clientX, e.clientY, ...this.box];
+    });
     svg.addEventListener("pointermove", e => this.pan(e));
-    window.addEventListener("pointerup", () => { this.drag = null; });
   }
 
   machine(point) {
@@ -161,12 +168,20 @@ export class Plan {
     const id = `note-${kind}-${key}`;
     let t = by(id);
     if (!text) { t?.remove(); return; }
-    if (!t) {
-      const at = this.middle(key);
-      if (!at) return;
-      t = make("text", {id, class: `note ${kind}`, x: at.x, y: at.y + (kind === "left" ? 30 : -30)}, this.notes);
-    }
+    const at = this.middle(key);
+    if (!at) return;
+    t ??= make("text", {id, class: `note ${kind}`}, this.notes);
     t.textContent = text;
+    if (text.length <= Number(t.dataset.room ?? 0)) return; // it stays where it is
+    t.dataset.room = text.length;
+    const first = kind === "left" ? [30, -30, 44, -44] : [-30, 30, -44, 44], places = [...first, 58, -58, 72, -72];
+    this.place(t, places.flatMap(y => [0, -30, 30, -60, 60].map(x => ({x: at.x + x, y: at.y + y}))), this.written(t));
+  }
+
+  // what is written on the plan, but for one text
+  written(but) {
+    const moving = [this.layer, this.berths, this.notes].flatMap(g => [...g.querySelectorAll("text")]);
+    return [...this.names, ...moving.filter(e => e !== but).map(e => e.getBBox())];
   }
 
   middle(key) {
@@ -178,7 +193,7 @@ export class Plan {
 
   reminders(all) {
     for (const t of [...this.notes.querySelectorAll(".note.reminder")]) t.remove();
-    for (const [key, [text]] of Object.entries(all)) this.note(key, "reminder", `\u2691 ${text}`);
+    for (const [key, [text]] of Object.entries(all)) this.note(key, "reminder", `\u2691 ${key.slice(2)}: ${text.length > 28 ? `${text.slice(0, 27)}\u2026` : text}`);
   }
 
   trains(all) {
@@ -198,8 +213,8 @@ export class Plan {
       if (!head) continue;
       const text = make("text", {class: "berth"}, this.layer);
       text.textContent = name;
-      const places = [17, -9, 30, -22].flatMap(y => [0, -14, 14].map(x => ({x: head.x + x, y: head.y + y})));
-      this.heads.push(this.place(text, places, [...this.names, ...this.heads]));
+      const places = [17, -9, 30, -22, 43, -35].flatMap(y => [0, -14, 14, -28, 28].map(x => ({x: head.x + x, y: head.y + y})));
+      this.heads.push(this.place(text, places, [...this.names, ...this.heads, ...[...this.notes.children].map(e => e.getBBox())]));
     }
   }
 
@@ -222,7 +237,8 @@ export class Plan {
     let b = null;
     for (const at of places) {
       text.setAttribute("x", at.x); text.setAttribute("y", at.y);
-      b = text.getBBox();
+      const {x, y, width, height} = text.getBBox();
+      b = {x: x - 2, y: y - 1, width: width + 4, height: height + 2}; // with the border around it
       if (!taken.some(t => b.x < t.x + t.width && t.x < b.x + b.width && b.y < t.y + t.height && t.y < b.y + b.height)) return b;
     }
     if (!b) text.remove();
@@ -272,6 +288,16 @@ export class Plan {
   move(dx, dy) { const [x, y, w, h] = this.box; this.look([x + dx * w, y + dy * h, w, h]); }
 
   pan(e) {
+    const before = this.fingers.get(e.pointerId);
+    if (before && this.fingers.size === 2) { // two fingers look closer
+      const other = [...this.fingers].find(([id]) => id !== e.pointerId)[1], far = ([x, y]) => Math.hypot(x - other[0], y - other[1]);
+      const was = far(before), is = far([e.clientX, e.clientY]);
+      this.fingers.set(e.pointerId, [e.clientX, e.clientY]);
+      this.moved = true;
+      if (was && is) this.zoom(was / is, this.at({clientX: (e.clientX + other[0]) / 2, clientY: (e.clientY + other[1]) / 2}));
+      this.drag = null;
+      return;
+    }
     if (!this.drag || !e.buttons) return;
     const [x, y, bx, b_y, w, h] = this.drag, r = this.svg.getBoundingClientRect();
     if (Math.hypot(e.clientX - x, e.clientY - y) > 4) this.moved = true;
