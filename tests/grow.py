@@ -10,6 +10,8 @@ from __future__ import annotations
 import random
 from dataclasses import dataclass, field
 
+from tests.layouts import grown
+
 
 @dataclass
 class End:
@@ -306,4 +308,12 @@ def grow(seed: int, steps: int | None = None) -> str:
     g.grow(steps if steps is not None else rng.randint(1, 9))
     g.pair_machines()
     g.place_signals()
-    return g.text()
+    return driven(g.text())
+
+
+def driven(text: str) -> str:
+    """A text without routes to whose signal no train comes: they are excluded."""
+    found = grown(text)
+    never = [d.about.name for d in found[2].diagnostics if d.code == "IL4018" and d.about] if found else []
+    lines = "".join(f"  - {{from: {g}, reason: no train comes there}}\n" for g in never)
+    return f"{text}exclude:\n{lines}" if lines else text

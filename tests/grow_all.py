@@ -19,7 +19,7 @@ from interlock.diag import Sink
 from interlock.model.layout import Layout
 from interlock.model.overlap import overlap_paths
 from interlock.table.rows import InterlockingTable, RouteKind
-from tests.grow import Grown
+from tests.grow import Grown, driven
 from tests.layouts import grown
 
 SCRIPTS = ("{p}{n}", "{p}{n}", "{p}-{n}", "{n}{p}#", "{p}_{n}/{n}", "Ж{p}{n}", "北{p}{n}", "ﾂ{p}{n}", "é{n}{p}")
@@ -267,6 +267,8 @@ def with_part(text: str, lines: list[str]) -> str:
     """A text with a part of its own instead of the one of that name, if it had one."""
     if not lines:
         return text
+    if lines[0] == "exclude:" and "\nexclude:\n" in text:  # beside what is excluded already
+        return text.replace("\nexclude:\n", "\n" + "\n".join(lines) + "\n", 1)
     key = re.escape(lines[0])
     rest = re.sub(rf"(?m)^{key}\n(?: .*\n)*", "", text)
     return rest + "\n".join(lines) + "\n"
@@ -320,6 +322,8 @@ def grow_all(seed: int) -> str:
         if found is not None and any(d.code == "IL4003" for d in found[2].diagnostics):
             text = without_idle(text, found[2])
             found = grown(text)
+    text = driven(text)
+    found = grown(text)
     if found is not None and found[2].has_errors and rng.random() < 0.5:
         text = waived(text, found[2])
         found = grown(text)

@@ -94,7 +94,7 @@ class Station:
 
     def way(self, r: RouteRow) -> tuple[object, ...]:
         """What the routes of a row have in common that differ in their overlaps."""
-        return r.kind, r.entry, r.traversals, () if r.onward is None else self.table.route[r.onward].traversals
+        return r.kind, r.entry, *(p.traversals for p in self.table.parts(r))
 
     @cached_property
     def reading(self) -> Reading:
@@ -104,7 +104,7 @@ class Station:
     def overlaps(self, name: str) -> set[str]:
         """The overlaps of a row, each as its sections and its points: `q4+q5:P2+P3R`."""
         those = [r for r in self.table.routes if self.way(r) == self.way(self.derived[name])]
-        last = [r if r.onward is None else self.table.route[r.onward] for r in those]
+        last = [self.table.parts(r)[-1] for r in those]
         return {_overlap(r) for r in last if r.overlap is not None}
 
     @cached_property
@@ -245,7 +245,7 @@ def _more(s: Station, name: str) -> Iterator[Difference]:
     """What German tables have: signals at identifier light, deciding points, overlaps."""
     row, r = s.published[name], s.derived[name]
     if "past" in s.columns:
-        yield from _both(name, "past", set(row["past"].split()), {str(r.exit)} if r.onward else set())
+        yield from _both(name, "past", set(row["past"].split()), set(map(str, r.passed or ())))
     if "decides" in s.columns:
         chosen = {f"{s.layout.point[p].machine}{'R' if x == 'R' else ''}" for p, x in s.reading.machines.deciding(r)}
         yield from _both(name, "decides", set(row["decides"].split()), chosen)

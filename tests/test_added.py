@@ -252,3 +252,40 @@ def test_a_door_that_could_always_be_opened_to_trains_is_driven_both_ways(monkey
     layout, table, _ = built("../tests/layouts_for_tests/air_lock")
     result = prove(System(layout, lower(layout, table)), Limits(search_s=0))
     assert {c.id for c in result.claims if c.open} >= {"P-DRIVEN"}
+
+
+# --- towards a boundary ---------------------------------------------------------------------------
+
+BEFORE = """interlock: 1
+name: before
+profile: mine
+boundaries: {W: {approach: wa 600}}
+buffers: [B, C]
+tracks:
+  m: [W, s2 200]
+  n: [s8 200, B]
+points:
+  1: {section: s4, toe: m.end, normal: n.start, reverse: C}
+signals:
+  X: {from: W, into: s2}
+  Y: {from: s2, into: s4, kind: combined}
+  G: {from: s8, into: s4, kind: combined}
+"""
+"""From G trains leave at W, and shunting movements end before it in s2."""
+
+
+@pytest.mark.parametrize(
+    ("more", "left"),
+    [
+        ("exclude:\n  - {from: G, to: W, reason: not wanted}\n", set()),
+        ("exclude:\n  - {from: G, to: W, kind: main, reason: not wanted}\n", {"G-s2.s"}),
+        ("demand:\n  - {point: 1, lies: normal, routes: {from: G, to: W}, reason: a stub}\n", {"G-W", "G-s2.s"}),
+    ],
+)
+def test_to_a_boundary_leads_what_ends_before_it_too_for_all_that_read_the_layout(more: str, left: set[str]) -> None:
+    """The claims said so, and the derivation did not: a layout that excludes such a route could not be proved."""
+    layout, table = made(BEFORE + more)
+    assert {r.id for r in table.routes if r.entry == "G"} == left and audit(layout, table) == ()
+    result = prove(System(layout, lower(layout, table)), Limits(search_s=0))
+    assert {c.verdict for c in result.claims} == {Verdict.PROVED}
+    assert agree(*told(BEFORE + more), specification.shipped()).left == ()

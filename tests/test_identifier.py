@@ -23,6 +23,8 @@ from interlock.frontend import load_text
 from interlock.logic.cabinet import allocate
 from interlock.logic.lower import lower
 from interlock.model.elements import Position, RouteId
+from interlock.proof.engines.limits import Limits
+from interlock.proof.mutation.weakenings import run_mutants
 from interlock.proof.system.transition import System
 from interlock.proof.witnesses.availability import availability
 from interlock.simulate.run import simulate
@@ -37,6 +39,9 @@ from tests.written import told
 
 PATH = Path("tests/layouts_for_tests/identifier.yaml")
 TEXT = PATH.read_text("utf-8")
+BOTH = Path("tests/layouts_for_tests/identifiers.yaml")
+TWO = BOTH.read_text("utf-8")
+"""Two signals in a row, Y and Z, before W."""
 
 
 def routes(text: str) -> dict[str, str | None]:
@@ -155,8 +160,9 @@ def test_every_two_routes_can_be_used_together() -> None:
 class Desk:
     """The emitted runtime with an operator; all sections clear, all points lie normal."""
 
-    def __init__(self) -> None:
-        layout, table, _ = said(TEXT)
+    def __init__(self, text: str = TEXT, signals: str = "XY") -> None:
+        layout, table, _ = said(text)
+        self.lamps = {f"{lamp}_{g}" for lamp in ("YP", "YY", "YS", "YI") for g in signals}
         controller = lower(layout, table)
         module = types.ModuleType("runtime")
         exec(compile(runtime_py(controller, []), "runtime.py", "exec"), module.__dict__)
@@ -180,18 +186,18 @@ class Desk:
             self.scan()
 
     def scan(self, **inputs: int) -> set[str]:
-        """One scan; the lamps of X and Y that are lit."""
+        """One scan; the lamps of these signals that are lit."""
         shown: Mapping[str, int] = self.one.scan({**self.reads, **inputs}, 100)
-        return {n for n in shown if shown[n] and n in ("YP_X", "YY_X", "YS_X", "YP_Y", "YY_Y", "YS_Y", "YI_Y")}
+        return {n for n in self.lamps if shown.get(n)}
 
     def ask(self, route: str) -> set[str]:
         """A route is asked for."""
         self.scan(**self.one.request(route))
         return [self.scan() for _ in range(4)][-1]
 
-    def held(self) -> bool:
+    def held(self, section: str = "p2") -> bool:
         """What lies past Y is locked."""
-        return any(self.one.state[n] for n in self.one.state if n.startswith("L_p2_"))
+        return any(self.one.state[n] for n in self.one.state if n.startswith(f"L_{section}_"))
 
     def occupied(self, *sections: str) -> set[str]:
         """These sections read occupied, and no others."""
@@ -267,19 +273,163 @@ def test_in_the_world_of_the_proof_a_driver_passes_the_light() -> None:
     assert run_to(passes) is not None
 
 
+# --- past several signals, one after the other -----------------------------------------------------
+
+
+def variant(*words: str) -> str:
+    """The layout of two such signals in a row, otherwise."""
+    text = TWO
+    for before, after in zip(words[::2], words[1::2], strict=True):
+        assert before in text
+        text = text.replace(before, after)
+    return text
+
+
+def excluding(start: str, end: str) -> str:
+    return f"{TWO}exclude:\n  - {{from: {start}, to: {end}, reason: not wanted}}\n"
+
+
+def test_a_train_may_stop_at_either_signal_or_run_past_both() -> None:
+    layout, table, codes = said(TWO)
+    assert codes == set()
+    assert {r.id: r.onward for r in table.routes if r.onward or r.kind == "identifier"} == {
+        "X-Y-Z": "Y-Z.i",
+        "X-Y-Z-W": "Y-Z-W.i",
+        "Y-Z-W": "Z-W.i",
+        "Y-Z-W.i": "Z-W.i",
+        "Y-Z.i": None,
+        "Z-W.i": None,
+    }
+    long = table.route[RouteId("X-Y-Z-W")]
+    assert (long.passed, long.destination, long.aspect.next, long.length) == (("Y", "Z"), "W", "W", 400)
+    assert {*long.hostile.routes} == {"X-Q", "X-Y", "X-Y-Z", "Y-Z", "Y-Z-W", "Y-Z.i", "Z-W"}
+    assert [c.text(long) for c in COLUMNS if c.key == "exit"] == ["W past Y, Z"]
+    result = availability(System(layout, lower(layout, table)), table)
+    assert {r.failure for r in result.pairs} == {None} and len(result.pairs) == 31
+
+
+IN_A_ROW = {
+    "two": (),
+    "three, the last with no overlap": (
+        *("p3 120]", "p3 60, p4 60]", "  W: {from: p3, into: T2}", "  V: {from: p3, into: p4, identifier: yes}"),
+        *(
+            "overlaps:",
+            "  W: {from: p4, into: T2}\noverlaps:",
+            "  W: {length: 0}",
+            "  V: {length: 0}\n  W: {length: 0}",
+        ),
+    ),
+    "to the line": ("  W: {from: p3, into: T2}", "  W: {from: p3, into: T2, identifier: yes}"),
+    "caution over turnouts, by turns": ("lamp_proof: yes", "caution: turnout, main_closes: whole-movement"),
+    "at slow sections, to an overlap for a speed": (
+        *("signals:", "sections: {p2: {speed: 30}, p3: {speed: 20}}\nsignals:"),
+        *("  W: {length: 0}", "  W: {length: 30, entry_speed: 15}"),
+    ),
+}
+
+
+@pytest.mark.parametrize("which", IN_A_ROW)
+def test_past_several_signals_all_is_proved(which: str) -> None:
+    text = variant(*IN_A_ROW[which])
+    layout, table, _ = said(text)
+    assert any(len(r.passed or ()) > 1 for r in table.routes)
+    assert proved(layout, table) and agree(*told(text), specification.shipped()).left == ()
+
+
+def test_each_length_of_such_a_route_is_excluded_by_its_own_ends() -> None:
+    every = set(routes(TWO))
+    assert every - set(routes(excluding("X", "W"))) == {"X-Y-Z-W", "Y-Z-W.i"}
+    assert every - set(routes(excluding("X", "Z"))) == {"X-Y-Z", "Y-Z.i"}
+    assert every - set(routes(excluding("Y", "Z"))) == {"Y-Z", "Y-Z.i", "X-Y-Z"}
+
+
+@pytest.mark.parametrize("ends", ["XW", "XZ"])
+def test_one_that_is_excluded_and_offered_all_the_same_is_found_out(ends: str) -> None:
+    layout, table, _ = said(excluding(*ends))
+    found = list(run_mutants(layout, table, 0, Limits(search_depth=0), only=("excluded-offered",)))
+    assert found and all(o.claims == ("S-EXCLUDED",) for o in found)
+    _, system, text = told(TWO)
+    with pytest.raises(Rejected):
+        agree(loaded(excluding(*ends)), system, text, specification.shipped())
+
+
+@pytest.mark.parametrize("kind", ["identifier-not-shown", "identifier-unlocked", "identifier-nothing-beyond"])
+def test_no_light_of_a_row_may_be_left_out(kind: str) -> None:
+    layout, table, _ = said(TWO)
+    found = list(run_mutants(layout, table, 0, Limits(search_depth=0), only=(kind,)))
+    assert len(found) >= 3 and all(o.claims for o in found)
+
+
+def test_the_audit_misses_what_lies_past_the_second_signal() -> None:
+    layout, table, _ = said(TWO)
+    for r in (x for x in table.routes if x.passed is not None and "Z" in x.passed):
+        wrong = replace(r, onward="Y-Z.i" if r.passed == ("Y", "Z") else None)
+        assert audit(layout, replace(table, routes=tuple(wrong if x is r else x for x in table.routes))), r.id
+
+
+def test_overlaps_of_two_signals_in_a_row_do_not_meet() -> None:
+    sink = Sink()
+    layout, _ = load_text("long.yaml", variant("  Y: {length: 50}", "  Y: {length: 200}"), sink)
+    assert layout is not None
+    derive(layout, sink)
+    assert {d.code for d in sink.diagnostics} == {"IL4014", "IL4015"}
+
+
+def test_the_lights_are_lit_from_the_last_and_fall_from_it() -> None:
+    desk = Desk(TWO, "XYZ")
+    desk.occupied("e1")
+    assert desk.ask("X-Y-Z") == {"YY_X", "YI_Y", "YS_Z"}
+    desk.scan(CAN_X=1)
+    assert [desk.scan() for _ in range(2000)][-1] == {"YS_X", "YS_Y", "YS_Z"}
+    assert desk.ask("X-Y-Z-W") == {"YY_X", "YI_Y", "YI_Z"}
+    desk.reads["NL_Z"] = 0
+    assert desk.scan() == {"YS_X", "YS_Y", "YS_Z"}, "with the lamp of the last one all fall"
+    desk.reads["NL_Z"] = 1
+    assert desk.ask("X-Y-Z-W") == {"YY_X", "YI_Y", "YI_Z"}, "asked for again, all are lit again"
+    assert desk.occupied("e1", "T1") == {"YS_X", "YI_Y", "YI_Z"}
+    assert desk.occupied("p1") == {"YS_X", "YI_Y", "YI_Z"}
+    assert desk.occupied("p1", "p2") == {"YS_X", "YS_Y", "YI_Z"}, "each goes out with the first axle that passes it"
+    assert desk.occupied("p2", "p3") == {"YS_X", "YS_Y", "YS_Z"}
+
+
+@pytest.mark.parametrize("signal", "XY")
+def test_a_cancellation_puts_out_all_lights_beyond_in_the_same_scan(signal: str) -> None:
+    desk = Desk(TWO, "XYZ")
+    desk.occupied("e1")
+    desk.ask("X-Y-Z-W")
+    if signal == "Y":
+        desk.occupied("p1")
+    assert desk.scan(**{f"CAN_{signal}": 1}) == {"YS_X", "YS_Y", "YS_Z"}
+    assert [desk.scan() for _ in range(20)][-1] == {"YS_X", "YS_Y", "YS_Z"}
+    assert desk.held("p2") and desk.held("p3"), "until the delays are over"
+    for _ in range(4000):
+        desk.scan()
+    assert not desk.held("p2") and not desk.held("p3")
+
+
+@pytest.mark.parametrize("profile", ["de", "cn", "uk", "generic"])
+def test_every_form_names_all_signals_that_are_passed(profile: str) -> None:
+    layout, table, _ = said(TWO.replace("profile: de", f"profile: {profile}"))
+    cells = [str(c) for s in national_sheets(layout, table) for row in s.rows for c in row]
+    past = {"de": "Y, Z", "cn": "越过Y、Z至W", "uk": "past Y, Z to W", "generic": "W past Y, Z"}[profile]
+    assert any(past in c for c in cells)
+
+
 # --- trains in metres, and what is printed --------------------------------------------------------
 
 
-@pytest.mark.parametrize("hostile", [False, True])
-def test_trains_pass_the_light_and_stop_at_stop(hostile: bool) -> None:
-    case, lit, astride, passed = Case.of(str(PATH)), [False] * 5, False, 0
+@pytest.mark.parametrize(("path", "hostile"), [(PATH, False), (PATH, True), (BOTH, True)])
+def test_trains_pass_the_light_and_stop_at_stop(path: Path, hostile: bool) -> None:
+    case, lit, astride, passed = Case.of(str(path)), [False] * 5, False, 0
+    last = "YI_Y" if path is PATH else "YI_Z"
+    joint = {"p1", "p2"} if path is PATH else {"p2", "p3"}
 
     def watch(world: World, shown: Mapping[str, int]) -> None:
         nonlocal astride, passed
         under = [{world.track.sections[s] for s in t.sections} for t in world.trains]
-        before, astride = astride, any({"p1", "p2"} <= x for x in under)
+        before, astride = astride, any(joint <= x for x in under)
         passed += astride and not before and any(lit)
-        lit[:] = [*lit[1:], bool(shown.get("YI_Y"))]
+        lit[:] = [*lit[1:], bool(shown.get(last))]
 
     outcome = simulate(case.layout, case.runtime, scans=12000, seed=6, hostile=hostile, watch=watch, routes=case.routes)
     assert outcome.hazards == [] and outcome.passed_at_stop == []

@@ -7,7 +7,9 @@ from pathlib import Path
 import pytest
 
 from interlock.audit import audit
-from interlock.diag import Diagnostic
+from interlock.derivation import derive
+from interlock.diag import Diagnostic, Severity, Sink
+from interlock.frontend import load_text
 from interlock.logic.lower import lower
 from interlock.model.elements import RouteId
 from interlock.model.layout import Layout
@@ -112,3 +114,44 @@ def test_whatever_is_refused_so_no_run_drives_and_the_audit_sees_it() -> None:
         assert names == own(layout, table) and names <= undrivable(layout, table), seed
         seen += len(names)
     assert seen >= 19
+
+
+# --- a train that never comes ---------------------------------------------------------------------
+
+NEVER = Path("tests/diagnostics/IL4018.yaml").read_text("utf-8")
+BACK = "  H: {from: b1, into: T, kind: shunt}\n"
+"""A signal from which shunting movements come to G."""
+
+
+def checked(text: str) -> tuple[Layout, InterlockingTable, list[str]]:
+    """Layout and table of a text, and the errors that `check` tells."""
+    sink = Sink()
+    layout, source = load_text("never.yaml", text, sink)
+    assert layout is not None
+    table = derive(layout, sink)
+    source.check_allowed(sink)
+    return layout, table, [d.code for d in sink.diagnostics if d.severity is Severity.ERROR]
+
+
+JOINT = NEVER.replace("[c1 200, B]", "[d1 50, c1 150, B]").replace("{from: T,  into: c1", "{from: d1, into: c1")
+
+
+@pytest.mark.parametrize(
+    ("text", "errors"),
+    [
+        (NEVER, ["IL4018"]),
+        (JOINT, []),
+        (f"{NEVER}exclude:\n  - {{from: G, reason: not wanted}}\n", []),
+        (NEVER.replace("  G: {", f"{BACK}  G: {{"), []),
+    ],
+)
+def test_a_route_to_whose_signal_no_train_comes_is_refused(text: str, errors: list[str]) -> None:
+    assert checked(text)[2] == errors
+
+
+def test_what_is_refused_cannot_be_driven_and_what_is_not_can() -> None:
+    """The witness run is the second opinion."""
+    for text, good in ((NEVER, False), (NEVER.replace("  G: {", f"{BACK}  G: {{"), True)):
+        layout, table, errors = checked(text)
+        runs = {w.route: w.ok for w in witnesses(System(layout, lower(layout, table)))}
+        assert (errors == []) is good is runs[RouteId("G-B")]

@@ -55,6 +55,8 @@ def test_random_layouts() -> None:
         counts, _, _, notes = measured(layout)
         if seed == BRIDGE:
             assert counts[0] > 0 and any("cross" in n for n in notes)
+            covered = {name for name, _ in examine(plan_svg(layout), layout).on_lines}
+            assert covered and {f"the name {x} lies over a line or symbol" for x in covered} <= set(notes)
         else:
             assert counts == (0, 0, 0) and notes == (), seed
 

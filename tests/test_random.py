@@ -25,7 +25,7 @@ from tests.grow_all import grow_all, words
 from tests.layouts import built, grown
 from tests.written import told
 
-REFUSABLE = {"IL4001", "IL4002", "IL4003", "IL4008", "IL4016", "IL3006", "IL3015", "IL3019", "IL3022"}
+REFUSABLE = {"IL4001", "IL4002", "IL4003", "IL4008", "IL4016", "IL4018", "IL3006", "IL3015", "IL3019", "IL3022"}
 
 
 @pytest.mark.parametrize("block", range(8))

@@ -361,8 +361,8 @@ WEAKENED = {
     ),
     "an excluded route is shown": (
         "depot",
-        "shown_along(c, p) -> (some i in passed_by(c, p): opens'(c) and identifies'(i))",
-        "shown_along(c, p) -> (some i in passed_by(c, p): opens'(c) and identifies'(i)) or valid",
+        "shown_along(c, p) -> (some i in passed_by(c, p): (opens'(c) or calls_past'(c)) and identifies'(i))",
+        "shown_along(c, p) -> (some i in passed_by(c, p): (opens'(c) or calls_past'(c)) and identifies'(i)) or valid",
     ),
     "a train runs into a trap": (
         "../tests/layouts_for_tests/trap_beyond",

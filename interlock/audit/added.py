@@ -14,7 +14,7 @@ def chosen(x: Choice, t: Trip) -> bool:
     """Whether the author's choice fits a path."""
     return (
         (x.entry is None or x.entry == t.entry)
-        and (x.exit is None or x.exit in (t.exit, t.sections[-1]))
+        and (x.exit is None or x.exit in (t.exit, t.sections[-1], t.moves[-1].node))
         and all(s in t.sections for s in x.via)
         and not any(s in t.sections for s in x.not_via)
         and (x.shunt is None or x.shunt == t.shunt)

@@ -22,7 +22,7 @@ def aspect(layout: Layout, trip: Trip, slowest: int | None) -> tuple[Shows, Sign
         return Shows.SHUNT, None
     if rule is not Caution.NEVER and slowest is not None and slowest < layout.principles.slow_below_kmh:
         return Shows.CAUTION, None
-    if rule is Caution.TURNOUT and trip.onward is not None and _reversed(layout, trip):
+    if rule is Caution.TURNOUT and any(_reversed(layout, t) for t in trip.parts[:-1]):
         return Shows.CAUTION, None
     trip = trip.run
     last = trip.moves[-1]

@@ -14,7 +14,7 @@ from interlock.table.rows import RouteRow
 
 def own_train_in_the_way(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[str]:
     """What of a route can never be had while its train stands before its entry signal."""
-    parts = [trip] if trip.onward is None else [trip, trip.onward]
+    parts = trip.parts
     over = [next(iter(in_rear(layout, trip)), None), *trip.run.sections]
     for z in layout.zones:
         entries = sum(a not in z.sections and b in z.sections for a, b in pairwise(over))

@@ -58,13 +58,12 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
     trains = [t for t in mine if not t.shunt]
     mine += [replace(t, call_on=True) for t in trains if _calls_on(layout, t)]
     passed = [replace(t, identifier=True) for t in trains if t.entry in layout.identifiers]
-    past = past_signals(layout, [t for t in every if not t.shunt and t.exit in layout.identifiers], passed)
-    past = [t for t in past if not _unwanted(layout, t.run)]
-    mine += past + [t for t in passed if any(p.onward == t for p in past)]
+    past = _past(layout, [t for t in every if not t.shunt and t.exit in layout.identifiers], passed)
+    mine += [*past, *dict.fromkeys(p for t in past for p in t.parts[1:])]
     between: dict[tuple[str, str], list[Trip]] = {}
     for t in mine:
         between.setdefault((t.entry, t.exit), []).append(t)
-    for r in sorted(table.routes, key=lambda r: r.onward is not None):  # parts beyond a signal first
+    for r in sorted(table.routes, key=lambda r: len(r.passed or ())):  # parts beyond a signal first
         left = between.get((r.entry, r.exit), [])
         same = [
             t
@@ -100,6 +99,19 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
     found += _voyages(layout, table, matched)
     found += _swings(layout, table, matched)
     return tuple(found)
+
+
+def _past(layout: Layout, ahead: list[Trip], last: list[Trip]) -> list[Trip]:
+    """Trips past one signal after the other that show their identifier lights, from the last part back to where they
+    begin."""
+    found: list[Trip] = []
+    while last:
+        longer = [replace(t, identifier=True) for t in ahead if t.entry in layout.identifiers]
+        every = past_signals(layout, [*ahead, *longer], last)
+        every = [t for t in every if not _unwanted(layout, t.run)]
+        found += [t for t in every if not t.identifier]
+        last = [t for t in every if t.identifier]
+    return found
 
 
 def _swings(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) -> Iterator[Finding]:
@@ -216,7 +228,7 @@ def _driven(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) 
         for d in r.points:
             holders.setdefault(d.machine, {})[r.id] = d.position
     for r in table.routes if layout.principles.drive_points else ():
-        apart = {r.id, r.onward, *r.hostile.routes, *(o.id for o in table.routes if o.onward == r.id)}
+        apart = {r.id, *r.hostile.routes, *(o.id for o in table.routes if _with(table, o, r) or _with(table, r, o))}
         beside: dict[MachineId, Position] = {}
         for p in (p for s in matched[r.id].sections for p in layout.points_in.get(s, ())) if r.id in matched else ():
             ways = {x for o, x in holders.get(p.machine, {}).items() if o not in apart} or {Position.NORMAL}
@@ -225,6 +237,15 @@ def _driven(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) 
         if r.id in matched and {p.machine: p.position for p in r.driven} != beside:
             where = ", ".join(f"{m} {x}" for m, x in sorted(beside.items()))
             yield Finding(r.id, "driven", f"driven along are {where or 'no points'}")
+
+
+def _with(table: InterlockingTable, r: RouteRow, part: RouteRow) -> bool:
+    """Whether a route leads past a signal, or several one after the other, over another."""
+    while r.onward is not None:
+        r = table.route[r.onward]
+        if r.id == part.id:
+            return True
+    return False
 
 
 def _movements(layout: Layout, trips_: Iterable[Trip]) -> dict[SectionId, set[frozenset[SectionId]]]:
@@ -362,9 +383,9 @@ def _hostile(layout: Layout, table: InterlockingTable, matched: dict[str, Trip])
         agreed = certain[i] & listed[i] & told
         for j in _bits((pairs[i] | listed[i] | told) & ~agreed & -(1 << i + 1)):
             b = grounds[j]
-            parts = [[x, *([grounds[own[k]]] if k in own else [])] for k, x in ((i, a), (j, b))]
+            parts = [[x, *(grounds[n] for n in own.get(k, ()))] for k, x in ((i, a), (j, b))]
             why = next((w for x, y in product(*parts) if (w := _cannot_both(layout, x, y, held)) is not None), None)
-            if own.get(i) == j or own.get(j) == i:
+            if j in own.get(i, ()) or i in own.get(j, ()):
                 why = None
             if why is None and declared(layout, matched[a.row.id], matched[b.row.id]):
                 why = "declared, with", frozenset({b.row.id})
@@ -376,17 +397,24 @@ def _hostile(layout: Layout, table: InterlockingTable, matched: dict[str, Trip])
                     yield Finding(x.row.id, "hostile", f"{y.row.id} is not hostile")
 
 
-def _onward(grounds: list[_Ground], number: dict[RouteId, int], pairs: list[int], certain: list[int]) -> dict[int, int]:
-    """Of those that lead past a signal, what they lock beyond it: whatever that may clash with, they may, but with
+def _onward(
+    grounds: list[_Ground], number: dict[RouteId, int], pairs: list[int], certain: list[int]
+) -> dict[int, list[int]]:
+    """Of those that lead past signals, what they lock beyond them: whatever that may clash with, they may, but with
     itself, which is set with them."""
-    found = {i: number[g.row.onward] for i, g in enumerate(grounds) if g.row.onward in number}
-    for i, k in found.items():
+    found: dict[int, list[int]] = {}
+    for i in sorted(range(len(grounds)), key=lambda i: len(grounds[i].row.passed or ())):
+        k = number.get(grounds[i].row.onward or RouteId(""))
+        if k is None:
+            continue
+        found[i] = [k, *found.get(k, ())]
         for of in (pairs, certain):
             of[i] |= of[k]
             for j in _bits(of[k]):
                 of[j] |= 1 << i
             of[i] &= ~(1 << i)
-        for x, y in ((i, k), (k, i)):
+    for i, those in found.items():
+        for x, y in (z for k in those for z in ((i, k), (k, i))):
             certain[x] &= ~(1 << y)
             pairs[x] |= 1 << y
     return found

@@ -44,11 +44,16 @@ class Trip:
     """Past the signal at its exit it leads on over this one."""
 
     @property
+    def parts(self) -> tuple[Trip, ...]:
+        """Itself, and what lies past one signal after the other."""
+        return (self,) if self.onward is None else (self, *self.onward.parts)
+
+    @property
     def run(self) -> Trip:
         """The whole way of its train."""
-        b = self.onward
-        if b is None:
+        if self.onward is None:
             return self
+        b = self.onward.run
         positions = tuple(sorted({**dict(self.positions), **dict(b.positions)}.items()))
         moves, sections = (*self.moves, *b.moves), (*self.sections, *b.sections)
         return replace(self, exit=b.exit, moves=moves, sections=sections, positions=positions, onward=None)
@@ -62,12 +67,14 @@ def in_rear(layout: Layout, trip: Trip) -> frozenset[SectionId]:
 
 
 def past_signals(layout: Layout, ahead: list[Trip], beyond: list[Trip]) -> list[Trip]:
-    """Trips past a signal that shows its identifier light: one to it and one on from it, which one train can run over.
+    """Trips past a signal that shows its identifier light: one to it and one on from it, which one train can run over;
+    what is on from it may itself lead past the next one.
 
     The overlap of the signal, where it has one, is the longest that lies on the way beyond.
     """
-    found: dict[tuple[str, tuple[Move, ...], Trip], Trip] = {}
-    for b in beyond:
+    found: dict[tuple[str, bool, tuple[Move, ...], Trip], Trip] = {}
+    for part in beyond:
+        b = part.run
         for t in ahead:
             clash = any(dict(t.positions).get(m, x) is not x for m, x in b.positions)
             over = {n for m in (*t.moves[:-1], *b.moves[:-1]) for n in [m.node] if n in layout.crossing_at}
@@ -76,9 +83,9 @@ def past_signals(layout: Layout, ahead: list[Trip], beyond: list[Trip]) -> list[
                 continue
             if layout.overlap_of.get(b.entry, 0.0) > 0 and not (t.over and set(t.over) <= set(b.moves)):  # type: ignore[call-overload]
                 continue
-            key = (t.entry, t.moves, b)
+            key = (t.entry, t.identifier, t.moves, part)
             if key not in found or len(t.over) > len(found[key].over):
-                found[key] = replace(t, onward=b)
+                found[key] = replace(t, onward=part)
     return list(found.values())
 
 

@@ -6,7 +6,7 @@ from functools import cached_property
 
 from interlock.checker.ahead import Ahead
 from interlock.checker.formula import FALSE, Formula, leaf, some
-from interlock.checker.railway import Calling, Path, Signal, safe
+from interlock.checker.railway import Calling, Path, Run, Signal, passed_after, runs, safe
 from interlock.checker.words import fact
 from interlock.verify import need
 
@@ -49,15 +49,11 @@ class Lamps(Ahead):
 
     def w_passed_by(self, c: Calling, p: Path) -> list[Signal]:
         """The signal at the end of a train's path, if it may be passed at identifier light."""
-        return [] if c.shunt else self.w_passed_beyond(p)
+        return [] if c.shunt else passed_after(self.r, p)
 
-    def w_passed_beyond(self, p: Path) -> list[Signal]:
-        g = self.r.main_into.get((p.last.exit, self.r.beyond(p.last.section, p.last.exit) or ""))
-        return [] if g is None or self.w_may_identify(g) == FALSE else [g]
-
-    def w_passed_for_clear(self, p: Path) -> list[Signal]:
-        """The same, where clear may be shown over the path."""
-        return self.w_passed_beyond(p) if self.w_next_open_for_clear(p) else []
+    def w_runs_for_clear(self, p: Path) -> list[Run]:
+        """How a train may run on from a path, where clear may be shown over all that comes before the last part."""
+        return [u for u in runs(self.r, p) if all(map(self.w_next_open_for_clear, u.parts[:-1]))]
 
     def w_opens_main(self, g: Signal) -> Formula:
         return some(map(leaf, self.lamps(g, MAIN)))
@@ -104,6 +100,10 @@ class Lamps(Ahead):
     def w_limited_paths(self, g: Signal) -> list[Path]:
         """The paths of trains for which the layout states a speed."""
         return [p for p in self.w_train_paths(g) if self.lengths.path_kmh(p) is not None]
+
+    def w_limited_last(self, u: Run) -> list[Path]:
+        """The last part, where the layout states a speed for it."""
+        return [u.last] if self.lengths.path_kmh(u.last) is not None else []
 
     def w_lamps_within(self, g: Signal, p: Path) -> list[str]:
         """Indicators of no more than a path permits."""

@@ -111,6 +111,23 @@ class Path:
         return self.ways[-1]
 
 
+@dataclass(frozen=True)
+class Run:
+    """Paths of a train one after the other, and the signals at identifier light between them."""
+
+    parts: tuple[Path, ...]
+    passed: tuple[Signal, ...]
+
+    @property
+    def last(self) -> Path:
+        return self.parts[-1]
+
+    @property
+    def whole(self) -> Path:
+        """Over all parts."""
+        return Path(tuple(w for p in self.parts for w in p.ways))
+
+
 def safe(name: str) -> str:
     """A layout's name as part of a variable: what the page of the language says under "Names in PLC text"."""
     text = re.sub("[-/ ]", "_", name)
@@ -347,26 +364,11 @@ class Railway:
         """A route may begin here, run over this path, and end or leave where it does."""
         out = c.shunt or self.boundaries.get(p.last.exit, {}).get("trains", "both") != "in"
         leads_on = out and p.last.exit not in (self.body.get("traps") or ())
-        return (leads_on or p.berth) and self._opens(c) and self._can_be_run(p)
+        return (leads_on or p.berth) and self._opens(c) and can_be_run(self, p)
 
     def unwanted(self, c: Calling, p: Path) -> bool:
         """The author excludes a route over this path."""
         return any(self.chosen(x, c, p) for x in self.body.get("exclude") or ())
-
-    def unwanted_past(self, c: Calling, p: Path, onward: Path) -> bool:
-        """The author excludes a route over both paths past the signal between them, or none can be run over both."""
-        both = Path((*p.ways, *onward.ways))
-        return self.unwanted(c, both) or not self._can_be_run(both)
-
-    def _can_be_run(self, p: Path) -> bool:
-        """Every machine is needed in one position, as its key permits; a diamond is passed once; all is detected."""
-        demands = {d for w in p.ways for _, d in w.points}
-        once = len({d.machine for d in demands}) == len(demands)
-        arms = [d for w in p.ways for d, _ in w.arms]
-        locked = {x.machine for x in self.points.values() if x.keyed}
-        keyed = any(d.machine in locked and d.position == "R" for d in demands)
-        seen = all(w.section not in self.undetected for w in p.ways[: -1 if p.berth else None])
-        return once and len(set(arms)) == len(arms) and not keyed and seen
 
     def _opens(self, c: Calling) -> bool:
         """Nothing begins at a board, and no train at a shunt signal at which trains end."""
@@ -384,3 +386,31 @@ class Railway:
             and not set(x.get("not_via") or ()) & {w.section for w in p.ways}
             and x.get("kind") in (None, "shunt" if c.shunt else "main")
         )
+
+
+def runs(r: Railway, p: Path) -> Iterator[Run]:
+    """From a train's path on past one signal after the other, none twice, that has an identifier light."""
+    found = [Run((p,), ())]
+    while found:
+        u = found.pop()
+        for g in passed_after(r, u.last):
+            for q in () if g in u.passed else r.paths(Calling(g, False)):
+                found.append(Run((*u.parts, q), (*u.passed, g)))
+                yield found[-1]
+
+
+def passed_after(r: Railway, p: Path) -> list[Signal]:
+    """The signal at the end of a path, where the layout gives it an identifier light."""
+    g = r.main_into.get((p.last.exit, r.beyond(p.last.section, p.last.exit) or ""))
+    return [g] if g is not None and r.body["signals"][g.name].get("identifier") in ("yes", "true") else []
+
+
+def can_be_run(r: Railway, p: Path) -> bool:
+    """Every machine is needed in one position, as its key permits; a diamond is passed once; all is detected."""
+    demands = {d for w in p.ways for _, d in w.points}
+    once = len({d.machine for d in demands}) == len(demands)
+    arms = [d for w in p.ways for d, _ in w.arms]
+    locked = {x.machine for x in r.points.values() if x.keyed}
+    keyed = any(d.machine in locked and d.position == "R" for d in demands)
+    seen = all(w.section not in r.undetected for w in p.ways[: -1 if p.berth else None])
+    return once and len(set(arms)) == len(arms) and not keyed and seen

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cached_property
 from typing import Any
 
@@ -231,16 +231,26 @@ class Terminals(Lamps):
         """The routes that are set with one that lights an identifier."""
         return [r for r, those in self._past.items() if b in those]
 
+    def w_set_with(self, b: int) -> list[int]:
+        """Those, and all that is set with them in turn."""
+        return _in_turn(b, self.w_leading_past)
+
+    def _beyond(self, r: int) -> list[int]:
+        """What a route waits for before it opens, and that in turn."""
+        return _in_turn(r, lambda x: self._past.get(x, []))
+
     def w_passed_with(self, r: int) -> list[Signal]:
         """The signals that a route passes at identifier light."""
-        return [g for b in self._past.get(r, ()) for g in self.w_signal_of_route(b)]
+        return [g for b in self._beyond(r) for g in self.w_signal_of_route(b)]
 
     def w_signal_of_route(self, r: int) -> list[Signal]:
         return [g for g in self.w_opening() if r in self.w_routes_from(g)]
 
     def w_asked_for(self, r: int) -> Formula:
         """A route is asked for by its number, or by that of one with which it is set."""
-        return some(map(self.w_asked, self.w_leading_past(r))) if r in self.w_identifier_routes() else self.w_asked(r)
+        if r not in self.w_identifier_routes():
+            return self.w_asked(r)
+        return some(self.w_asked(x) for x in self.w_set_with(r) if x not in self.w_identifier_routes())
 
     def w_routes_calling_on(self) -> list[int]:
         return sorted({r for g in self.w_opening() for r in self._routes_by(g, CALL_ON)})
@@ -373,7 +383,7 @@ class Terminals(Lamps):
     def _whole(self, r: int) -> tuple[Calling, Path]:
         """Whom a route calls over which path, with what lies past a signal that it passes."""
         c, p = self.run_of(r)
-        return c, Path((*p.ways, *(w for b in self._past.get(r, ()) for w in self.run_of(b)[1].ways)), p.berth)
+        return c, Path((*p.ways, *(w for b in self._beyond(r) for w in self.run_of(b)[1].ways)), p.berth)
 
     def w_requests(self) -> list[str]:
         """The inputs at which routes are asked for by number, the one that is heard first before the other."""
@@ -514,3 +524,14 @@ class Terminals(Lamps):
             return TRUE
         further = (every((self.w_locked(w), self._on_the_way(y))) for w, y in x.further)
         return some((no(self.w_steadily_clear(x.section)), *further))
+
+
+def _in_turn(r: int, of: Callable[[int], list[int]]) -> list[int]:
+    """What comes after a route, what comes after that, and so on, each once."""
+    found: dict[int, None] = {}
+    todo = list(of(r))
+    while todo:
+        x = todo.pop(0)
+        todo += of(x) if x not in found else []
+        found[x] = None
+    return list(found)

@@ -9,7 +9,19 @@ from typing import Any
 
 from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, no
 from interlock.checker.lengths import Lengths
-from interlock.checker.railway import Calling, Demand, Path, Railway, Signal, Way, safe
+from interlock.checker.railway import (
+    Calling,
+    Demand,
+    Path,
+    Railway,
+    Run,
+    Signal,
+    Way,
+    can_be_run,
+    passed_after,
+    runs,
+    safe,
+)
 from interlock.checker.written import Written
 from interlock.verify import Rejected
 
@@ -219,9 +231,30 @@ class Topology:
         """The paths of routes that the author excludes."""
         return [p for p in self.r.paths(c) if self.r.can_be(c, p) and self.r.unwanted(c, p)]
 
-    def w_unwanted_past(self, g: Signal, p: Path, i: Signal) -> list[Path]:
-        """The paths on from a signal that no route may take which has come over a path and passed it."""
-        return [q for q in self.w_train_paths(i) if self.r.unwanted_past(Calling(g, False), p, q)]
+    def w_runs(self, g: Signal) -> list[Run]:
+        """How trains may run from a signal past others at identifier light."""
+        return [u for p in self.w_train_paths(g) for u in runs(self.r, p)]
+
+    def w_runs_of(self, c: Calling) -> list[Run]:
+        return [] if c.shunt else self.w_runs(c.signal)
+
+    def w_unwanted_runs(self, g: Signal) -> list[Run]:
+        """Those that no route may take, by what the author excludes or because none can."""
+        c = Calling(g, False)
+        return [u for u in self.w_runs(g) if self.r.unwanted(c, u.whole) or not can_be_run(self.r, u.whole)]
+
+    def w_parts_of(self, u: Run) -> tuple[Path, ...]:
+        return u.parts
+
+    def w_last_part(self, u: Run) -> list[Path]:
+        return [u.last]
+
+    def w_passed_in(self, u: Run) -> tuple[Signal, ...]:
+        return u.passed
+
+    def w_passed_after(self, u: Run) -> list[Signal]:
+        """The signal that a train might pass next, which can have come so far."""
+        return passed_after(self.r, u.last) if can_be_run(self.r, u.whole) else []
 
     def w_ways(self, p: Path) -> tuple[Way, ...]:
         return p.ways

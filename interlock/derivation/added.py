@@ -20,11 +20,16 @@ Demands = Mapping[RouteId, tuple[PointDemand, ...]]
 
 
 def chosen(choice: Choice, paths: Sequence[Path]) -> list[Path]:
-    """The routes that the author chooses."""
+    """The routes that the author chooses; to a boundary leads, of whatever kind, what ends in the section before it."""
     return [
         p
         for p in paths
-        if choice.fits(p.entry, {p.exit, p.ways[-1].section}, {t.section for t in p.ways}, p.kind is RouteKind.SHUNT)
+        if choice.fits(
+            p.entry,
+            {p.exit, p.ways[-1].section, p.ways[-1].exit},
+            {t.section for t in p.ways},
+            p.kind is RouteKind.SHUNT,
+        )
     ]
 
 

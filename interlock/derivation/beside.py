@@ -36,7 +36,7 @@ class Beside:
         """The routes that hold a machine in a position and can be set together with a route."""
         apart = self._hostile(path.id) | 1 << path.number - 1
         for p in self._paths:
-            if p.onward is path or p is path.onward:
+            if path in p.parts or p in path.parts:
                 apart |= 1 << p.number - 1
         return [self._paths[i] for i in bits_of(self._holders.get((m, x), 0) & ~apart)]
 

@@ -79,7 +79,7 @@ class Conflicts:
     def _how(self, a: RouteId, b: RouteId) -> Hostility:
         """How a pair is hostile, the route of the lower number first."""
         if (a, b) not in self._told:
-            parts = [[p, *([p.onward] if p.onward is not None else [])] for p in (self._path[a], self._path[b])]
+            parts = [self._path[a].parts, self._path[b].parts]
             found = [x for p, q in product(*parts) for x in reasons(p, q, self._locks, self._needs)]
             found.sort(key=lambda x: list(HostileClass).index(x[0])) if len(parts[0]) + len(parts[1]) > 2 else None
             declared = self._barred.get(a, {}).get(b)
@@ -125,16 +125,17 @@ def _hostile(
 
 
 def _led_on(paths: Sequence[Path], found: list[int]) -> list[int]:
-    """A route that leads past a signal is hostile to all that is hostile to what it locks beyond it, not to that."""
-    for i, p in enumerate(paths):
-        if p.onward is None:
-            continue
-        beyond = p.onward.number - 1
-        found[i] |= found[beyond]
+    """A route that leads past signals is hostile to all that is hostile to what it locks beyond them, not to that."""
+    for p in (p for p in paths if p.onward is not None):
+        i, beyond = p.number - 1, [q.number - 1 for q in p.parts[1:]]
+        for k in beyond:
+            found[i] |= found[k]
         for j in bits_of(found[i]):
             found[j] |= 1 << i
-        found[i] &= ~(1 << beyond | 1 << i)
-        found[beyond] &= ~(1 << i)
+    for p in paths:
+        for i, q in product([p.number - 1], p.parts):
+            found[i] &= ~(1 << q.number - 1)
+            found[q.number - 1] &= ~(1 << i)
     return found
 
 

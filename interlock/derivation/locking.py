@@ -110,11 +110,12 @@ def derive_aspect(layout: Layout, path: Path) -> AspectCell:
         text = speed.because.text if speed.because.rule == "R4" else f"{speed.kmh} km/h along the path"
         return AspectCell(Shows.CAUTION, None, Because("R11", text))
     if path.onward is not None and rule is Caution.TURNOUT:
-        turned = [p for t in path.ways for p, x in t.points if x is Position.REVERSE]
+        before = (t for q in path.parts[:-1] for t in q.ways)
+        turned = [p for t in before for p, x in t.points if x is Position.REVERSE]
         if turned:
-            why = f"over {', '.join(turned)} reversed, before {path.exit}"
+            why = f"over {', '.join(turned)} reversed, before {path.parts[-1].entry}"
             return AspectCell(Shows.CAUTION, None, Because("R11", why))
-    last = path.onward or path
+    last = path.parts[-1]
     boundary = layout.boundary_at.get(last.ways[-1].exit)
     if boundary is not None and boundary.checked:
         return AspectCell(Shows.CLEAR, None, Because("R11", f"the line beyond {last.exit} is checked"))

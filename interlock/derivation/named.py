@@ -57,7 +57,13 @@ def derive_automatic(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple
 
 def _fits(n: NamedRoute, p: Path) -> bool:
     own = p.kind is not RouteKind.IDENTIFIER  # a part of the routes that lead past its signal
-    return own and p.entry == n.entry and n.exit in p.ends and set(n.via) <= {t.section for t in p.run}
+    return own and p.entry == n.entry and n.exit in _ends(p) and set(n.via) <= {t.section for t in p.run}
+
+
+def _ends(p: Path) -> tuple[str, SectionId]:
+    """Where its train stops or leaves, and the last section."""
+    last = p.parts[-1]
+    return last.exit, last.ways[-1].section
 
 
 def _one(n: NamedRoute, fits: Sequence[Path], what: str, sink: Sink, at: Element) -> Path:
@@ -92,5 +98,5 @@ def _telling(own: Sequence[SectionId], others: Sequence[set[SectionId]]) -> list
 
 
 def _none(n: NamedRoute, paths: Sequence[Path], text: str, sink: Sink, at: Element) -> None:
-    ends = sorted({p.ends[0] for p in paths if p.entry == n.entry})
+    ends = sorted({_ends(p)[0] for p in paths if p.entry == n.entry})
     sink.add("IL2007", text, None, did_you_mean(n.exit, ends), about=at)

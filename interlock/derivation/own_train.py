@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from interlock.derivation.locks import Locks
 from interlock.diag import Element, Sink
 from interlock.diag.called import called
-from interlock.model.elements import MachineId, Position, SectionId, SignalId
+from interlock.model.elements import MachineId, Position, RouteId, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.traversal import Traversal, topology
 from interlock.table.rows import RouteKind, RouteRow
@@ -27,7 +27,7 @@ def check_own_train(layout: Layout, rows: Sequence[RouteRow], locks: Locks, sink
     for r in rows:
         if r.kind is RouteKind.IDENTIFIER:
             continue  # it is set with a route that leads to its signal, and asked about with that one
-        parts = [r] if r.onward is None else [r, row[r.onward]]
+        parts = _parts(r, row)
         first = next(_in_its_way(layout, parts, locks), None)
         if first is not None:
             found.setdefault((r.entry, r.kind is RouteKind.SHUNT, *first), []).append(r)
@@ -35,7 +35,7 @@ def check_own_train(layout: Layout, rows: Sequence[RouteRow], locks: Locks, sink
         many = len(those) > 1
         which = f"route{'s' if many else ''} {', '.join(r.id for r in those)}"
         text = f"{which} can never be set: {why}"
-        last = row[those[0].onward] if those[0].onward is not None else those[0]
+        last = _parts(those[0], row)[-1]
         kind = "shunt" if shunt else "main"
         barred = f"{{from: {signal}, to: {last.exit}, via: [{last.section_ids[-1]}], kind: {kind}, reason: ...}}"
         sink.add(
@@ -45,6 +45,11 @@ def check_own_train(layout: Layout, rows: Sequence[RouteRow], locks: Locks, sink
             f"{fix}, or exclude {'them' if many else 'it'}: `exclude: [{barred}]`",
             about=Element("signals", signal),
         )
+
+
+def _parts(r: RouteRow, row: Mapping[RouteId, RouteRow]) -> list[RouteRow]:
+    """A route, and what is set with it past one signal after the other."""
+    return [r] if r.onward is None else [r, *_parts(row[r.onward], row)]
 
 
 def _in_its_way(layout: Layout, parts: Sequence[RouteRow], locks: Locks) -> Iterator[tuple[str, str]]:

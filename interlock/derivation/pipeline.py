@@ -1,7 +1,7 @@
 """The derivation as a visible order of steps.
 
 Input: a `Layout`.  Output: an `InterlockingTable`; diagnostics
-IL4001-IL4005, IL4010-IL4012, IL4016, IL4017, IL2007, IL2008, IL2019, IL2024, IL3012; warning IL7011.
+IL4001-IL4005, IL4010-IL4012, IL4016-IL4018, IL2007, IL2008, IL2019, IL2024, IL3012; warning IL7011.
 """
 
 from __future__ import annotations
@@ -27,6 +27,7 @@ from interlock.derivation.locks import derive_locks, route_demands
 from interlock.derivation.named import derive_automatic, derive_names
 from interlock.derivation.own_train import check_own_train
 from interlock.derivation.practice import check_practice
+from interlock.derivation.reached import check_reached
 from interlock.derivation.routes import Path, find_routes
 from interlock.derivation.voyages import derive_voyages
 from interlock.diag import Element, Sink
@@ -114,13 +115,13 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             listed=_way(p) not in hidden,
             because=Because("R1", _found(layout, p)),
             onward=None if p.onward is None else p.onward.id,
-            destination=None if p.onward is None else p.onward.exit,
+            destination=None if p.onward is None else p.parts[-1].exit,
+            passed=None if p.onward is None else tuple(q.entry for q in p.parts[1:]),
         )
         for p in paths
     )
-    _never_set(layout, rows, by_key, sink)
-    voyages = derive_voyages(layout, rows, by_key, sink)
-    automatic = derive_automatic(layout, paths, sink)
+    _never_set(layout, paths, rows, by_key, sink)
+    voyages, automatic = derive_voyages(layout, rows, by_key, sink), derive_automatic(layout, paths, sink)
     check_practice(layout, paths, by_key, sink)
     beside.report(sink)
     return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
@@ -134,18 +135,20 @@ def _way(p: Path) -> tuple[SignalId, RouteKind, str, int, RouteId | None]:
 def _found(layout: Layout, p: Path) -> str:
     if p.onward is None:
         return f"found from {p.entry} to {_end(layout, p)}"
-    return f"found from {p.entry} past {p.exit} to {_end(layout, p.onward)}"
+    past = " and ".join(q.entry for q in p.parts[1:])
+    return f"found from {p.entry} past {past} to {_end(layout, p.parts[-1])}"
 
 
 def _apart(paths: Sequence[Path], hostile: Conflicts, sink: Sink) -> None:
     """IL4015: parts of one route that exclude each other."""
     for p in paths:
-        why = None if p.onward is None else hostile.between_parts(p, p.onward)
-        if p.onward is not None and why is not None:
-            text = f"route {p.id} cannot be set: before and past {p.exit} it is hostile to itself: {why}"
-            end = p.onward.exit
-            fix = f"exclude it: `exclude: [{{from: {p.entry}, to: {end}, via: [{p.run[-1].section}], reason: ...}}]`"
-            sink.add("IL4015", text, None, fix, about=Element("signals", p.exit))
+        whys = [(q.entry, why) for q in p.parts[1:] if (why := hostile.between_parts(p, q)) is not None]
+        for past, why in whys[:1]:
+            text = f"route {p.id} cannot be set: before and past {past} it is hostile to itself: {why}"
+            last = p.parts[-1]
+            barred = f"{{from: {p.entry}, to: {last.exit}, via: [{last.ways[-1].section}], reason: ...}}"
+            fix = f"exclude it: `exclude: [{barred}]`"
+            sink.add("IL4015", text, None, fix, about=Element("signals", past))
 
 
 def _clear(layout: Layout, path: Path) -> tuple[ClearCell, ...]:
@@ -206,9 +209,14 @@ def _end(layout: Layout, p: Path) -> str:
 
 
 def _never_set(
-    layout: Layout, rows: Sequence[RouteRow], locks: Mapping[TraversalKey, TraversalRow], sink: Sink
+    layout: Layout,
+    paths: Sequence[Path],
+    rows: Sequence[RouteRow],
+    locks: Mapping[TraversalKey, TraversalRow],
+    sink: Sink,
 ) -> None:
-    """Routes that something of their own keeps from being set: a joint, or their train."""
+    """Routes that something of their own keeps from being set, a joint or their train, and those without a train."""
+    check_reached(layout, paths, sink)
     _foul_themselves(rows, sink)
     check_own_train(layout, rows, locks, sink)
 

@@ -6,13 +6,13 @@ A shunt route ends at the next signal of either kind, at a buffer, or in the fir
 only on a signal, where vehicles may stand.  It never leaves over a boundary; before one it ends in a road that is no
 berth only because the layout says so.
 Past a signal with an identifier light a train route may lead on, to where one that begins there ends: it is made of the
-path to that signal and of a route of kind identifier beyond it.
+path to that signal and of a route of kind identifier beyond it, which may lead past the next signal in the same way.
 A path that meets itself, or that needs one machine in two positions, cannot be run and is reported.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from interlock.diag import Element, Sink
@@ -59,15 +59,14 @@ class Path:
     """Past the signal at its exit, which shows its identifier light, it leads on over this one."""
 
     @property
-    def run(self) -> Ways:
-        """All ways over which its train runs, those past the signal at its exit among them."""
-        return self.ways if self.onward is None else (*self.ways, *self.onward.ways)
+    def parts(self) -> tuple[Path, ...]:
+        """Itself, and what is set with it past one signal after the other."""
+        return (self,) if self.onward is None else (self, *self.onward.parts)
 
     @property
-    def ends(self) -> tuple[str, SectionId]:
-        """Where its train stops or leaves, and the last section."""
-        last = self if self.onward is None else self.onward
-        return last.exit, last.ways[-1].section
+    def run(self) -> Ways:
+        """All ways over which its train runs, those past the signal at its exit among them."""
+        return tuple(t for p in self.parts for t in p.ways)
 
 
 @dataclass(frozen=True)
@@ -79,13 +78,27 @@ class _Found:
     exit: str
     exit_kind: ExitKind
     ways: Ways
-    beyond: Ways = ()
-    end: str = ""
+    beyond: _Found | None = None
 
     @property
     def leads(self) -> str:
-        """Where it ends, and which signal it passes before."""
-        return f"{self.exit}-{self.end}" if self.beyond else self.exit
+        """Where it ends, and which signals it passes before."""
+        return self.exit if self.beyond is None else f"{self.exit}-{self.beyond.leads}"
+
+    @property
+    def end(self) -> str:
+        """Where its train stops or leaves."""
+        return self.exit if self.beyond is None else self.beyond.end
+
+    @property
+    def run(self) -> Ways:
+        """All ways over which its train runs."""
+        return self.ways if self.beyond is None else (*self.ways, *self.beyond.run)
+
+    @property
+    def beyond_it(self) -> tuple[_Found, ...]:
+        """What is set with it past one signal after the other."""
+        return () if self.beyond is None else (self.beyond, *self.beyond.beyond_it)
 
 
 def machine_positions(layout: Layout, ways: Ways) -> dict[MachineId, Position] | None:
@@ -145,7 +158,7 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
                 path = _Found(g, kind, name, exit_kind, ways)
                 out = [i for i, x in enumerate(layout.excluded) if _excludes(x, path)]
                 kept += 1
-                if kind is RouteKind.MAIN and name in layout.identifiers:
+                if kind in (RouteKind.MAIN, RouteKind.IDENTIFIER) and name in layout.identifiers:
                     ahead.append(path)
                 if not out:
                     found.append(path)
@@ -170,8 +183,7 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
                 about=Element("signals", g.id),
             )
     past = _past(layout, found, ahead, fits, sink)
-    used = {(f.exit, f.beyond) for f in past}
-    found = [f for f in found if f.kind is not RouteKind.IDENTIFIER or (f.signal.id, f.ways) in used] + past
+    found = [f for f in found if f.kind is not RouteKind.IDENTIFIER] + past
     for i, (x, n) in enumerate(zip(layout.excluded, fits, strict=True)):
         if not n:
             fix = "remove it, or correct its ends"
@@ -182,50 +194,57 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
 def _past(
     layout: Layout, found: Sequence[_Found], ahead: Sequence[_Found], fits: list[int], sink: Sink
 ) -> list[_Found]:
-    """Train routes past a signal that shows its identifier light: the path to it, and one that leads on."""
-    out: list[_Found] = []
+    """Train routes past signals that show their identifier lights, each the path to the first of them and a part that
+    leads on; and the parts that such routes have."""
     for o in layout.overlaps:
         if o.swing and o.signal in layout.identifiers:
             text = f"the overlap of {o.signal} swings: no route can pass {o.signal} at identifier light"
             fix = f"remove `swing` of the overlap, or `identifier` of {o.signal}"
             sink.add("IL3032", text, None, fix, about=Element("overlaps", o.signal))
-    for a in ahead:
-        for b in found:
-            if b.kind is not RouteKind.IDENTIFIER or b.signal.id != a.exit:
-                continue
-            long = replace(a, beyond=b.ways, end=b.exit)
-            barred = [i for i, x in enumerate(layout.excluded) if _excludes(x, long)]
-            for i in barred:
-                fits[i] += 1
-            if not barred and (why := _why_not_past(layout, a, b)) is None:
-                out.append(long)
-            elif not barred:
-                text = f"no route from {a.signal.id} past {a.exit} to {b.exit}: {why}"
-                fix = "exclude it: `exclude: [{from: ..., to: ..., via: [...], reason: ...}]`, or change what it tells"
-                sink.add("IL4014", text, None, fix, about=Element("signals", a.exit), cause=a.exit, note=text)
-    for f in out:
-        if f.end in layout.identifiers:
-            text = f"a route past {f.exit} ends at {f.end}, which could be passed, too: a route passes one signal"
-            sink.add("IL3033", text, None, "", about=Element("signals", f.end), cause=f"{f.exit} {f.end}")
+    parts = {g: [f for f in found if f.kind is RouteKind.IDENTIFIER and f.signal.id == g] for g in layout.identifiers}
+    last = [b for those in parts.values() for b in those]
+    long: list[_Found] = []
+    while last:
+        last = [x for b in last for a in ahead if a.exit == b.signal.id for x in _led_past(layout, a, b, fits, sink)]
+        long += [x for x in last if x.kind is RouteKind.MAIN]
+        last = [x for x in last if x.kind is RouteKind.IDENTIFIER]
+    used = {b: None for f in long for b in f.beyond_it}
     for g in layout.identifiers:
-        if not any(f.exit == g for f in out):
+        if not any(b.signal.id == g for b in used):
             text = f"no route passes {g}: it never shows its identifier light"
             fix = f"remove `identifier` of {g}; a route must lead to it, and another one on from it"
             sink.add("IL4013", text, None, fix, about=Element("signals", g))
-    return out
+    return [*used, *long]
+
+
+def _led_past(layout: Layout, a: _Found, b: _Found, fits: list[int], sink: Sink) -> Iterator[_Found]:
+    """A path to a signal with a part that leads on from there, unless it is excluded or cannot be run."""
+    long = replace(a, beyond=b)
+    barred = [i for i, x in enumerate(layout.excluded) if _excludes(x, long)]
+    for i in barred:
+        fits[i] += 1
+    why = None if barred else _why_not_past(layout, a, b)
+    if not barred and why is None:
+        yield long
+    elif not barred and a.kind is RouteKind.MAIN:  # what begins at the signal is the same for a part
+        text = (
+            f"no route from {a.signal.id} past {' and '.join(b.signal.id for b in long.beyond_it)} to {long.end}: {why}"
+        )
+        fix = "exclude it: `exclude: [{from: ..., to: ..., via: [...], reason: ...}]`, or change what it tells"
+        sink.add("IL4014", text, None, fix, about=Element("signals", a.exit), cause=a.exit, note=text)
 
 
 def _why_not_past(layout: Layout, a: _Found, b: _Found) -> str | None:
     """Why one route cannot run over both paths; None where it can."""
-    twice = sorted({t.section for t in a.ways} & {t.section for t in b.ways})
+    twice = sorted({t.section for t in a.ways} & {t.section for t in b.run})
     if twice:
         return f"it meets {twice[0]} again"
     rear = topology(layout).beyond(a.ways[0].section, a.signal.node)
-    if rear in {t.section for t in b.ways}:
+    if rear in {t.section for t in b.run}:
         return f"its train stands in {rear} before {a.signal.id}"
-    if layout.overlap_of.get(SignalId(a.exit), 0.0) > 0 and _overlap_along(layout, a.exit, b.ways) is None:
+    if layout.overlap_of.get(SignalId(a.exit), 0.0) > 0 and _overlap_along(layout, a.exit, b.run) is None:
         return f"no overlap of {a.exit} lies along it"
-    ways = (*a.ways, *b.ways)
+    ways = (*a.ways, *b.run)
     return obstacle(layout, ways, ways)
 
 
@@ -241,8 +260,8 @@ def _overlap_along(layout: Layout, signal: str, ways: Ways) -> tuple[int, Ways] 
 
 
 def _excludes(x: Exclude, path: _Found) -> bool:
-    ways = (*path.ways, *path.beyond)
-    ends, sections = {path.end or path.exit, ways[-1].section}, {t.section for t in ways}
+    last, sections = path.run[-1], {t.section for t in path.run}
+    ends = {path.end, last.section, last.exit}  # before a boundary a shunting movement ends in the last section
     return x.fits(path.signal.id, ends, sections, path.kind is RouteKind.SHUNT)
 
 
@@ -263,22 +282,34 @@ def _numbered(layout: Layout, found: Sequence[_Found], sink: Sink) -> tuple[Path
             berth = f.ways[-1].section if _ends_in_berth(layout, f) else None
             options = _overlaps(layout, f, f"{g}-{leads}{suffix}", sink)
             for option, overlap in options:
-                over = f".o{option}" if option > 1 and not f.beyond else ""
+                over = f".o{option}" if option > 1 and f.beyond is None else ""
                 id_ = RouteId(f"{g}-{leads}{suffix}{over}")
                 to, at = f.exit_kind, f.signal.node
                 path = Path(id_, 0, kind, g, at, f.exit, to, variant, f.ways, berth, overlap, option)
                 paths.append((f, path))
-    every = [x for f, p in paths for x in (_led_on(f, p, paths) if f.beyond else [p])]
+    single: dict[_Found, list[Path]] = {}
+    for f, p in paths:
+        if f.kind is RouteKind.IDENTIFIER:
+            single.setdefault(f, []).append(p)
+    every = [x for f, p in paths for x in _led_on(p, f.beyond, single)]
     number = {p.id: n for n, p in enumerate(every, start=1)}
-    numbered = [replace(p, number=number[p.id]) for p in every]
-    by_id = {p.id: p for p in numbered}
-    return tuple(p if p.onward is None else replace(p, onward=by_id[p.onward.id]) for p in numbered)
+    return tuple(_with_number(p, number) for p in every)
 
 
-def _led_on(f: _Found, p: Path, paths: Sequence[tuple[_Found, Path]]) -> list[Path]:
-    """A route past a signal, with each overlap that the route beyond may have."""
-    beyond = [q for _, q in paths if q.kind is RouteKind.IDENTIFIER and q.entry == p.exit and q.ways == f.beyond]
-    return [replace(p, id=RouteId(p.id + (f".o{q.option}" if q.option > 1 else "")), onward=q) for q in beyond]
+def _led_on(p: Path, beyond: _Found | None, single: Mapping[_Found, Sequence[Path]]) -> list[Path]:
+    """A route past signals, with each overlap that the last part may have."""
+    if beyond is None:
+        return [p]
+    out = []
+    for q in (x for b in single[beyond] for x in _led_on(b, beyond.beyond, single)):
+        option = q.parts[-1].option
+        out.append(replace(p, id=RouteId(p.id + (f".o{option}" if option > 1 else "")), onward=q))
+    return out
+
+
+def _with_number(p: Path, number: Mapping[RouteId, int]) -> Path:
+    onward = None if p.onward is None else _with_number(p.onward, number)
+    return replace(p, number=number[p.id], onward=onward)
 
 
 def _overlaps(layout: Layout, f: _Found, name: str, sink: Sink) -> list[tuple[int, Ways]]:
@@ -287,8 +318,8 @@ def _overlaps(layout: Layout, f: _Found, name: str, sink: Sink) -> list[tuple[in
         return [(0, ())]
     if SignalId(f.exit) not in layout.overlap_of:
         return [(0, ())]
-    if f.beyond:
-        along = _overlap_along(layout, f.exit, f.beyond)
+    if f.beyond is not None:
+        along = _overlap_along(layout, f.exit, f.beyond.run)
         return [] if along is None else [along]
     options = overlap_paths(layout, SignalId(f.exit))
     rear = topology(layout).beyond(f.ways[0].section, f.signal.node)
@@ -364,7 +395,7 @@ class _Effect:
         trains = sum(o.kind is RouteKind.MAIN for o in others)
         points = [p for t in f.ways for p in t.points]
         length = sum(t.length for t in f.ways)
-        key = tuple(t.key for t in (*f.ways, *f.beyond))
+        key = tuple(t.key for t in f.run)
         return (receiving, departing, trains, len(others) - trains, length, len(points), key)
 
 

@@ -58,6 +58,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL2023": (_W, "channels that are not pinned yet"),
     "IL2018": (_W, "an allowance that allows nothing"),
     "IL2025": (_E, "a signal that cannot show an identifier light"),
+    "IL2026": (_E, "an overlap inside a longer one of the same signal"),
     "IL2024": (_W, "a name or a switch that fits several routes"),
     # 3: topology and geometry
     "IL3001": (_E, "an element is wired to itself"),
@@ -85,7 +86,6 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3028": (_E, "positions along the line that contradict each other"),
     "IL3029": (_E, "a length that does not follow from positions"),
     "IL3030": (_E, "coordinates that contradict each other"),
-    "IL3033": (_I, "two signals one after the other that a route could pass"),
     "IL3032": (_E, "a signal that is passed has an overlap that swings"),
     "IL3026": (_E, "blades of a slip are placed where there is no choice"),
     "IL3025": (_I, "a road that is no berth, for what lies over it"),
@@ -105,6 +105,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL4015": (_E, "a route past a signal that is hostile to itself"),
     "IL4016": (_E, "a route that its own train keeps from being set"),
     "IL4017": (_W, "vehicles that only the end of their track keeps from points"),
+    "IL4018": (_E, "a route to whose signal no train can come"),
     "IL4012": (_I, "an addition that adds nothing"),
     "IL4010": (_I, "a flank with substitute protection"),
     "IL4009": (_W, "an overlap that was to swing and cannot"),

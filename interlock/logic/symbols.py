@@ -197,7 +197,7 @@ class RoutePath:
     onward: int | None = None
     """The number of the route, of kind identifier, that is set with it past the signal at its end."""
     parts_of: tuple[int, ...] = ()
-    """The numbers of the routes that lead past its signal: it is set with one of them, never alone."""
+    """The numbers of the routes that lead past its signal, on over it: it is set with one of them, never alone."""
     barred: tuple[int, ...] = ()
     """Numbers of the routes that the author declares hostile."""
     demands: tuple[tuple[MachineId, Position], ...] = ()
@@ -262,14 +262,22 @@ class Routes(tuple[RouteSymbols, ...]):
         by itself."""
         out = []
         for r in self:
-            path = r.path
-            if path.onward is not None:
-                beyond = self.number[path.onward].path
-                ways, demands = (*path.ways, *beyond.ways), (*path.demands, *beyond.demands)
-                out.append(replace(r, path=replace(path, ways=ways, overlap=beyond.overlap, demands=demands)))
-            elif not path.identifier:
-                out.append(r)
+            if r.path.identifier:
+                continue
+            parts = [p.path for p in self.parts(r)]
+            ways, demands = tuple(w for p in parts for w in p.ways), tuple(m for p in parts for m in p.demands)
+            path = replace(r.path, ways=ways, overlap=parts[-1].overlap, demands=demands)
+            out.append(r if len(parts) == 1 else replace(r, path=path))
         return tuple(out)
+
+    def parts(self, r: RouteSymbols) -> tuple[RouteSymbols, ...]:
+        """A route, and what is set with it past one signal after the other."""
+        return (r,) if r.path.onward is None else (r, *self.parts(self.number[r.path.onward]))
+
+    def set_with(self, r: RouteSymbols) -> tuple[RouteSymbols, ...]:
+        """All that is set with a route of kind identifier and lies before it, back to the routes that are asked for."""
+        those = (self.number[n] for n in r.path.parts_of)
+        return tuple({y.number: y for x in those for y in (x, *self.set_with(x))}.values())
 
     def opened(self, g: SignalId, shunt: bool = False) -> Expr:
         """Whether the controller has opened a signal for one of its routes: state, not yet a lamp."""
@@ -327,9 +335,10 @@ class RequestSymbols:
         order = (self.request, self.local_request)
         return asked_of(order[::-1] if self.local_first else order, number, self.fresh)
 
-    def asked_for(self, r: RouteSymbols) -> Expr:
+    def asked_for(self, r: RouteSymbols, routes: Routes) -> Expr:
         """A route is newly asked for by hand: what lies past a signal with a route that leads past it."""
-        return disj(map(self.asked, r.path.parts_of)) if r.path.identifier else self.asked(r.number)
+        by = (x for x in routes.set_with(r) if not x.path.identifier)
+        return disj(self.asked(x.number) for x in by) if r.path.identifier else self.asked(r.number)
 
 
 @dataclass(frozen=True)

@@ -45,6 +45,18 @@ def overlap_paths(layout: Layout, signal: SignalId) -> tuple[tuple[Traversal, ..
     return tuple(sorted(found, key=lambda ws: (_reversed(ws), [t.key for t in ws])))
 
 
+Ways = tuple[Traversal, ...]
+
+
+def inside_others(layout: Layout, signal: SignalId) -> list[tuple[Ways, Ways]]:
+    """Alternatives, as long as they are stated, that lie wholly within a longer one of the same signal; and that one.
+
+    They are held with the longer one: nobody knows for which of the two a train was called that has overrun the signal.
+    """
+    plain = _found(layout, signal, frozenset()) if layout.overlap_of.get(signal, 0.0) > 0 else []
+    return [(a, b) for a in plain for b in plain if b[: len(a)] == a and len(b) > len(a)]
+
+
 def own_way(layout: Layout, signal: SignalId, ways: Iterable[Traversal]) -> OverlapWay | None:
     """What the layout states of an alternative, if it states anything of it."""
     over = {t.section for t in ways}

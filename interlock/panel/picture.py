@@ -107,7 +107,8 @@ def _boundary(layout: Layout, node: str) -> dict[str, Any]:
 
 
 def _route(r: RouteRow, table: InterlockingTable) -> dict[str, Any]:
-    last = r if r.onward is None else table.route[r.onward]
+    parts = table.parts(r)
+    last = parts[-1]
     kind = {ExitKind.SIGNAL: "signal", ExitKind.BOUNDARY: "boundary", ExitKind.BUFFER: "buffer"}.get(last.exit_kind)
     return {
         "id": str(r.id),
@@ -115,7 +116,7 @@ def _route(r: RouteRow, table: InterlockingTable) -> dict[str, Any]:
         "kind": str(r.kind),
         "entry": str(r.entry),
         "exit": [kind or "section", str(last.exit)],
-        "sections": [str(s) for s in dict.fromkeys((*r.section_ids, *last.section_ids))],
+        "sections": [str(s) for s in dict.fromkeys(s for p in parts for s in p.section_ids)],
         "automatic": r.id in table.automatic,
     }
 

@@ -133,7 +133,7 @@ def _closing(r: RouteRow) -> Reasons:
 
 
 def _leads(r: RouteRow) -> str:
-    return r.exit if r.onward is None else f"{r.destination} past {r.exit}"
+    return r.exit if r.passed is None else f"{r.destination} past {', '.join(r.passed)}"
 
 
 COLUMNS: tuple[Column, ...] = (

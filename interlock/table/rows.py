@@ -409,7 +409,8 @@ class RouteRow:
     only one that need not be clear.  `driven` points are moved along and never checked.  `barred`: those of the hostile
     routes that the author declares so.  `listed`: whether the route is printed.
     `onward`: past the signal at its exit, which shows its identifier light, the train runs on over this route, of kind
-    identifier; the two are set together.  `destination`: where that ends.
+    identifier, which may run on over another in the same way; they are set together.  `destination`: where the last
+    ends.  `passed`: the signals that the train passes at identifier light, in order.
     """
 
     id: RouteId
@@ -446,6 +447,7 @@ class RouteRow:
     because: Because
     onward: RouteId | None = None
     destination: str | None = None
+    passed: tuple[SignalId, ...] | None = None
 
     @property
     def train(self) -> bool:
@@ -536,6 +538,10 @@ class InterlockingTable:
     def route(self) -> dict[RouteId, RouteRow]:
         """Routes by id."""
         return {r.id: r for r in self.routes}
+
+    def parts(self, r: RouteRow) -> tuple[RouteRow, ...]:
+        """A route, and what is set with it past one signal after the other."""
+        return (r,) if r.onward is None else (r, *self.parts(self.route[r.onward]))
 
     @cached_property
     def lock(self) -> dict[TraversalKey, TraversalRow]:

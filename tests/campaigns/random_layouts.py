@@ -52,8 +52,9 @@ with knobs of their own, names of several scripts.
 
 *Waivers found out*: of a flank from which something can roll after all; T-FLANK and S-FLANK are refuted there and
 nowhere else, which is what a waiver without a good reason comes to.  *Undrivable* routes are those for which the
-witness run fails, mostly since no route leads into the section before the signal, in which points lie; `compile`
-reports them as IL4006 (routes that their own train is in the way of are refused by `check`, IL4016).  A layout with
+witness run fails, mostly since the author has the route demand points otherwise that lie under its train; `compile`
+reports them as IL4006 (routes that their own train is in the way of, and those to whose signal no train comes, are
+refused by `check`, IL4016 and IL4018).  A layout with
 one, or with a waiver found out, has no certificate: of these the second checker compares layout, text and written
 system, and no refutation.  Undrivable routes are left out of the pairs that are driven.
 *Apart*: the train of one route, standing before its signal, keeps

@@ -152,5 +152,18 @@ def device_spots(d: Drawing, over: tuple[SectionId, ...]) -> list[Spot]:
     return out
 
 
+def enters(a: Spot, b: Spot, box: Box) -> bool:
+    """Whether a stroke runs through a box, not only along its edge."""
+    low, high = 0.0, 1.0
+    for start, end, least, most in ((a[0], b[0], box[0], box[2]), (a[1], b[1], box[1], box[3])):
+        if start == end:
+            if not least < start < most:
+                return False
+            continue
+        one, two = sorted(((least - start) / (end - start), (most - start) / (end - start)))
+        low, high = max(low, one), min(high, two)
+    return low < high
+
+
 def _meet(a: Box, b: Box) -> bool:
     return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]

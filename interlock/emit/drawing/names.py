@@ -17,12 +17,15 @@ from interlock.emit.drawing.canvas import (
     Spot,
     bend,
     device_spots,
+    enters,
     flat,
     fouling_mark,
     width,
 )
 from interlock.emit.drawing.slips import blades, double_slips
 from interlock.model.elements import BufferKind, EdgeId, MachineId, SectionId
+
+OVER_LINE = "the name {} lies over a line or symbol"
 
 
 def put_names(d: Drawing, named: dict[EdgeId, SectionId]) -> None:
@@ -168,10 +171,20 @@ def _put(d: Drawing, label: Label) -> None:
                 d.labels.append(moved)
                 d.taken.add(moved.box, name=True)
                 if names_only:
-                    d.notes.append(f"the name {label.text} lies over a line or symbol")
+                    d.notes.append(OVER_LINE.format(label.text))
                 return
     d.notes.append(f"the name {label.text} lies over another")
     d.labels.append(label)
+
+
+def tell_covered(d: Drawing) -> None:
+    """Names that a line runs through after all, in notes: where a plan bends back, a line may move after them."""
+    for label in d.labels:
+        note = OVER_LINE.format(label.text)
+        left, top, right, bottom = label.box
+        box = (left, top + 1.5, right, bottom - 2.5)  # of the letters alone
+        if note not in d.notes and any(enters(a, b, box) for line in d.edges.values() for a, b in pairwise(line)):
+            d.notes.append(note)
 
 
 def _tries() -> Iterator[tuple[float, float]]:

@@ -13,6 +13,7 @@ from interlock.emit.drawing.canvas import MARGIN, TOP, UNIT, Drawing, Spot
 from interlock.emit.drawing.embedding import Bridges
 from interlock.emit.drawing.exact import exact_drawing
 from interlock.emit.drawing.levels import FEW, Runs, cost, place_levels
+from interlock.emit.drawing.names import tell_covered
 from interlock.emit.drawing.slips import restore, with_diamonds
 from interlock.emit.drawing.strands import Plan, Strand
 from interlock.emit.drawing.stretch import Behind, along, finish, length_of, named_edges, outer, put_strand
@@ -42,6 +43,7 @@ def place(layout: Layout) -> Drawing:
     """The plan of a layout: its runs put next to each other, or, where lines would cross that way, exact levels."""
     drawn = _placed(with_diamonds(layout))
     restore(drawn, layout)
+    tell_covered(drawn)
     return drawn
 
 

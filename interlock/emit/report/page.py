@@ -232,7 +232,6 @@ def _routes(layout: Layout, table: InterlockingTable, shared: _Shared) -> list[d
     line = {r.id: k for k, way in enumerate(Printed(table).all) for r in way.rows}
     routes = []
     for r in table.routes:
-        onward = () if r.onward is None else table.route[r.onward].traversals
         providers = [p for c in r.flank for p in c.providers]
         machines = {p.name for p in providers if p.kind is ProviderKind.POINT}
         hostile: dict[int, list[int]] = {}
@@ -245,7 +244,7 @@ def _routes(layout: Layout, table: InterlockingTable, shared: _Shared) -> list[d
                 "kind": str(r.kind),
                 "entry": r.entry,
                 "exit": r.exit,
-                "path": [shared.way(k, topo) for k in (*r.traversals, *onward)],
+                "path": [shared.way(k, topo) for p in table.parts(r) for k in p.traversals],
                 "overlap": [shared.way(k, topo) for k in (r.overlap.ways if r.overlap is not None else ())],
                 "flank_points": [str(p.id) for p in layout.points if p.id in machines or p.machine in machines],
                 "flank": [shared.flank(c) for c in r.flank],

@@ -52,7 +52,7 @@ class HostileGroup:
     routes: tuple[int, ...]
 
 
-ONLY_STATED = frozenset({"onward", "destination"})
+ONLY_STATED = frozenset({"onward", "destination", "passed"})
 """Keys that are written only where they say something."""
 
 TOPOLOGY = ("sections", "edges", "points", "crossings", "signals", "boundaries", "buffers", "devices")

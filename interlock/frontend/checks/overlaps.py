@@ -1,13 +1,17 @@
-"""Alternatives of overlaps that are stated and do not exist, and overlaps of which none is left.  IL1014."""
+"""Alternatives of overlaps that are stated and do not exist, or lie inside others, and overlaps of which none is left.
+
+IL1014, IL2026.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from interlock.frontend.context import Context
-from interlock.model.elements import SignalId
+from interlock.model.elements import OverlapWay, SignalId
 from interlock.model.layout import Layout
-from interlock.model.overlap import overlap_paths, own_way
+from interlock.model.overlap import inside_others, overlap_paths, own_way
 
 
 def check_overlaps(ctx: Context, layout: Layout) -> None:
@@ -15,17 +19,43 @@ def check_overlaps(ctx: Context, layout: Layout) -> None:
     used = [own_way(layout, o.signal, ways) for o in layout.overlaps for ways in overlap_paths(layout, o.signal)]
     for g in ctx.file.overlaps:
         own = [w for w in layout.overlap_ways if w.signal == g]
+        inside = _inside(ctx, layout, SignalId(g), own)
         for i, way in enumerate(own):
-            if not any(way is x for x in used):
+            if not any(way is x for x in used) and i not in inside:
                 ctx.add(
                     "IL1014",
                     f"no overlap of {g} of {way.length:g} m, to the next joint, leads over {', '.join(way.over)}",
                     ctx.at("overlaps", g, "ways", i),
-                    "name sections that tell this way from the others, as near to the signal as possible; a short "
-                    "overlap that lies wholly within a longer one of the same signal is not told apart (R4)",
+                    "name sections that tell this way from the others, as near to the signal as possible",
                 )
     for g in ctx.file.overlaps:
         _bars(ctx, layout, SignalId(g))
+
+
+def _inside(ctx: Context, layout: Layout, g: SignalId, own: Sequence[OverlapWay]) -> set[int]:
+    """Report what is stated of alternatives all of which lie inside longer ones (IL2026); its places in `ways`."""
+    left = [own_way(layout, g, ways) for ways in overlap_paths(layout, g)]
+    found = set[int]()
+    for short, long in inside_others(layout, g):
+        way, longer = own_way(layout, g, short), own_way(layout, g, long)
+        if any(way is x for x in left):
+            continue
+        left.append(way)
+        places = [i for i, w in enumerate(own) if w is way]
+        found.update(places)
+        metres, onward = way.length if way is not None else layout.overlap_of[g], long[len(short)].section
+        only = f"bar the longer one: `not_over: [{onward}]`"
+        if longer is not None:
+            only = f"remove the longer one, over {', '.join(longer.over)}, from `ways`"
+        ctx.add(
+            "IL2026",
+            f"the overlap of {g} of {metres:g} m over {', '.join(dict.fromkeys(t.section for t in short))} lies inside "
+            f"a longer one of the same signal, which goes on over {onward}: it cannot be held, or limit a speed, by "
+            "itself",
+            ctx.at("overlaps", g, "ways", places[0]) if places else ctx.at_key("overlaps", g),
+            f"to have the longer one alone, give {g} its length and speed; to have the short one alone, {only}",
+        )
+    return found
 
 
 def _bars(ctx: Context, layout: Layout, g: SignalId) -> None:

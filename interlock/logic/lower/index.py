@@ -68,8 +68,14 @@ class RouteIndex:
         return found
 
     def leading_past(self, r: RouteRow) -> tuple[RouteRow, ...]:
-        """The routes that lead past the signal of a route of kind identifier, and on over it."""
+        """The routes that lead past the signal of a route of kind identifier, and on over it: routes to that signal,
+        and parts of such that lead past signals before it."""
         return self._leading_past.get(r.id, ())
+
+    def set_with(self, r: RouteRow) -> tuple[RouteRow, ...]:
+        """All that is set with a route of kind identifier and lies before it, back to the routes that are asked for."""
+        found = dict.fromkeys(y for x in self.leading_past(r) for y in (x, *self.set_with(x)))
+        return tuple(found)
 
     @cached_property
     def _leading_past(self) -> Mapping[RouteId, tuple[RouteRow, ...]]:
@@ -79,9 +85,9 @@ class RouteIndex:
                 out.setdefault(r.onward, []).append(r)
         return {k: tuple(v) for k, v in out.items()}
 
-    def onward(self, r: RouteRow) -> RouteRow | None:
-        """What a route that leads past a signal locks beyond it."""
-        return None if r.onward is None else self._table.route[r.onward]
+    def onward(self, r: RouteRow) -> tuple[RouteRow, ...]:
+        """What a route that leads past signals locks beyond them."""
+        return self._table.parts(r)[1:]
 
     def identifies(self, g: SignalId) -> bool:
         """Whether a signal shows an identifier light."""
@@ -90,7 +96,9 @@ class RouteIndex:
     @cached_property
     def parts_first(self) -> tuple[RouteRow, ...]:
         """The routes, those of kind identifier before the ones that lead on over them."""
-        return tuple(sorted(self._table.routes, key=lambda r: r.kind is not RouteKind.IDENTIFIER))
+        return tuple(
+            sorted(self._table.routes, key=lambda r: (r.kind is not RouteKind.IDENTIFIER, len(r.passed or ())))
+        )
 
     @cached_property
     def automatic(self) -> tuple[RouteRow, ...]:

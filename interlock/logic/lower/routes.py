@@ -83,13 +83,12 @@ def grants(d: Draft) -> None:
     own = [r for r in d.table.routes if r.kind is not RouteKind.IDENTIFIER]
     by_hand = [r for r in own if r not in d.routes.automatic]
     for r in [*d.routes.automatic, *by_hand]:
-        onward = d.routes.onward(r)
-        beyond = [] if onward is None else _needs(d, onward)
+        beyond = [t for p in d.routes.onward(r) for t in _needs(d, p)]
         terms = [Term(requests.requested(d, r), "requested"), *_needs(d, r), *beyond]
-        terms = list({t.expr: t for t in reversed(terms)}.values())[::-1] if onward is not None else terms
+        terms = list({t.expr: t for t in reversed(terms)}.values())[::-1] if beyond else terms
         d.wire(names.GRANTED(r.number), Join.ALL, terms, f"route {r.id}", f"grant of route {r.id} (R6)")
-    for r in d.table.routes:
-        if r.kind is RouteKind.IDENTIFIER:
+    for r in sorted(d.table.routes, key=lambda r: -len(r.passed or ())):
+        if r.kind is RouteKind.IDENTIFIER:  # what leads over it is before it
             with_ = [Term(var(names.GRANTED(x.number)), "requested", f"route {x.id}") for x in d.routes.leading_past(r)]
             d.wire(names.GRANTED(r.number), Join.ANY, with_, f"route {r.id}", f"grant of route {r.id}, with another")
 
@@ -107,10 +106,7 @@ def locking(d: Draft) -> None:
                 Term(var(names.VALID), "inputs valid"),
                 Term(neg(var(names.CANCELLING(r.entry))), "not cancelling"),
                 Term(neg(var(names.CANCEL(r.entry))), "not cancelled"),
-                *(
-                    Term(neg(_withdrawn(x)), "not cancelled", f"{x.id} is not cancelled")
-                    for x in d.routes.leading_past(r)
-                ),
+                *(Term(neg(_withdrawn(x)), "not cancelled", f"{x.id} is not cancelled") for x in d.routes.set_with(r)),
                 *ways.lying_terms(d, r),
                 *added.detected(d, r),
             ),
@@ -285,7 +281,7 @@ def keep(d: Draft) -> None:
         stop = (
             Term(neg(var(names.CANCELLING(r.entry))), "not cancelling"),
             Term(neg(var(names.CANCEL(r.entry))), "not cancelled"),
-            *(Term(neg(_withdrawn(x)), "not cancelled", f"{x.id} is not cancelled") for x in d.routes.leading_past(r)),
+            *(Term(neg(_withdrawn(x)), "not cancelled", f"{x.id} is not cancelled") for x in d.routes.set_with(r)),
         )
         _opens(d, r, stays, stop)
         _keep_route(d, r, stays, stop)
@@ -302,16 +298,17 @@ def _withdrawn(r: RouteRow) -> Expr:
 def _past(d: Draft, r: RouteRow) -> list[Term]:
     """Past a signal: a route that leads past it opens while it shows its identifier light; that shows first while such
     a route is set, and then while the section before it stays firmly locked towards it."""
-    if r.onward is not None:
-        onward = d.table.route[r.onward]
+    shown = []
+    for onward in d.routes.onward(r)[:1]:
         note = f"{onward.entry} shows its identifier light"
-        return [Term(var(names.OPENS(onward.number)), "identifier shown", note)]
+        shown.append(Term(var(names.OPENS(onward.number)), "identifier shown", note))
     if r.kind is not RouteKind.IDENTIFIER:
-        return []
+        return shown
     before = d.signals.before(r.entry)
     leads = conj((d.sections.locked_out(before, r.entry_node), var(names.FIRM(before)), d.sections.train(before)))
     set_ = disj((var(names.SHOWING(r.number)), *(var(names.ACTIVE(x.number)) for x in d.routes.leading_past(r))))
     return [
+        *shown,
         Term(leads, "rear locked", f"{before} is firmly locked towards {r.entry}"),
         Term(neg(var(names.RELEASED(before))), "rear locked", f"{before} is not released"),
         Term(set_, "identifier wanted", f"a route past {r.entry} is set, or its train is on its way"),
@@ -381,9 +378,7 @@ def _keep_route(d: Draft, r: RouteRow, stays: Term, stop: tuple[Term, ...]) -> N
         group,
     )
     # what calls a train on closes for good: nothing tells whether the train has passed
-    by = [conj((requests.asked(d, x.number), var(names.ACTIVE(x.number)))) for x in d.routes.leading_past(r)]
-    asked = disj(by) if r.kind is RouteKind.IDENTIFIER else requests.asked(d, k)
-    again = [conj((asked, var(names.LOCKED(k))))] if r.kind is not RouteKind.CALL_ON else []
+    again = [conj((_asked_again(d, r), var(names.LOCKED(k))))] if r.kind is not RouteKind.CALL_ON else []
     d.kept(
         names.WANTED(k),
         False,
@@ -410,12 +405,17 @@ def _keep_route(d: Draft, r: RouteRow, stays: Term, stop: tuple[Term, ...]) -> N
     )
 
 
+def _asked_again(d: Draft, r: RouteRow) -> Expr:
+    """A route is asked for by its number; one of kind identifier by that of a route with which it is still set."""
+    if r.kind is not RouteKind.IDENTIFIER:
+        return requests.asked(d, r.number)
+    return disj(conj((_asked_again(d, x), var(names.ACTIVE(x.number)))) for x in d.routes.leading_past(r))
+
+
 def _keep_cancelling(d: Draft, g: SignalId) -> None:
     """A route from a signal is being cancelled."""
     withdrawn = [
-        conj((var(names.ACTIVE(r.number)), _withdrawn(x)))
-        for r in d.routes.of_signal[g]
-        for x in d.routes.leading_past(r)
+        conj((var(names.ACTIVE(r.number)), _withdrawn(x))) for r in d.routes.of_signal[g] for x in d.routes.set_with(r)
     ]
     terms = (
         Term(disj((var(names.CANCELLING(g)), var(names.CANCEL(g)), *withdrawn)), "held or asked"),

@@ -10,7 +10,7 @@ from interlock.model.overlap import entry_speed
 from interlock.model.principles import Caution
 from interlock.model.traversal import Traversal, path_speed
 from interlock.proof.claims.kinds import Facts
-from interlock.proof.claims.paths import SignalPath, lie, signal_paths
+from interlock.proof.claims.paths import SignalPath, exit_of, lie, runs_past
 
 
 def at_speed(f: Facts, signal: SignalId, path: SignalPath, here: Expr) -> Iterator[tuple[str, Expr]]:
@@ -26,21 +26,16 @@ def at_speed(f: Facts, signal: SignalId, path: SignalPath, here: Expr) -> Iterat
     yield " shown", implies(conj((here, after(disj(map(var, f.sym.aspects.main_lamps(signal)))))), after(slow))
 
 
-def past_identifier(
-    f: Facts, signal: SignalId, passed: SignalId, first: SignalPath, here: Expr
-) -> Iterator[tuple[str, str, Expr]]:
-    """What a signal shows to a train that passes the next one at identifier light counts for the way beyond, too."""
-    after = f.system.after
-    for k, path in enumerate(signal_paths(f, passed), 1):
-        beyond = conj((here, after(f.sym.aspects.identifies(passed)), after(lie(f, path.ways))))
-        for what, x in at_speed(f, signal, path, beyond):
-            yield "S-SPEED", f" past {passed}:{k}{what}", x
-        ahead = f.topo.beyond(path.ways[-1].section, path.ways[-1].exit)
-        exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
+def past_identifier(f: Facts, signal: SignalId, first: SignalPath, here: Expr) -> Iterator[tuple[str, str, Expr]]:
+    """What a signal shows to a train that passes the next ones at identifier light counts for the ways beyond, too."""
+    for run in runs_past(f, first):
+        lit, last = f.system.after(run.lit(f)), run.parts[-1]
+        for what, x in at_speed(f, signal, last, conj((here, lit))):
+            yield "S-SPEED", f"{run.called}{what}", x
+        exit_ = exit_of(f, last)
         if exit_ is not None:
-            lying = after(conj((f.sym.aspects.identifies(passed), lie(f, (*first.ways, *path.ways)))))
-            for id_, what, x in entry(f, signal, path, exit_, f.track.overlap_paths(exit_)):
-                yield id_, f" past {passed}:{k}{what}", implies(lying, x)
+            for id_, what, x in entry(f, signal, last, exit_, f.track.overlap_paths(exit_)):
+                yield id_, f"{run.called}{what}", implies(lit, x)
 
 
 def entry(
@@ -73,34 +68,33 @@ def clear_aspect(f: Facts, g: SignalId) -> Expr:
     return f.system.after(var(f.sym.aspects.clear[g])) if g in f.sym.aspects.clear else FALSE
 
 
-def allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None, past: bool = False) -> Expr:
-    """Whether a path may be shown as clear: the line beyond is checked, or the next main signal will be open (R11); one
-    that shows its identifier light is not the next (`past`: the path begins at such a one)."""
-    kmh = path_speed(f.layout, path.ways)
-    if kmh is not None and kmh < f.layout.principles.slow_below_kmh:
-        return FALSE
+def allows_clear(f: Facts, path: SignalPath) -> Expr:
+    """Whether a path may be shown as clear: the line beyond is checked, or the next main signal will be open (R11);
+    where signals show their identifier lights, the one after them is the next, and all before it must allow it."""
+    runs = (run for run in runs_past(f, path) if all(_awaits(f, p) for p in run.parts[:-1]))
+    past = (conj((f.system.after(run.lit(f)), _ends_clear(f, run.parts[-1]))) for run in runs)
+    return disj((_ends_clear(f, path), *past))
+
+
+def _ends_clear(f: Facts, path: SignalPath) -> Expr:
+    """The line beyond a path is checked, or the next main signal will be open."""
     boundary = f.layout.boundary_at.get(path.ways[-1].exit)
     if boundary is not None and boundary.checked:
-        return TRUE
+        return FALSE if _slow(f, path) else TRUE
+    exit_ = exit_of(f, path)
+    return f.system.after(shows_open(f, exit_)) if exit_ is not None and _awaits(f, path) else FALSE
+
+
+def _awaits(f: Facts, path: SignalPath) -> bool:
+    """Clear may be shown over a path to a main signal, if that is open."""
     turned = any(x is Position.REVERSE for t in path.ways for _, x in t.points)
-    if exit_ is None or (turned and f.layout.principles.caution is Caution.TURNOUT):
-        return FALSE
-    return (
-        f.system.after(shows_open(f, exit_))
-        if past
-        else disj((f.system.after(shows_open(f, exit_)), *_clear_past(f, exit_)))
-    )
+    last = exit_of(f, path) is not None and path.ways[-1].exit not in f.layout.boundary_at
+    return last and not _slow(f, path) and not (turned and f.layout.principles.caution is Caution.TURNOUT)
 
 
-def _clear_past(f: Facts, passed: SignalId) -> Iterator[Expr]:
-    """The signal shows its identifier light, and the way beyond, as the points lie, may be shown as clear."""
-    if passed not in f.sym.aspects.identifier:
-        return
-    for path in signal_paths(f, passed):
-        ahead = f.topo.beyond(path.ways[-1].section, path.ways[-1].exit)
-        exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
-        lit = f.system.after(conj((f.sym.aspects.identifies(passed), lie(f, path.ways))))
-        yield conj((lit, allows_clear(f, path, exit_, past=True)))
+def _slow(f: Facts, path: SignalPath) -> bool:
+    kmh = path_speed(f.layout, path.ways)
+    return kmh is not None and kmh < f.layout.principles.slow_below_kmh
 
 
 def distants(f: Facts) -> Iterator[tuple[str, str, Expr]]:

@@ -28,7 +28,7 @@ from interlock.proof.claims.excluded import excluded
 from interlock.proof.claims.flank import flank, flank_space, scissors
 from interlock.proof.claims.identifiers import identifiers
 from interlock.proof.claims.kinds import Claim, Facts
-from interlock.proof.claims.paths import Shown, SignalPath, ground_of, lie, shown_over, signal_paths
+from interlock.proof.claims.paths import Shown, SignalPath, exit_of, ground_of, lie, shown_over, signal_paths
 from interlock.proof.claims.reasons import reasons
 from interlock.proof.claims.terminals import terminals
 
@@ -282,17 +282,16 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
     trailed = [neg(var(f.sym.machines.trailed[m])) for m in dict.fromkeys(machines) if m in f.sym.machines.trailed]
     if trailed:
         yield "S-TRAILED", "", implies(here, conj(trailed))
-    ahead = f.topo.beyond(path.ways[-1].section, path.ways[-1].exit)
-    exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
+    exit_ = exit_of(f, path)
     over = () if exit_ is None or shunt else f.track.overlap_paths(exit_)
     if over and exit_ is not None:
         yield "S-OVERLAP", "", implies(here, disj(_overlap(f, ways) for ways in over))
         yield from entry(f, signal, path, exit_, over)
     if not shunt and f.layout.principles.caution is not Caution.NEVER:
         clear = conj((clear_aspect(f, signal), after(lie(f, path.ways))))
-        yield "S-ASPECT", "", implies(clear, allows_clear(f, path, exit_))
-    if exit_ in f.sym.aspects.identifier and exit_ is not None and not shunt:
-        yield from past_identifier(f, signal, exit_, path, here)
+        yield "S-ASPECT", "", implies(clear, allows_clear(f, path))
+    if not shunt:
+        yield from past_identifier(f, signal, path, here)
     secured = [
         conj(
             (

@@ -13,42 +13,34 @@ from interlock.model.elements import BoundaryKind, BufferKind, Position, SignalI
 from interlock.model.traversal import Traversal
 from interlock.proof.claims.added import fits
 from interlock.proof.claims.kinds import Facts
-from interlock.proof.claims.paths import SignalPath, lie, signal_paths
+from interlock.proof.claims.paths import SignalPath, exit_of, lie, runs_past, signal_paths
 
 
 def excluded(f: Facts) -> Iterator[tuple[str, str, Expr]]:
-    """Claim, place and expression for each path of a signal, and for each two in a row where the signal between them
-    shows its identifier light, that no route may take."""
+    """Claim, place and expression for each path of a signal, and for each row of them where the signals between them
+    show their identifier lights, that no route may take."""
     after = f.system.after
     for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.track.functions(h.id)):
         who = f"{g} shunt" if shunt else g
         for k, path in enumerate(signal_paths(f, g, shunt), 1):
             here = after(conj((f.sym.aspects.signal(g, shunt), lie(f, path.ways))))
             passed = None if shunt else _passed(f, path)
+            calls = after(disj((*map(var, f.sym.aspects.main_lamps(g)), f.sym.aspects.identifies(g))))
             if not _can_be(f, g, shunt, path):
                 yield "S-EXCLUDED", f"{who}:{k}", neg(here)
             elif _unwanted(f, g, shunt, path):
-                past = FALSE if passed is None else after(conj((_opens(f, g), f.sym.aspects.identifies(passed))))
+                past = FALSE if passed is None else conj((calls, after(f.sym.aspects.identifies(passed))))
                 yield "S-EXCLUDED", f"{who}:{k}", implies(here, past)
-            if passed is None:
-                continue
-            for n, onward in enumerate(signal_paths(f, passed), 1):
-                both = SignalPath(g, False, (*path.ways, *onward.ways), None)
-                if _unwanted(f, g, False, both) or not _can_be_run(f, both.ways, both.ways):
-                    lit = after(conj((_opens(f, g), f.sym.aspects.identifies(passed), lie(f, both.ways))))
-                    yield "S-EXCLUDED", f"{who}:{k} past {passed}:{n}", neg(lit)
-
-
-def _opens(f: Facts, g: SignalId) -> Expr:
-    """The lamps that a route past the next signal may light: clear or caution."""
-    return disj(map(var, f.sym.aspects.main_lamps(g)))
+            for run in () if shunt else runs_past(f, path):
+                can, further = _can_be_run(f, run.ways, run.ways), _passed(f, run.parts[-1])
+                if not can or _unwanted(f, g, False, SignalPath(g, False, run.ways, None)):
+                    on = FALSE if further is None or not can else after(f.sym.aspects.identifies(further))
+                    yield "S-EXCLUDED", f"{who}:{k}{run.called}", implies(conj((calls, after(run.lit(f)))), on)
 
 
 def _passed(f: Facts, path: SignalPath) -> SignalId | None:
     """The signal at the end of a train's path, where the layout gives it an identifier light."""
-    last = path.ways[-1]
-    ahead = f.topo.beyond(last.section, last.exit)
-    signal = None if ahead is None else f.topo.main_into.get((last.exit, ahead))
+    signal = exit_of(f, path)
     return signal if signal in f.layout.identifiers else None
 
 

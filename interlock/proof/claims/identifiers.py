@@ -26,5 +26,5 @@ def identifiers(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         yield "S-IDENTIFIER", g, implies(after(var(name)), conj((alone, led)))
     for r in f.sym.routes:
         if r.path.onward is not None:
-            past = f.sym.routes.number[r.path.onward].entry
-            yield "S-IDENTIFIER", r.id, implies(after(var(r.proceed)), after(f.sym.aspects.identifies(past)))
+            lit = after(conj(f.sym.aspects.identifies(x.entry) for x in f.sym.routes.parts(r)[1:]))
+            yield "S-IDENTIFIER", r.id, implies(after(var(r.proceed)), lit)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -60,6 +60,49 @@ def _search_paths(f: Facts, g: SignalId, shunt: bool) -> list[SignalPath]:
 
     go(f.layout.section_of(signal.into), signal.node, ())
     return found
+
+
+@dataclass(frozen=True)
+class Run:
+    """A train's path from a signal, and on from one signal after the other, none twice, that shows its identifier
+    light."""
+
+    parts: tuple[SignalPath, ...]
+    called: str = ""
+
+    @property
+    def passed(self) -> tuple[SignalId, ...]:
+        """The signals at identifier light, in order."""
+        return tuple(p.signal for p in self.parts[1:])
+
+    @property
+    def ways(self) -> tuple[Traversal, ...]:
+        """The ways of all its parts."""
+        return tuple(t for p in self.parts for t in p.ways)
+
+    def lit(self, f: Facts) -> Expr:
+        """The signals that it passes show their identifier lights, and its points lie."""
+        return conj((*map(f.sym.aspects.identifies, self.passed), lie(f, self.ways)))
+
+
+def exit_of(f: Facts, path: SignalPath) -> SignalId | None:
+    """The main signal at the end of a path."""
+    last = path.ways[-1]
+    ahead = f.topo.beyond(last.section, last.exit)
+    return None if ahead is None else f.topo.main_into.get((last.exit, ahead))
+
+
+def runs_past(f: Facts, path: SignalPath) -> Iterator[Run]:
+    """The runs that begin with a train's path and pass at least one signal to which the layout gives the light."""
+    todo = [Run((path,))]
+    while todo:
+        run = todo.pop()
+        passed = exit_of(f, run.parts[-1])
+        if passed is None or passed not in f.layout.identifiers or passed in run.passed:
+            continue
+        for k, onward in enumerate(signal_paths(f, passed), 1):
+            todo.append(Run((*run.parts, onward), f"{run.called} past {passed}:{k}"))
+            yield todo[-1]
 
 
 def lie(f: Facts, ways: tuple[Traversal, ...]) -> Expr:

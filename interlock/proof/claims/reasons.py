@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, implies, neg, var
+from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import NodeId, Position, SectionId
 from interlock.model.places import Approach
 from interlock.proof.claims.kinds import Facts
@@ -98,23 +99,20 @@ def _given_up(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         stands = after(var(long)) if long in f.system.plant.clocks else FALSE
         nobody = neg(_coming(f, f.system.measured.approaches[g]))
         asked = conj((after(var(f.sym.cancellation.cancelling[g])), neg(var(f.sym.cancellation.cancelling[g]))))
-        withdrawn = (
-            conj(
-                (
-                    var(r.active),
-                    var(x.active),
-                    disj((var(f.sym.cancellation.cancel[x.entry]), var(f.sym.cancellation.cancelling[x.entry]))),
-                )
-            )
-            for r in f.sym.routes.of_signal.get(g, ())
-            for x in (f.sym.routes.number[n] for n in r.path.parts_of)
-        )
+        withdrawn = (conj((var(r.active), _withdrawn(f, r))) for r in f.sym.routes.of_signal.get(g, ()))
         yield "L-REASON", f"{g} cancelled", implies(asked, disj((var(f.sym.cancellation.cancel[g]), *withdrawn)))
         yield "L-APPROACH", g, implies(given_up, disj((nobody, stands)))
         for r in routes:
             set_, seen = after(var(r.active)), after(var(r.shown))
             stays = disj((after(var(r.proceed)), conj((var(r.shown), set_))))
             yield "L-APPROACH", f"{r.id} shown", implies(stays, seen)
+
+
+def _withdrawn(f: Facts, r: RouteSymbols) -> Expr:
+    """A route that is set with one past its signal, or with one of these in turn, is being cancelled."""
+    cancel, cancelling = f.sym.cancellation.cancel, f.sym.cancellation.cancelling
+    with_ = f.sym.routes.set_with(r)
+    return disj(conj((var(x.active), disj((var(cancel[x.entry]), var(cancelling[x.entry]))))) for x in with_)
 
 
 def _trailed(f: Facts) -> Iterator[tuple[str, str, Expr]]:

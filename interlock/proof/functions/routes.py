@@ -37,7 +37,7 @@ def _grants(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
         )
     else:
         refused = conj((sym.requests.asked(r.number), neg(active), neg(after(active))))
-        parts = [r] if r.path.onward is None else [r, sym.routes.number[r.path.onward]]
+        parts = sym.routes.parts(r)
         narrow, all_ = (disj(x for p in parts for x in _refusing(w, p, wide)) for wide in (False, True))
         yield "F-GRANT", r.id, implies(refused, all_)
         yield "F-GRANT", f"{r.id} set", implies(w.signals.set_now(r), neg(narrow))
@@ -66,7 +66,7 @@ def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
     yield "F-OPEN", r.id, implies(opens, after(shows))
     asked = sym.requests.asked(r.number)
     if r.path.identifier:
-        asked = disj(conj((sym.requests.asked(n), var(sym.routes.number[n].active))) for n in r.path.parts_of)
+        asked = _asked_with(w, r)
     again = disj((want, FALSE if r.call_on else asked))
     wanted, unwanted = (neg(conj((again, free, disj((neg(shows), conj((x, past))))))) for x in (order, some))
     kept = conj((disj((wanted, after(want))), implies(unwanted, neg(after(want)))))
@@ -97,9 +97,17 @@ def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
     yield "F-CANCEL", f"{r.id} ends", iff(w.ends(active), conj((active, ended)))
 
 
-def _withdrawn(w: Words, r: RouteSymbols) -> Expr:
-    """The route that leads past the signal, and is set with this one, is being cancelled."""
+def _asked_with(w: Words, r: RouteSymbols) -> Expr:
+    """A route is asked for that leads past the signal and is set with this one, as is all between them."""
+    if not r.path.identifier:
+        return w.sym.requests.asked(r.number)
     with_ = (w.sym.routes.number[n] for n in r.path.parts_of)
+    return disj(conj((var(x.active), _asked_with(w, x))) for x in with_)
+
+
+def _withdrawn(w: Words, r: RouteSymbols) -> Expr:
+    """A route that leads past the signal, and is set with this one, is being cancelled, or a part of it."""
+    with_ = w.sym.routes.set_with(r)
     cancel, cancelling = w.sym.cancellation.cancel, w.sym.cancellation.cancelling
     return disj(conj((var(x.active), disj((var(cancel[x.entry]), var(cancelling[x.entry]))))) for x in with_)
 
@@ -107,16 +115,15 @@ def _withdrawn(w: Words, r: RouteSymbols) -> Expr:
 def _past(w: Words, r: RouteSymbols) -> Expr:
     """A signal opens for a route that leads past the next one while that shows its identifier light; this shows first
     while such a route is set, and then while the section before it stays firmly locked towards it."""
-    if r.path.onward is not None:
-        return w.after(w.sym.aspects.identifies(w.sym.routes.number[r.path.onward].entry))
+    shown = conj(w.after(w.sym.aspects.identifies(x.entry)) for x in w.sym.routes.parts(r)[1:2])
     if not r.path.identifier:
-        return TRUE
+        return shown
     before, node = w.sym.cancellation.approach_of[r.entry], w.layout.signal[r.entry].node
     if before is None:
         return FALSE
     led = conj((w.f.locking.locked_out(before, node), w.f.locking.firm(before), w.f.locking.train(before)))
     with_ = (var(w.sym.routes.number[n].active) for n in r.path.parts_of)
-    return conj((led, w.after(w.f.locking.locked_out(before, node)), disj((var(r.proceed), *with_))))
+    return conj((led, w.after(w.f.locking.locked_out(before, node)), disj((var(r.proceed), *with_)), shown))
 
 
 def _passing(w: Words, r: RouteSymbols, name: Name) -> Expr:
@@ -135,14 +142,11 @@ def _passing(w: Words, r: RouteSymbols, name: Name) -> Expr:
 def _may_show_clear(w: Words, r: RouteSymbols) -> Expr:
     """The path allows clear, and its lamp is intact (R11)."""
     path = SignalPath(r.entry, False, tuple(w.ways.way(s, n) for s, n in r.path.ways), None)
-    last = path.ways[-1]
-    ahead = w.topo.beyond(last.section, last.exit)
-    exit_ = None if ahead is None else w.topo.main_into.get((last.exit, ahead))
     lamp = [var(w.sym.lamp_proof.clear[r.entry])] if r.entry in w.sym.lamp_proof.clear else []
     speed = _speed(w, r)
     if speed is not None and speed < w.layout.principles.slow_below_kmh:
         return FALSE
-    return conj((allows_clear(w.f, path, exit_), *lamp))
+    return conj((allows_clear(w.f, path), *lamp))
 
 
 def _speed(w: Words, r: RouteSymbols) -> int | None:

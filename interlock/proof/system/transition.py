@@ -184,7 +184,7 @@ class System:
         out = {}
         for r in self.symbols.routes:
             closes = conj((var(r.proceed), neg(var(r.proceed.next))))
-            asked = self.symbols.requests.asked_for(r)
+            asked = self.symbols.requests.asked_for(r, self.symbols.routes)
             out[names.SHUT(r.number)] = conj(
                 (disj((var(names.SHUT(r.number)), closes)), var(r.active.next), neg(asked))
             )

@@ -258,8 +258,9 @@ class Trial:
         return trains > z.trains
 
     def _overlap(self, r: RouteSymbols) -> tuple[tuple[SectionId, int], ...]:
-        """Of a route that leads past a signal the overlap of that signal, too."""
-        held = [x.path.overlap for x in self.system.symbols.routes if x.number == r.number or x.number == r.path.onward]
+        """Of a route that leads past signals the overlaps of those signals, too."""
+        symbols = self.system.symbols.routes
+        held = [x.path.overlap for x in symbols.parts(symbols.number[r.number])]
         return tuple(way for o in held if o is not None for way in self.system.symbols.overlaps.ways[o])
 
     def _standing(self, *routes: RouteSymbols) -> dict[str, int] | None:

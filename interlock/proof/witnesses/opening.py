@@ -77,7 +77,7 @@ def machines_of(system: System, r: RouteSymbols) -> set[MachineId]:
 
 def along(system: System, r: RouteSymbols) -> set[MachineId]:
     """The machines beside its path that a route drives along, if they are free to move."""
-    granted = {names.GRANTED(n) for n in (r.number, r.path.onward) if n is not None}
+    granted = {names.GRANTED(p.number) for p in system.symbols.routes.parts(r)}
     found = set()
     for e in system.controller.equations:
         if e.name.family is names.DEMANDED:

@@ -81,7 +81,7 @@ def witnesses(system: System) -> tuple[Witness, ...]:
     sym = system.symbols
     for r in sym.routes:
         if r.path.identifier:  # it is set, driven and released with the routes that lead past its signal
-            by = [found[sym.routes.number[n].id] for n in r.path.parts_of]
+            by = [found[x.id] for x in sym.routes.set_with(r) if not x.path.identifier]
             w = next((w for w in by if w.ok), by[0])
             found[r.id] = replace(w, route=r.id, text=f"{w.text}, with {w.route}")
     return tuple(found[r.id] for r in sym.routes)

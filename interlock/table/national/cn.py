@@ -175,7 +175,7 @@ class _Form:
     def row(self, r: RouteRow, number: str) -> tuple[Cell, ...]:
         """The fifteen cells."""
         if r.onward is not None:
-            return self._past(r, self.table.route[r.onward], number)
+            return self._past(r, number)
         facing = self._facing(r)
         return (
             self._direction(r),
@@ -195,22 +195,23 @@ class _Form:
             number,
         )
 
-    def _past(self, r: RouteRow, onward: RouteRow, number: str) -> tuple[Cell, ...]:
-        """A route that leads past a signal: with the points and sections beyond it, in one row."""
-        beyond = replace(onward, kind=RouteKind.MAIN)
-        facing, told = self._facing(beyond), [self._other(r), self._other(beyond), f"越过{r.exit}（标志灯）"]
+    def _past(self, r: RouteRow, number: str) -> tuple[Cell, ...]:
+        """A route that leads past signals: with the points and sections beyond them, in one row."""
+        parts = [r, *(replace(p, kind=RouteKind.MAIN) for p in self.table.parts(r)[1:])]
+        passed, last = "、".join(r.passed or ()), parts[-1]
+        facing, told = self._facing(last), [*map(self._other, parts), f"越过{passed}（标志灯）"]
         return (
             self._direction(r),
-            f"越过{r.exit}至{r.destination}",
+            f"越过{passed}至{r.destination}",
             self._alternative(r),
-            "、".join((*self._buttons(r), self._buttons(beyond)[-1])),
+            "、".join((*self._buttons(r), self._buttons(last)[-1])),
             self._deciding(r),
             r.entry,
             self._aspect(r),
-            self._indicator(beyond),
-            tuple(dict.fromkeys((*self._points(r), *self._points(beyond)))),
+            self._indicator(last),
+            tuple(dict.fromkeys(x for p in parts for x in self._points(p))),
             tuple(self._hostile(r)),
-            tuple(dict.fromkeys((*self._sections(r), *self._sections(beyond)))),
+            tuple(dict.fromkeys(x for p in parts for x in self._sections(p))),
             facing[0],
             facing[1],
             "、".join(filter(None, told)),
@@ -277,7 +278,7 @@ class _Form:
         same = {
             x.variant: x
             for x in reversed(self._of_signal[r.entry, r.kind])
-            if (x.exit, x.destination) == (r.exit, r.destination)
+            if (x.exit, x.passed, x.destination) == (r.exit, r.passed, r.destination)
         }
         return [same[k] for k in sorted(same)]
 

@@ -7,6 +7,8 @@ SslrColumns.java); Ril 819.0102 itself was not read.  What a layout says nothing
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from interlock.model.elements import DeviceKind, Hand, MachineId, PointId, Position
 from interlock.model.layout import Layout
 from interlock.table.national.reading import Reading
@@ -66,7 +68,7 @@ def _destination(r: RouteRow) -> str:
 
 def _last(x: Reading, r: RouteRow) -> RouteRow:
     """The row that tells what lies at the destination."""
-    return r if r.onward is None else x.table.route[r.onward]
+    return x.table.parts(r)[-1]
 
 
 def overlap_name(r: RouteRow) -> str:
@@ -115,9 +117,9 @@ def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
         notes.append(f"Haltfall erst, wenn {r.closing.whole} frei")
     if r.overlap is not None and r.overlap.swings:
         notes.append(f"D-Weg umstellbar auf {', '.join(f'D{k}' for k in r.overlap.swings)}")
-    if r.onward is not None:
-        notes.append(f"{r.exit} zeigt Kennlicht; Fahrweg dahinter wie {r.onward} in der Verschlusstafel")
-        notes += [f"{overlap_name(r)} von {r.exit} mitverschlossen"] if r.overlap is not None else []
+    for before, past in pairwise(x.table.parts(r)):
+        notes.append(f"{before.exit} zeigt Kennlicht; Fahrweg dahinter wie {past.id} in der Verschlusstafel")
+        notes += [f"{overlap_name(before)} von {before.exit} mitverschlossen"] if before.overlap is not None else []
     if r.kind is RouteKind.CALL_ON:
         notes.append("Ersatzsignal: besetzte Abschnitte erlaubt")
     if r.berth is not None:
@@ -131,7 +133,7 @@ def _kind(r: RouteRow) -> str:
 
 _IDENTIFIER = Field[RouteRow](
     heading("AD", "Kennlicht", "Signals passed at identifier light", "无效标志灯"),
-    lambda r: "" if r.onward is None else r.exit,
+    lambda r: ", ".join(r.passed or ()),
 )
 
 

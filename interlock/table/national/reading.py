@@ -117,8 +117,7 @@ class MachineReading:
     def deciding(self, r: RouteRow) -> list[tuple[PointId, Position]]:
         """The points that a route passes facing where the other leg leads to its end, too, in order: of several ways
         from start to end they tell this one, whether or not the others are routes."""
-        onward = () if r.onward is None else self._table.route[r.onward].traversals
-        ways = [self._topo.traversals[s][n - 1] for s, n in (*r.traversals, *onward)]
+        ways = [self._topo.traversals[s][n - 1] for p in self._table.parts(r) for s, n in p.traversals]
         end = ways[-1].section, ways[-1].exit
         out = []
         for i, t in enumerate(ways):

@@ -43,7 +43,7 @@ def uk_names(x: Reading) -> Naming:
 
     def name(way: PrintedRoute) -> str:
         r = way.rows[0]
-        past = "" if r.onward is None else f" past {r.exit} to {_variant(x.table.route[r.onward])}"
+        past = "" if r.passed is None else f" past {', '.join(r.passed)} to {_variant(x.table.parts(r)[-1])}"
         return f"{r.entry}{letters[r.entry, (r.exit, r.traversals)]}({CLASS[r.kind]}){past}"
 
     return name

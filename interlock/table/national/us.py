@@ -61,7 +61,7 @@ def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
 
 
 def _leads(r: RouteRow) -> str:
-    return r.exit if r.onward is None else f"{r.destination} past {r.exit}"
+    return r.exit if r.passed is None else f"{r.destination} past {', '.join(r.passed)}"
 
 
 def _over(x: Reading, r: RouteRow) -> str:
