@@ -20,18 +20,15 @@ from interlock.st.ast import (
     HEADLINE,
     Assign,
     Block,
-    Bool,
     Call,
     Compare,
     Declaration,
     Expression,
     If,
-    Int,
     Name,
     Nary,
     Not,
     Statement,
-    Time,
     Unit,
 )
 from interlock.st.parser import NotInSubset
@@ -66,25 +63,45 @@ def frame(blocks: Sequence[Block]) -> Frame:
     )
 
 
-def renamed(x: Expression, name: Callable[[Name], Expression]) -> Expression:
-    """An expression with something else for each name."""
-    if isinstance(x, Name):
-        return name(x)
-    if isinstance(x, Not):
-        return Not(renamed(x.arg, name))
-    if isinstance(x, Nary):
-        return Nary(x.op, tuple([renamed(a, name) for a in x.args]), x.notes)
-    return Compare(x.op, renamed(x.left, name), renamed(x.right, name)) if isinstance(x, Compare) else x
+class Renaming:
+    """Statements with other names.  Each name is asked for once: most of a text are names that it has had."""
 
+    def __init__(self, name: Callable[[Name], Name]) -> None:
+        """`name`: what stands for a name, always the same for it; it may raise `NotInSubset`."""
+        self._name = name
+        self._known: dict[tuple[str, ...], tuple[Name, Not]] = {}
 
-def put(s: Statement, name: Callable[[Name], Name]) -> Statement:
-    """A statement with other names."""
-    if isinstance(s, Assign):
-        return Assign(name(s.target), renamed(s.value, name), s.note)
-    if isinstance(s, Call):
-        return Call(s.instance, tuple([(n, renamed(x, name)) for n, x in s.params]), s.note)
-    arms = [(renamed(c, name), tuple(put(t, name) for t in then)) for c, then in s.arms]
-    return If(*arms[0], tuple(put(t, name) for t in s.otherwise), tuple(arms[1:]))
+    def _look(self, n: Name) -> tuple[Name, Not]:
+        new = self._name(n)
+        found = self._known[n.parts] = new, Not(new)
+        return found
+
+    def expression(self, x: Expression) -> Expression:
+        """An expression with other names."""
+        if isinstance(x, Nary):
+            args: list[Expression] = []
+            for a in x.args:
+                y = a.arg if isinstance(a, Not) else a
+                if isinstance(y, Name):
+                    args.append((self._known.get(y.parts) or self._look(y))[y is not a])
+                else:
+                    args.append(self.expression(a))
+            return Nary(x.op, tuple(args), x.notes)
+        if isinstance(x, Name):
+            return (self._known.get(x.parts) or self._look(x))[0]
+        if isinstance(x, Not):
+            return Not(self.expression(x.arg))
+        return Compare(x.op, self.expression(x.left), self.expression(x.right)) if isinstance(x, Compare) else x
+
+    def __call__(self, s: Statement) -> Statement:
+        """A statement with other names."""
+        if isinstance(s, Assign):
+            target = (self._known.get(s.target.parts) or self._look(s.target))[0]
+            return Assign(target, self.expression(s.value), s.note)
+        if isinstance(s, Call):
+            return Call(s.instance, tuple([(n, self.expression(x)) for n, x in s.params]), s.note)
+        arms = [(self.expression(c), tuple(map(self, then))) for c, then in s.arms]
+        return If(*arms[0], tuple(map(self, s.otherwise)), tuple(arms[1:]))
 
 
 def instance(block: str) -> str:
@@ -128,9 +145,7 @@ def in_data_blocks(blocks: Sequence[Block], told: bool = True) -> Iterator[Block
     inner = [replace(d, note=d.note or notes.get(d.name, "")) for b in callees for d in b.outputs if d.name not in data]
     data |= {d.name: main.name + INNER for d in inner}
 
-    def place(n: Name) -> Name:
-        return Name((data[n.parts[-1]], n.parts[-1]))
-
+    put = Renaming(lambda n: Name((data[n.parts[-1]], n.parts[-1])))
     yield Block(main.name + INPUTS, (), (), main.inputs, (), "inputs", "DATA_BLOCK")
     yield Block(main.name + OUTPUTS, (), (), main.outputs, (), "outputs, and what is said of routes", "DATA_BLOCK")
     yield Block(main.name + INNER, (), (), tuple(inner), (), "what is computed and kept", "DATA_BLOCK")
@@ -141,7 +156,7 @@ def in_data_blocks(blocks: Sequence[Block], told: bool = True) -> Iterator[Block
             made, called = _placed(b, data)
             yield from made
             calls.append(Call(called, (), b.note[:HEADLINE]))
-    settings = [put(s, place) for s in main.body if isinstance(s, Assign)]
+    settings = [put(s) for s in main.body if isinstance(s, Assign)]
     settings = [s for s in settings if not (isinstance(s, Assign) and s.target == s.value)]  # written where it is made
     for k, part in enumerate(_parts(settings, MOST), 1):
         yield Block(f"{main.name}_Y{k:02d}", (), (), (), tuple(part), "outputs", "FUNCTION")
@@ -160,7 +175,7 @@ def _placed(b: Block, data: Mapping[str, str]) -> tuple[list[Block], str]:
     def place(n: Name) -> Name:
         return n if n.parts[0] in own else Name((data[n.parts[0]], n.parts[0]))
 
-    body = tuple(put(s, place) for s in b.body)
+    body = tuple(map(Renaming(place), b.body))
     if all(d.type != "TON" for d in b.locals):
         return [Block(b.name, (), (), b.locals, body, b.note, "FUNCTION")], b.name
     kept = Block(instance(b.name), (), (), (Declaration("OF", b.name),), (), "", "INSTANCE")
@@ -192,8 +207,9 @@ def _mapping(program: Block, main: str, several: bool) -> Iterator[Block]:
 
     body: list[Statement] = []
     out: list[Statement] = []
+    put = Renaming(place)
     for s in program.body:
-        made = put(s, place)
+        made = put(s)
         if isinstance(s, Call) and s.instance == INSTANCE:
             assert isinstance(made, Call)
             carried = [Assign(Name((main + INPUTS, n)), x) for n, x in made.params]
@@ -258,36 +274,40 @@ def _all_called(unit: Unit, called: set[str]) -> None:
         raise NotInSubset(f"{left[0]} is never called")
 
 
-def names_in(s: Statement) -> Iterator[Name]:
+def names_in(s: Statement) -> list[Name]:
     """Every name that a statement reads or writes."""
-    if isinstance(s, Assign):
-        yield s.target
-        yield from _names(s.value)
-    elif isinstance(s, Call):
-        for _, x in s.params:
-            yield from _names(x)
-    else:
-        for c, then in s.arms:
-            yield from _names(c)
-            for t in then:
-                yield from names_in(t)
-        for t in s.otherwise:
-            yield from names_in(t)
+    found: list[Name] = []
+    todo = [s]
+    while todo:
+        s = todo.pop()
+        if isinstance(s, Assign):
+            found.append(s.target)
+            found += _names(s.value)
+        elif isinstance(s, Call):
+            for _, x in s.params:
+                found += _names(x)
+        else:
+            for c, then in s.arms:
+                found += _names(c)
+                todo += then
+            todo += s.otherwise
+    return found
 
 
-def _names(x: Expression) -> Iterator[Name]:
-    if isinstance(x, Name):
-        yield x
-    elif isinstance(x, Not):
-        yield from _names(x.arg)
-    elif isinstance(x, Nary):
-        for a in x.args:
-            yield from _names(a)
-    elif isinstance(x, Compare):
-        yield from _names(x.left)
-        yield from _names(x.right)
-    else:
-        assert isinstance(x, Bool | Int | Time)
+def _names(x: Expression) -> list[Name]:
+    found: list[Name] = []
+    todo = [x]
+    while todo:
+        x = todo.pop()
+        if isinstance(x, Name):
+            found.append(x)
+        elif isinstance(x, Not):
+            todo.append(x.arg)
+        elif isinstance(x, Nary):
+            todo += x.args
+        elif isinstance(x, Compare):
+            todo += (x.left, x.right)
+    return found
 
 
 def writes(s: Statement) -> Iterator[Name]:
@@ -376,6 +396,7 @@ class _Core(_Walk):
                 return Name((last,))
             raise NotInSubset(f"{b.name}: {n} is not declared")
 
+        put = Renaming(place)
         for s in b.body:
             if isinstance(s, Call) and s.instance in self.functions and not s.params:
                 self._carry(s.instance, self.functions[s.instance])
@@ -388,9 +409,9 @@ class _Core(_Walk):
             elif isinstance(s, Call):
                 if s.instance not in own:
                     raise NotInSubset(f"{b.name} calls {s.instance}")
-                self.body.append(put(s, place))
+                self.body.append(put(s))
             else:
-                made = put(s, place)
+                made = put(s)
                 if wrong := [str(n) for n in writes(made) if str(n) in self.given]:
                     raise NotInSubset(f"{b.name} writes {wrong[0]}, which is an input")
                 self.body.append(made)
@@ -464,6 +485,7 @@ class _Program(_Walk):
     def _carry(self, b: Block) -> None:
         if b.locals or b.inputs or b.outputs:
             raise NotInSubset(f"{b.name} has variables of its own")
+        put = Renaming(self._name)
         for s in b.body:
             if isinstance(s, Call) and s.instance == self.main and not s.params:
                 self.body.append(Call(INSTANCE, tuple(self.given)))
@@ -472,18 +494,18 @@ class _Program(_Walk):
                 self.once(s.instance)
                 self._carry(self.functions[s.instance])
             elif isinstance(s, Assign) and s.target.parts[0] == self.main + INPUTS:
-                self.given.append((s.target.parts[1], renamed(s.value, self._name)))
+                self.given.append((s.target.parts[1], put.expression(s.value)))
             elif self.given:
                 raise NotInSubset("something else stands between the inputs and the call of the interlocking")
             elif isinstance(s, Call):
                 if s.instance not in self.instances:
                     raise NotInSubset(f"{b.name} calls {s.instance}")
                 self.once(s.instance)
-                self.body.append(put(replace(s, instance=self.names.instance(s.instance)), self._name))
+                self.body.append(put(replace(s, instance=self.names.instance(s.instance))))
             else:
                 if any(len(n.parts) == 2 and n.parts[0] != self.main + OPERATOR for n in writes(s)):
                     raise NotInSubset(f"{b.name} writes what is not the operator's")
-                self.body.append(put(s, self._name))
+                self.body.append(put(s))
 
     def _name(self, n: Name) -> Name:
         return self.names.of(n, self.instances)

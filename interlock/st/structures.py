@@ -13,7 +13,7 @@ same blocks use lies together, so that a block gets few of them.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from interlock.st.ast import HEADLINE, Assign, Block, Call, Declaration, Expression, Name, Statement, Unit
@@ -24,13 +24,12 @@ from interlock.st.shared import (
     INNER,
     INPUTS,
     OUTPUTS,
+    Renaming,
     flat,
     frame,
     in_data_blocks,
     instance,
     names_in,
-    put,
-    renamed,
     writes,
 )
 
@@ -68,29 +67,31 @@ def _interlocking(blocks: Sequence[Block]) -> Iterator[Block]:
     made = list(in_data_blocks(blocks, told=False))
     main = made[-1].name
     known = frame(made)
-    place = _parted(made)
+    uses = [dict.fromkeys(n.parts for s in b.body for n in names_in(s)) for b in made]
+    place = _parted(made, uses)
+    put = Renaming(lambda n: Name((place.get(n.parts, n.parts[0]), *n.parts[1:])))
     names = named(len({s for (data, _), s in place.items() if data == main + INNER}))
     handed: dict[str, tuple[str, ...]] = {}
-    for b in made:
+    for b, names_used in zip(made, uses, strict=True):
         if b.kind == "DATA_BLOCK":
             yield from _structures(b, main, names, place)
         elif b.kind != "INSTANCE":
             called = [s.instance for s in b.body if isinstance(s, Call) and _hands(s, b)]
             calls = [known.instances.get(n, n) for n in called]
-            used = {place.get(n.parts, "") for s in b.body for n in names_in(s)}
+            used = {place.get(n, "") for n in names_used}
             used |= {n for c in calls for n in handed[c]}
             handed[b.name] = (GIVEN, SHOWN) if b.name == main else tuple(n for n in names if n in used)
-            yield _handing(b, main, names, handed, known.instances, place)
+            yield _handing(b, main, names, handed, known.instances, put)
 
 
-def _parted(made: Sequence[Block]) -> dict[tuple[str, ...], str]:
-    """In which structure each member of a data block lies.
+def _parted(made: Sequence[Block], uses: Sequence[Iterable[tuple[str, ...]]]) -> dict[tuple[str, ...], str]:
+    """In which structure each member of a data block lies; `uses`: the names that each block reads or writes.
 
     All else is sorted by the blocks that use it, in the order of calls, and cut into parts of one size.
     """
     users: dict[tuple[str, ...], list[int]] = {}
-    for k, b in enumerate(made):
-        for n in dict.fromkeys(n.parts for s in b.body for n in names_in(s)):
+    for k, those in enumerate(uses):
+        for n in those:
             users.setdefault(n, []).append(k)
     place: dict[tuple[str, ...], str] = {}
     data = {b.name: [(b.name, d.name) for d in b.locals] for b in made if b.kind == "DATA_BLOCK"}
@@ -125,7 +126,7 @@ def _handing(
     names: Mapping[str, str],
     handed: Mapping[str, Sequence[str]],
     instances: Mapping[str, str],
-    place: Mapping[tuple[str, ...], str],
+    put: Renaming,
 ) -> Block:
     """A block with its structures, and with an instance of each block that it calls."""
     inner = [Declaration(n, main + e) for n, e in names.items() if b.name == main and n not in handed[main]]
@@ -137,7 +138,7 @@ def _handing(
             inner.append(Declaration(own, kind, None, s.note))
             body.append(Call(own, tuple((n, Name((n,))) for n in handed[kind])))
         else:
-            body.append(put(s, lambda n: Name((place.get(n.parts, n.parts[0]), *n.parts[1:]))))
+            body.append(put(s))
     declared = tuple(Declaration(n, main + names[n]) for n in handed[b.name])
     note = b.note[:HEADLINE] if b.name != main else b.note
     return Block(b.name, (), (), (*b.locals, *inner), tuple(body), note, handed=declared)
@@ -146,12 +147,13 @@ def _handing(
 def _program(program: Block, main: str) -> Block:
     """The mapping program: it writes the inputs, calls the interlocking, reads the outputs."""
     body: list[Statement] = []
+    put = Renaming(lambda n: Name((SHOWN, *n.parts[1:])) if n.parts[0] == INSTANCE else n)
     for s in program.body:
         if isinstance(s, Call) and s.instance == INSTANCE:
             body += [Assign(Name((GIVEN, n)), x) for n, x in s.params]
             body.append(Call(INSTANCE, tuple((n, Name((n,))) for n in (GIVEN, SHOWN))))
         else:
-            body.append(put(s, lambda n: Name((SHOWN, *n.parts[1:])) if n.parts[0] == INSTANCE else n))
+            body.append(put(s))
     own = (Declaration(GIVEN, main + INPUTS, None, "inputs"), Declaration(SHOWN, main + OUTPUTS, None, "outputs"))
     return replace(program, locals=(*program.locals, *own), body=tuple(body))
 
@@ -223,6 +225,7 @@ class _Released:
     def __init__(self, b: Block, main: bool, blocks: Mapping[str, Block], known: _Known) -> None:
         self.b, self.blocks, self.known = b, blocks, known
         own = [d for d in known.declared if main and d.name not in (GIVEN, SHOWN)]
+        declared = frozenset(known.declared)
         self.structures = {d.name for d in (*b.handed, *own)}
         self.instances = {d.name: d.type for d in b.locals if d.type in blocks}
         self.own = [d for d in b.locals if d not in own and d.name not in self.instances]
@@ -234,22 +237,23 @@ class _Released:
             or b.outputs
             or list(b.handed) != [d for d in known.declared if d.name in handed]
             or len(set(names)) != len(names)
-            or {d for d in b.locals if d in known.declared} != set(own)
+            or declared.intersection(b.locals) != set(own)
             or any(d.initial is not None or d.address for d in b.locals)
         ):
             raise NotInSubset(f"{b.name}: declared otherwise than as a block of this form")
 
     def block(self) -> Block:
         """It, with names of members and calls as in a unit with data blocks."""
-        body = tuple(map(self._statement, self.b.body))
+        put = Renaming(self._name)
+        body = tuple([self._statement(s, put) for s in self.b.body])
         called = [s.instance for s in self.b.body if isinstance(s, Call)]
         if left := [n for n in self.instances if called.count(n) != 1]:
             raise NotInSubset(f"{self.b.name}: {left[0]} is not called once")
         return Block(self.b.name, (), (), tuple(self.own), body)
 
-    def _statement(self, s: Statement) -> Statement:
+    def _statement(self, s: Statement, put: Renaming) -> Statement:
         if not isinstance(s, Call) or s.instance not in self.instances:
-            return put(s, self._name)
+            return put(s)
         kind = self.blocks[self.instances[s.instance]]
         handed = [d.name for d in kind.handed]
         if s.params != tuple((n, Name((n,))) for n in handed) or not self.structures.issuperset(handed):
@@ -283,10 +287,11 @@ def _mapping(program: Block, main: str) -> Block:
         return n
 
     body: list[Statement] = []
+    put = Renaming(name)
     given: list[tuple[str, Expression]] = []
     for s in program.body:
         if isinstance(s, Assign) and s.target.parts[0] == GIVEN and len(s.target.parts) == 2:
-            given.append((s.target.parts[1], renamed(s.value, name)))
+            given.append((s.target.parts[1], put.expression(s.value)))
         elif isinstance(s, Call) and s.instance == INSTANCE:
             if s.params != tuple((n, Name((n,))) for n in (GIVEN, SHOWN)):
                 raise NotInSubset(f"{program.name}: the interlocking is handed something else than its structures")
@@ -297,7 +302,7 @@ def _mapping(program: Block, main: str) -> Block:
         elif any(n.parts[0] == SHOWN for n in writes(s)):
             raise NotInSubset(f"{program.name} writes an output of the interlocking")
         else:
-            body.append(put(s, name))
+            body.append(put(s))
     if given:
         raise NotInSubset(f"{program.name}: an input is written after the interlocking was called")
     return replace(program, locals=tuple(d for d in program.locals if d.name not in held), body=tuple(body))

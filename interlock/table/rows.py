@@ -466,7 +466,7 @@ class RouteRow:
         token = () if self.token is None else (f"direction at {self.token.boundary}",)
         return (*(c.condition for c in self.conditions), *token, *(f"{z.zone} not full" for z in self.zones), *lamps)
 
-    @property
+    @cached_property
     def added(self) -> tuple[PointDemand, ...]:
         """The machines that the author has the route lock."""
         return tuple(p for p in self.points if p.role is Role.ADDED)

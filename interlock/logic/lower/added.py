@@ -57,7 +57,7 @@ def detected(d: Draft, r: RouteRow) -> list[Term]:
 
 def held(d: Draft, m: MachineId) -> list[Expr]:
     """Some route holds a machine that was added to it."""
-    return [var(names.HOLDS_ADDED(r.number)) for r in d.table.routes if any(p.machine == m for p in r.added)]
+    return [var(names.HOLDS_ADDED(r.number)) for r in d.routes.adding.get(m, ())]
 
 
 def demanded(d: Draft) -> set[tuple[MachineId, Position]]:

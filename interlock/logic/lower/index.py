@@ -51,6 +51,15 @@ class RouteIndex:
         return {k: tuple(v) for k, v in out.items()}
 
     @cached_property
+    def adding(self) -> Mapping[MachineId, tuple[RouteRow, ...]]:
+        """The routes to which the author has added each machine."""
+        out: dict[MachineId, list[RouteRow]] = {}
+        for r in self._table.routes:
+            for m in dict.fromkeys(p.machine for p in r.added):
+                out.setdefault(m, []).append(r)
+        return {m: tuple(rs) for m, rs in out.items()}
+
+    @cached_property
     def of_signal(self) -> Mapping[SignalId, tuple[RouteRow, ...]]:
         """The routes of each signal."""
         out: dict[SignalId, list[RouteRow]] = {g.id: [] for g in self._layout.signals}
@@ -206,6 +215,15 @@ class SectionIndex:
         for t in self._table.locks:
             out[t.section].append(t)
         return {s: tuple(ts) for s, ts in out.items()}
+
+    @cached_property
+    def foul_of(self) -> Mapping[SectionId, frozenset[SectionId]]:
+        """The sections with a way of which vehicles in another section stand foul, by that other."""
+        out: dict[SectionId, set[SectionId]] = {}
+        for t in self._table.locks:
+            for c in t.foul:
+                out.setdefault(c.section, set()).add(t.section)
+        return {s: frozenset(those) for s, those in out.items()}
 
     @cached_property
     def healthy(self) -> Mapping[SectionId, Name]:

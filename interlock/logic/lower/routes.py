@@ -143,8 +143,7 @@ def _rear_terms(d: Draft, r: RouteRow) -> list[Term]:
             closed = d.machines.detected(device.id, Position.REVERSE)
             out.append(Term(disj((released, closed)), "rear device closed", f"{device.id} over {rear} is closed"))
     beyond = {d.topo.beyond(rear, node) for node in d.topo.ends[rear] if node != r.entry_node}
-    foul = {t.section for t in d.table.locks for c in t.foul if c.section == rear}
-    for other in sorted({*(s for s in beyond if s is not None), *foul}):
+    for other in sorted({*(s for s in beyond if s is not None), *d.sections.foul_of.get(rear, ())}):
         alone = disj((released, neg(var(names.RESTART_LOCK(other))), d.sections.clear(other)))
         out.append(Term(alone, "stands alone", f"nothing stands across from {other}, or foul of it, since the restart"))
     return out

@@ -17,9 +17,9 @@ def foci(local: LocalAbstractions, goals: Iterable[tuple[int, Expr]]) -> list[Fo
     """Foci of numbered goals; a goal that reads many routes and nothing else is in none.
 
     A goal's abstraction begins at the element that it names first, or last if it speaks of an overlap that lies ahead
-    of it.
+    of it.  Goals that are far share none with those that are not.
     """
-    whole: dict[Owner, list[tuple[int, Expr]]] = {}
+    whole: dict[tuple[Owner, bool], list[tuple[int, Expr]]] = {}
     pieces: dict[tuple[Owner, ...], dict[Expr, dict[int, list[int]]]] = {}
     named: dict[Expr, tuple[Owner, ...]] = {}
     for n, goal in goals:
@@ -40,15 +40,21 @@ def foci(local: LocalAbstractions, goals: Iterable[tuple[int, Expr]]) -> list[Fo
             ahead = any(h.kind is Kind.OVERLAP and homes[-1] not in beside.get(h, ()) for h in homes)
             home = homes[0 if ahead else -1]
             home = beside.get(home, (home,))[0]
-            whole.setdefault(home, []).append((n, x))
+            whole.setdefault((home, local.places.are_far(names)), []).append((n, x))
     found: list[Focus] = []
     each = {
         at: tuple((x, {i: tuple(ns) for i, ns in by.items()}) for x, by in exprs.items())
         for at, exprs in pieces.items()
     }
-    for home, those in whole.items():
-        found.append(Focus((home,), tuple(those), each.pop((home,), ())))
-    return [*found, *(Focus(at, pieces=those) for at, those in each.items())]
+    for (home, far), those in whole.items():
+        pieces_here = each.get((home,), ())
+        if far:
+            families = dict.fromkeys(f for x, _ in pieces_here for f in local.members.families(x))
+            found.append(Focus((home,), tuple(those), far=True, families=tuple(families)))
+        else:
+            found.append(Focus((home,), tuple(those), pieces_here))
+    shared = {f.homes for f in found if f.pieces}
+    return [*found, *(Focus(at, pieces=those) for at, those in each.items() if at not in shared)]
 
 
 def _named(local: LocalAbstractions, names: Iterable[Name]) -> tuple[Owner, ...]:

@@ -19,24 +19,28 @@ the rest: the abstraction of any other route of it is the same but for the numbe
 on how many ways there are to pass a place, not on how many routes there are.
 
 Its definitions are those in the cone of influence of its goals.  A *truncated* cone ends at elements that the goals do
-not name: of these it has how they are, and not why.  Nearly all goals follow in it; the others are asked with the
-whole cone.
+not name: of these it has how they are, and not why.  Nor has it far meanings, of names that the goals do not read:
+what an approach of ten sections is clear of would bring all of them into the cone of each of its signal's sections,
+and no place of a yard would be like another.  Goals that are far themselves share no cone with others; theirs has, of
+the elements that they name, what is said in few words.  Nearly all goals follow in a truncated cone; the others are
+asked with the whole one.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Protocol
 
-from interlock.logic.expr import AND, NOT, OR, VAR, Expr
-from interlock.logic.names import NONE, Name, Owner
+from interlock.logic.expr import AND, NOT, OR, VAR, Expr, var
+from interlock.logic.names import NONE, Name, Owner, of_block
 from interlock.model.bits import bits, bits_of
 from interlock.proof.abstraction.indexed import GuardedClause, HasFamilies, IndexedFamilies, Kind
 
 _KEPT = Kind.KEPT
 
 MAX_SUPPORT = 30  # a fact whose support, the names that it reads, is larger is in no abstraction
+MAX_HOMES = 7  # a meaning or goal that names more elements than this is far: that nobody is on a long approach
 MAX_DEGREE = 60  # a name of the support of more facts than this leads to none of them
 
 
@@ -78,12 +82,15 @@ class Focus:
     """Goals that share a local abstraction.
 
     whole: goals by number.  pieces: an expression over families, and for each member of which it is to hold the goals
-    that it is a part of.  homes: elements that the goals name.
+    that it is a part of.  homes: elements that the goals name.  far: each goal names many; families: those of which the
+    pieces of other goals at its home speak.
     """
 
     homes: tuple[Owner, ...]
     whole: tuple[tuple[int, Expr], ...] = ()
     pieces: tuple[tuple[Expr, Mapping[int, tuple[int, ...]]], ...] = ()
+    far: bool = False
+    families: tuple[Name, ...] = ()
 
     @property
     def goals(self) -> Iterator[int]:
@@ -98,7 +105,7 @@ class Focus:
             for x, by in self.pieces
         ]
         whole = tuple((n, x) for n, x in self.whole if n in goals)
-        return Focus(self.homes, whole, tuple((x, by) for x, by in pieces if by))
+        return replace(self, whole=whole, pieces=tuple((x, by) for x, by in pieces if by))
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,12 +167,18 @@ class PlaceIndex:
         """What facts read that has no meaning: states and inputs."""
         self.leads = {v: (m.read(x)[0], families_in(m, x)) for v, x in m.meaning.items()}
         """What the meaning of a name reads, and the families of which it speaks."""
+        self.far = frozenset(v for v, (names, _) in self.leads.items() if self.are_far(names))
+        """Names whose meaning is far."""
         self.state_homes = {v: home for v in system.later if (home := self.homes.get(v)) is not None}
         for n, (x, _) in enumerate(m.mixed):
             _note(self.mixed_at, m.read(x)[0], n)
         for at in (self.facts_at, self.mixed_at):
             for v in [v for v, facts in at.items() if len(facts) > MAX_DEGREE]:
                 del at[v]
+
+    def are_far(self, names: Iterable[Name]) -> bool:
+        """Whether names belong to many elements."""
+        return len({self.homes[v] for v in names if v in self.homes}) > MAX_HOMES
 
 
 class ClauseIndex:
@@ -220,6 +233,14 @@ class ClauseIndex:
         self.families.setdefault(t.family, {}).update(dict.fromkeys(t.families))
 
 
+class BlockVariables(dict[tuple[Name, int], Expr]):
+    """The variables of blocks, by family and number of the block: all abstractions have the same."""
+
+    def __missing__(self, key: tuple[Name, int]) -> Expr:
+        found = self[key] = var(of_block(*key))
+        return found
+
+
 class LocalAbstractions:
     """The local abstractions of a system."""
 
@@ -231,6 +252,7 @@ class LocalAbstractions:
         self.places = PlaceIndex(system, self.members)
         self.clauses = ClauseIndex(self.members, self.homes)
         self._groups: dict[Expr, list[Occurrences]] = {}
+        self.variables = BlockVariables()
         self.of_block: dict[tuple[Expr, int], Expr] = {}
         """Expressions over families, by blocks: what abstractions have in common."""
         self.told: dict[int, dict[GuardedClause, Expr]] = {}

@@ -15,7 +15,7 @@ from interlock.logic.expr import Expr
 from interlock.logic.names import Kind
 from interlock.proof.abstraction.canonical import CanonicalForms
 from interlock.proof.abstraction.focus import foci
-from interlock.proof.abstraction.local import Focus, LocalAbstraction, LocalAbstractions, Located
+from interlock.proof.abstraction.local import Focus, LocalAbstractions, Located
 from interlock.proof.abstraction.quotient import abstraction
 from interlock.proof.engines.batch import decided
 from interlock.proof.engines.limits import Limits
@@ -50,6 +50,8 @@ class LocalQueries:
         self.local = LocalAbstractions(system, hypotheses)
         self.limits = limits
         self._forms = CanonicalForms({})
+        self._answered: dict[str, list[bool]] = {}
+        """By the form of an abstraction, which of what is asked follows: most places of a yard are like another."""
 
     def batches(self, goals: Iterable[tuple[int, Expr]]) -> list[Batch]:
         """Numbered goals in so many batches; some are in none."""
@@ -83,8 +85,9 @@ class LocalQueries:
         """The goals of a focus that do not follow in its abstraction."""
         made = abstraction(self.local, focus, truncated)
         asked = [x for x, _ in made.asked]
-        found = decided(asked, made.facts, made.definitions, self.limits, lambda: self._form(made))
-        return {n: None for (_, goals), d in zip(made.asked, found, strict=True) if not d.follows for n in goals}
-
-    def _form(self, made: LocalAbstraction) -> str:
-        return self._forms.of(made.definitions, [x for x, _ in made.asked], made.facts)
+        form = self._forms.of(made.definitions, asked, made.facts)
+        follows = self._answered.get(form)
+        if follows is None:
+            found = decided(asked, made.facts, made.definitions, self.limits, lambda: form)
+            follows = self._answered[form] = [d.follows for d in found]
+        return {n: None for (_, goals), shown in zip(made.asked, follows, strict=True) if not shown for n in goals}

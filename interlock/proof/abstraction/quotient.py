@@ -12,13 +12,16 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import chain
 
-from interlock.logic.expr import AND, FALSE, Expr, conj, disj, implies, neg, rebuild, var
-from interlock.logic.names import Form, Name, Owner, of_block
+from interlock.logic.expr import AND, FALSE, Expr, conj, disj, implies, neg, rebuild
+from interlock.logic.names import Form, Name, Owner
+from interlock.logic.names import Kind as ElementKind
 from interlock.model.bits import bits, bits_of
 from interlock.proof.abstraction.indexed import GuardedClause, IndexedVariable, Kind
 from interlock.proof.abstraction.local import Focus, LocalAbstraction, LocalAbstractions, Occurrences, families_in
 
 _DEFINED = Kind.DEFINED
+
+SHORT = 3  # names that a meaning reads which is there for goals that name many elements
 
 
 def _at(where: Mapping[Name, Sequence[int]], names: Iterable[Name]) -> dict[int, None]:
@@ -26,21 +29,11 @@ def _at(where: Mapping[Name, Sequence[int]], names: Iterable[Name]) -> dict[int,
     return dict.fromkeys(chain.from_iterable(filter(None, map(where.get, names))))
 
 
-def _variable(family: Name, block: int) -> Expr:
-    return var(of_block(family, block))
-
-
-def _of_block(x: Expr, block: int) -> Expr:
-    if x.args:
-        return rebuild(x, tuple(_of_block(a, block) for a in x.args))
-    return _variable(x.name, block) if x.name.indexed else x
-
-
 class _Cone:
     """The cone of influence of a focus; `truncated`: it ends at elements that the goals do not name."""
 
     def __init__(self, local: LocalAbstractions, focus: Focus, truncated: bool) -> None:
-        self._local, self._truncated = local, truncated
+        self._local, self._truncated, self._far = local, truncated, focus.far
         self.names: dict[Name, None] = {}
         self._families: dict[Name, None] = {}
         self._elements: dict[Owner, None] = dict.fromkeys(focus.homes)
@@ -50,7 +43,7 @@ class _Cone:
         """Begin with the names in the goals, and the elements to which they belong."""
         m, homes = self._local.members, self._local.places.homes
         names: dict[Name, None] = {}
-        families: dict[Name, None] = {}
+        families: dict[Name, None] = {} if self._truncated else dict.fromkeys(focus.families)
         for _, x in focus.whole:
             names |= dict.fromkeys(m.read(x)[0])
             families |= dict.fromkeys(families_in(self._local.members, x))
@@ -60,7 +53,9 @@ class _Cone:
                     families[v] = None
                 else:
                     names[v] = None
-        self._elements |= dict.fromkeys(homes[v] for v in names if v in homes)
+        if not self._truncated or not self._far:
+            self._elements |= dict.fromkeys(homes[v] for v in names if v in homes)
+        self._named = frozenset(names)
         self._reach(names, families, self._elements)
 
     def _reach(self, names: Iterable[Name], families: Iterable[Name], elements: Iterable[Owner]) -> None:
@@ -69,7 +64,6 @@ class _Cone:
         A truncated cone has no reasons for what is at an element that the goals do not name.
         """
         todo, fresh, leads = list(names), list(families), self._local.places.leads
-        homes, named = self._local.places.homes if self._truncated else {}, self._elements
         while todo or fresh:
             while fresh:
                 f = fresh.pop()
@@ -82,10 +76,19 @@ class _Cone:
                 v = todo.pop()
                 if v not in self.names:
                     self.names[v] = None
-                    if v in leads and (v not in homes or homes[v] in named):
+                    if v in leads and (not self._truncated or self._is_near(v)):
                         reads, speaks_of = leads[v]
                         todo += reads
                         fresh += speaks_of
+
+    def _is_near(self, name: Name) -> bool:
+        """Whether a truncated cone has the meaning of a name."""
+        places = self._local.places
+        home = places.homes.get(name)
+        if self._far:
+            short = len(places.leads[name][0]) <= SHORT
+            return home is None or short or home in self._elements or home.kind is ElementKind.SIGNAL
+        return (name not in places.far or name in self._named) and (home is None or home in self._elements)
 
     def _around(self) -> dict[int, None]:
         """Facts that speak of the names."""
@@ -95,15 +98,15 @@ class _Cone:
         """See what names mean that stand in facts of which the abstraction sees all else."""
         homes, next_to, names_of = self._local.places.homes, self._local.places.next_to, self._local.places.names_of
         inside = set(map(homes.get, self.names)) - {None}
-        cone, states = set(self.names), self._local.places.state_homes
+        mine, states = self.names, self._local.places.state_homes
         for n in facts:
-            names = names_of[n]
-            if not cone.issuperset(names):
+            new = [v for v in names_of[n] if v not in mine]
+            if new:
                 for v in next_to[n]:
-                    if v not in self.names and states.get(v) not in inside:
+                    if v not in mine and states.get(v) not in inside:
                         break
                 else:
-                    self._reach(names, (), ())
+                    self._reach(new, (), ())
 
     def collect(self) -> tuple[list[Expr], list[Expr]]:
         """The facts of places, and those of several members."""
@@ -227,7 +230,7 @@ class _Quotient:
     def _use(self, family: Name, block: int) -> Expr:
         """The variable of a block."""
         self._reached[family, block] = None
-        return _variable(family, block)
+        return self._local.variables[family, block]
 
     def _merged(self, root: Expr) -> Expr:
         """An expression over blocks instead of members."""
@@ -283,7 +286,7 @@ class _Quotient:
                 self._reached[f, block] = None
             fact = known.get(t)
             if fact is None:
-                fact = known[t] = implies(_variable(t.family, block), _of_block(t.expr, block))
+                fact = known[t] = implies(self._local.variables[t.family, block], self._of_block(t.expr, block))
             self._facts.append(fact)
 
     def _over(self, x: Expr, block: int) -> Expr:
@@ -292,8 +295,13 @@ class _Quotient:
             self._reached[f, block] = None
         known = self._local.of_block.get((x, block))
         if known is None:
-            known = self._local.of_block[x, block] = _of_block(x, block)
+            known = self._local.of_block[x, block] = self._of_block(x, block)
         return known
+
+    def _of_block(self, x: Expr, block: int) -> Expr:
+        if x.args:
+            return rebuild(x, tuple([self._of_block(a, block) for a in x.args]))
+        return self._local.variables[x.name, block] if x.name.indexed else x
 
     def _one_value(self) -> None:
         """Of the values of one variable no two are taken at once."""
