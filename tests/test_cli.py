@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import click
@@ -22,6 +23,9 @@ from interlock.diag.codes import CODES
 from interlock.logic.plant import ASSUMPTIONS
 from interlock.model.principles import KNOBS
 from interlock.proof.claims import CLAIMS
+from interlock.proof.induction.verdict import Witness
+from interlock.proof.system.transition import System
+from interlock.proof.witnesses.routes import witnesses
 
 
 def run(*args: str) -> Result:
@@ -483,17 +487,14 @@ def test_slips_with_files_are_told_with_the_way_out(tmp_path: Path) -> None:
     assert far.exit_code == 2 and "between 1 and 65535" in far.output
 
 
-def test_a_signal_to_which_no_route_leads_is_told_as_that(tmp_path: Path) -> None:
-    """Nothing is unsafe: all claims are proved, and a route begins where no train comes."""
-    path = tmp_path / "far.yaml"
-    text = (
-        "interlock: 1\nname: far\nboundaries: {E: {approach: ea 600, trains: in}, W: {trains: out}, N: {trains: out}}\n"
-    )
-    text += (
-        "tracks: {a: [W, s2 90], b: [N, s6 90]}\npoints: {P: {section: s4, toe: E, normal: b.end, reverse: a.end}}\n"
-    )
-    text += "signals: {X: {from: E, into: s4, kind: board}, G: {from: s4, into: s2}}\n"
-    path.write_text(text, "utf-8")
-    done = run("prove", str(path))
+def test_a_route_that_no_run_drives_is_told_as_that(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing is unsafe: all claims are proved."""
+
+    def one_stands(system: System) -> tuple[Witness, ...]:
+        first, *others = witnesses(system)
+        return (replace(first, ok=False, text="it stands in section q2"), *others)
+
+    monkeypatch.setattr("interlock.proof.prover.witnesses", one_stands)
+    done = run("prove", "layouts/fig2_1.yaml")
     assert done.exit_code == 1 and "CANNOT BE DRIVEN" in done.output and "NOT SAFE" not in done.output
-    assert "fix: no route leads to G: add a signal from which one does, or remove G" in done.output
+    assert "error[IL4006]: route " in done.output and "cannot be driven: it stands in section q2" in done.output

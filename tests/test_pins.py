@@ -156,7 +156,7 @@ def test_in_100_random_edits_no_channel_of_what_is_kept_moves() -> None:
 
 
 def test_without_pins_one_more_signal_moves_half_of_the_channels() -> None:
-    text = line(2)
+    text = line(2).replace("A1: {from: a0, into: p1}", "A1: {from: a0, into: p1, kind: combined}")
     one, more = made(text), made(text + "  A0: {from: p1, into: m1, kind: shunt}\n")
     assert one is not None and more is not None
     layout, controller = one

@@ -16,6 +16,7 @@ from interlock.audit import Finding
 from interlock.diag import Diagnostic, Severity
 from interlock.logic.expr import interning
 from interlock.logic.lower import lower
+from interlock.model.elements import SignalId
 from interlock.model.layout import Layout
 from interlock.proof.claims import Facts, claims
 from interlock.proof.engines.limits import Limits
@@ -122,16 +123,12 @@ def _notes(checked: Checked, proof: ProofResult) -> list[Diagnostic]:
 
 
 def _undriven(checked: Checked, proof: ProofResult) -> Iterator[Diagnostic]:
-    """Routes that no run drives; most often because none leads to the signal at which they begin."""
-    assert checked.table is not None and checked.layout is not None
-    rows = {str(r.id): r for r in checked.table.routes}
-    reached = {x for r in rows.values() for x in (r.exit, r.destination)}
+    """Routes that no run drives."""
+    assert checked.table is not None
+    entry: dict[str, SignalId] = {str(r.id): r.entry for r in checked.table.routes}
     for w in (w for w in proof.witnesses if not w.ok):
-        r = rows[w.route]
+        where = checked.source.at("signals", entry[w.route])
         fix = "check lengths, directions and conditions on its way"
-        if r.entry not in reached and r.entry_node not in checked.layout.boundary_at:
-            fix = f"no route leads to {r.entry}: add a signal from which one does, or remove {r.entry}"
-        where = checked.source.at("signals", r.entry)
         yield Diagnostic("IL4006", Severity.ERROR, f"route {w.route} cannot be driven: {w.text}", where, fix)
 
 
