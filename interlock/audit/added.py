@@ -34,7 +34,7 @@ def added(layout: Layout, table: InterlockingTable, matched: Mapping[str, Trip])
         mine = matched.get(r.id)
         if mine is None:
             continue
-        others = (o for o in table.routes if layout.barred and o is not r and o.id in matched)
+        others = (o for o in table.routes if o is not r and o.id in matched) if layout.barred else ()
         barred = {o.id for o in others if declared(layout, mine, matched[o.id])}
         if {c.route for c in r.barred} != barred:
             yield r.id, "barred", f"declared hostile are {', '.join(sorted(barred)) or 'none'}"

@@ -49,7 +49,7 @@ def approach_sections(layout: Layout, signal: SignalId) -> frozenset[SectionId] 
         if leaves:
             if told and run >= stop:
                 return
-            here = not told and (at, edge) in _tellers(layout)
+            here = not told and _tells(layout, at, edge)
             told = told or here
         if boundary is not None:
             if boundary.approach is not None and boundary.kind is not BoundaryKind.OUT:
@@ -76,9 +76,10 @@ def approach_sections(layout: Layout, signal: SignalId) -> frozenset[SectionId] 
     return frozenset(found)
 
 
-def _tellers(layout: Layout) -> set[tuple[NodeId, EdgeId]]:
-    """Where a main signal tells what the next one shows: not one that may be passed at identifier light."""
-    return {(s.node, s.into) for s in layout.signals if s.main and s.id not in layout.identifiers}
+def _tells(layout: Layout, node: NodeId, edge: EdgeId) -> bool:
+    """Whether a main signal there tells what the next one shows: not one that may be passed at identifier light."""
+    g = layout.signal_facing.get((node, edge))
+    return g is not None and g.main and g.id not in layout.identifiers
 
 
 def _under(layout: Layout, edge: EdgeId, other: EdgeId, node: NodeId, lie: Lie) -> Lie | None:

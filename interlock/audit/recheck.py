@@ -86,9 +86,10 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
         Finding(f"{t.entry}-{t.exit}", "route", f"not in the table: over {', '.join(t.sections)}") for t in unlisted
     ]
     movements = _movements(layout, matched.values())
+    approaches = {g: approach_sections(layout, g) for g in dict.fromkeys(r.entry for r in table.routes)}
     for r in table.routes:
         if r.id in matched:
-            found += _row(layout, r, matched[r.id])
+            found += _row(layout, r, matched[r.id], approaches[r.entry])
             found += _flank(layout, r, matched[r.id], movements)
             if r.kind != "identifier":  # set with a route to its signal, and asked about with that one
                 found += [Finding(r.id, "route", why) for why in own_train_in_the_way(layout, r, matched[r.id])]
@@ -158,7 +159,8 @@ def _path_positions(r: RouteRow) -> dict[MachineId, Position]:
     return {p.machine: p.position for p in r.points if p.role == "path"}
 
 
-def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
+def _row(layout: Layout, r: RouteRow, trip: Trip, come: frozenset[SectionId] | None) -> Iterator[Finding]:
+    """A row; `come`: the approach of its signal."""
     wanted = tuple(s for s in trip.sections if s != trip.berth)
     if trip.call_on:
         wanted = tuple(s for s in trip.sections if s == trip.sections[0] or standing_place(layout, s))
@@ -171,7 +173,6 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
     want = boundary.approach if boundary is not None else next(iter(rear), None)
     if r.approach.section != want:
         yield Finding(r.id, "approach", f"{want} lies in rear of {r.entry}")
-    come = approach_sections(layout, r.entry)
     if frozenset(r.approach.sections) != (come or frozenset()):
         where = f"a train may come from {', '.join(sorted(come))}" if come is not None else "it is always locked"
         yield Finding(r.id, "approach", where)

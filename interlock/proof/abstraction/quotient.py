@@ -86,8 +86,7 @@ class _Cone:
         places = self._local.places
         home = places.homes.get(name)
         if self._far:
-            short = len(places.leads[name][0]) <= SHORT
-            return home is None or short or home in self._elements or home.kind is ElementKind.SIGNAL
+            return home is None or self._is_here(name) or len(places.leads[name][0]) <= SHORT
         return (name not in places.far or name in self._named) and (home is None or home in self._elements)
 
     def _around(self) -> dict[int, None]:
@@ -108,6 +107,20 @@ class _Cone:
                 else:
                     self._reach(new, (), ())
 
+    def _is_told(self, names: Sequence[Name]) -> bool:
+        """Whether a fact about names in the cone is told: in a truncated one for far goals, of elements where it ends,
+        what is said in few words of a name that has a meaning."""
+        if not self._truncated or not self._far:
+            return True
+        leads = self._local.places.leads
+        return any(self._is_here(v) or (v in leads and len(names) <= SHORT) for v in names)
+
+    def _is_here(self, name: Name) -> bool:
+        """Whether a name belongs to an element at which a truncated cone for far goals does not end: a home of the
+        focus, or a signal."""
+        home = self._local.places.homes.get(name)
+        return home is not None and (home in self._elements or home.kind is ElementKind.SIGNAL)
+
     def collect(self) -> tuple[list[Expr], list[Expr]]:
         """The facts of places, and those of several members."""
         m = self._local.members
@@ -116,7 +129,7 @@ class _Cone:
         cone = set(self.names)
         names_of = self._local.places.names_of
         found |= _at(self._local.places.alone_at, self.names)
-        told = [m.plain[n][0] for n in found if cone.issuperset(names_of[n])]
+        told = [m.plain[n][0] for n in found if cone.issuperset(names_of[n]) and self._is_told(names_of[n])]
         return told, [m.mixed[n][0] for n in _at(self._local.places.mixed_at, self.names)]
 
     def clauses(self) -> list[GuardedClause]:
