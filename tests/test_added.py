@@ -169,6 +169,50 @@ def test_it_is_proved_and_the_second_checker_asks_for_it() -> None:
         agree(loaded(TEXT), system, text, specification.shipped())
 
 
+# --- to call-on routes alone ------------------------------------------------------------------------
+
+CALLED = Path("tests/layouts_for_tests/called_on.yaml").read_text("utf-8")
+
+
+def test_what_is_added_to_call_on_routes_alone_is_not_added_to_the_train_route_over_the_same_way() -> None:
+    _, table = made(CALLED)
+    assert {r.id: [c.route for c in r.barred] for r in table.routes if r.barred} == {
+        "A-N1.c": ["N1-E"],
+        "N1-E": ["A-N1.c"],
+    }
+    assert {r.id: [p.machine for p in r.added] for r in table.routes if r.added} == {"A-N2.c": ["2"]}
+    hostile = next(c for c in COLUMNS if c.key == "hostile").text(table.route[RouteId("A-N1.c")])
+    assert "N1-E (declared hostile: a departure at the far end of the track)" in hostile
+
+
+def test_it_is_proved_and_the_second_checker_asks_for_it_of_call_on_routes_and_of_no_others() -> None:
+    layout, table = made(CALLED)
+    result = prove(System(layout, lower(layout, table)), Limits(search_s=0))
+    assert {c.verdict for c in result.claims} == {Verdict.PROVED} and not result.dropped
+    _, system, text = told(CALLED)
+    assert agree(loaded(CALLED), system, text, specification.shipped()).left == ()
+    for chosen, claim in (("to: N1", "S-DECLARED"), ("to: N2", "S-DEMANDED")):
+        other = CALLED.replace(f"{chosen}, kind: call-on", f"{chosen}, kind: main")
+        with pytest.raises(Rejected, match=claim):
+            agree(loaded(other), system, text, specification.shipped())
+
+
+@pytest.mark.parametrize("part", ["hostile:", "demand:"])
+def test_a_controller_without_it_is_refused_by_the_second_checker(part: str) -> None:
+    at = CALLED.index(part)
+    without = CALLED[:at] + (CALLED[CALLED.index("demand:") :] if part == "hostile:" else "")
+    _, system, text = told(without)
+    with pytest.raises(Rejected, match="S-DECLARED" if part == "hostile:" else "S-DEMANDED"):
+        agree(loaded(CALLED), system, text, specification.shipped())
+
+
+def test_no_exclusion_chooses_call_on_routes_alone() -> None:
+    sink = Sink()
+    text = CALLED + "exclude:\n  - {from: A, kind: call-on, reason: none}\n"
+    assert load_text("called_on.yaml", text, sink)[0] is None
+    assert [d.code for d in sink.diagnostics] == ["IL1017"]
+
+
 # --- adding can only restrict ----------------------------------------------------------------------
 
 
@@ -201,6 +245,14 @@ def test_the_shipped_example_restricts_and_the_other_way_round_is_seen() -> None
     found = set(more_than(plain, more))
     assert kept_back | {"MOV_3"} <= found, "what holds the point keeps back all routes that need it otherwise, too"
     assert f"G_R{number[RouteId('S2-W')]}" not in found
+
+
+def test_what_is_added_to_call_on_routes_alone_restricts_them_and_no_train_route() -> None:
+    plain, more = (lower(*made(text)) for text in (CALLED[: CALLED.index("hostile:")], CALLED))
+    assert more_than(more, plain) == []
+    found = more_than(plain, more)
+    kept_back = {r.id for r in more.symbols.routes if f"G_R{r.number}" in found}
+    assert {"A-N1.c", "A-N2.c", "N1-E"} <= kept_back and not {"A-N1", "A-N2"} & kept_back
 
 
 def with_additions(seed: int) -> tuple[str, str] | None:

@@ -18,6 +18,7 @@ def chosen(x: Choice, t: Trip) -> bool:
         and all(s in t.sections for s in x.via)
         and not any(s in t.sections for s in x.not_via)
         and (x.shunt is None or x.shunt == t.shunt)
+        and (t.call_on or not x.called_on)
     )
 
 

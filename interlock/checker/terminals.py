@@ -291,8 +291,9 @@ class Terminals(Lamps):
         return [w for w in self.w_kept_clear(self.run_of(r)[1]) if w.points]
 
     def chosen_routes(self, choice: Mapping[str, Any]) -> list[int]:
-        """The routes that the author chooses."""
-        return [r for r in self.w_routes() if self.r.paths.chosen(choice, *self.run_of(r))]
+        """The routes that the author chooses; over which trains are called on, by the lamp that is lit for them."""
+        among = self.w_routes_calling_on() if choice.get("kind") == "call-on" else self.w_routes()
+        return [r for r in among if self.r.paths.chosen(choice, *self.run_of(r))]
 
     def w_declared_routes(self) -> list[tuple[int, int]]:
         """Each two routes that the author declares hostile."""
@@ -313,14 +314,23 @@ class Terminals(Lamps):
 
     def w_demanded_of(self, r: int) -> list[Demand]:
         """The points that the author has a route lock, but those on its own path."""
-        return [d for d in self.w_added_demands(*self.run_of(r)) if d not in self.w_demands(self.run_of(r)[1])]
+        c, p = self.run_of(r)
+        called = self.w_called_on_demands(c.signal, p) if r in self.w_routes_calling_on() else []
+        return [d for d in (*self.w_added_demands(c, p), *called) if d not in self.w_demands(p)]
 
     def w_added_demands(self, c: Calling, p: Path) -> list[Demand]:
-        """The points that the author has a route over this path lock."""
+        """The points that the author has every route of a kind over this path lock."""
+        return self._added(c, p, called_on=False)
+
+    def w_called_on_demands(self, g: Signal, p: Path) -> list[Demand]:
+        """The points that the author has call-on routes alone over this path lock."""
+        return self._added(Calling(g, False), p, called_on=True)
+
+    def _added(self, c: Calling, p: Path, called_on: bool) -> list[Demand]:
         return [
             Demand(self._machine_of(x["point"]), "N" if x["lies"] == "normal" else "R")
             for x in self.r.body.get("demand") or ()
-            if self.r.paths.chosen(x["routes"], c, p)
+            if self.r.paths.chosen(x["routes"], c, p) and (x["routes"].get("kind") == "call-on") is called_on
         ]
 
     def _machine_of(self, name: str) -> str:
@@ -329,6 +339,9 @@ class Terminals(Lamps):
 
     def w_added_powered_demands(self, c: Calling, p: Path) -> list[Demand]:
         return [d for d in self.w_added_demands(c, p) if d.machine in self.w_powered()]
+
+    def w_called_on_powered_demands(self, g: Signal, p: Path) -> list[Demand]:
+        return [d for d in self.w_called_on_demands(g, p) if d.machine in self.w_powered()]
 
     def w_holds_added(self, r: int) -> Formula:
         return self.known(f"AH_R{r}")

@@ -29,6 +29,7 @@ def chosen(choice: Choice, paths: Sequence[Path]) -> list[Path]:
             {p.exit, p.ways[-1].section, p.ways[-1].exit},
             {t.section for t in p.ways},
             p.kind is RouteKind.SHUNT,
+            p.kind is RouteKind.CALL_ON,
         )
     ]
 

@@ -331,14 +331,17 @@ class ChoiceSpec(_Part):
     to: Name | None = key("the signal, boundary, buffer or last section where they end; without it, any", None)
     via: list[Name] = key("sections over which they lead", [])
     not_via: list[Name] = key("sections over none of which they lead", [])
-    kind: Annotated[Literal["main", "shunt"] | None, choice("kind of route", ("main", "shunt"))] = key(
-        "train routes or shunt routes; without it, both", None
+    kind: Annotated[Literal["main", "shunt", "call-on"] | None, choice("kind of route", _ROUTE_KINDS)] = key(
+        "train routes (`main`), call-on routes among them; shunt routes; call-on routes alone; without it, all", None
     )
 
 
 class ExcludeSpec(ChoiceSpec):
     """Routes that shall not be: all that fit what is given."""
 
+    kind: Annotated[Literal["main", "shunt"] | None, choice("kind of route", ("main", "shunt"))] = key(
+        "train routes or shunt routes; without it, both", None
+    )
     reason: Reason = key("why they shall not be; not empty")
 
 

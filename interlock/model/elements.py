@@ -416,11 +416,21 @@ class Choice:
     via: tuple[SectionId, ...]
     not_via: tuple[SectionId, ...]
     shunt: bool | None
+    called_on: bool = field(default=False, kw_only=True)
+    """Of train routes those alone over which trains are called on; without it these are among the train routes."""
 
-    def fits(self, entry: SignalId, ends: Collection[str], sections: Collection[SectionId], shunt: bool) -> bool:
-        """Whether a route is among them; `ends`: where it ends, and its last section."""
+    def fits(
+        self,
+        entry: SignalId,
+        ends: Collection[str],
+        sections: Collection[SectionId],
+        shunt: bool,
+        called_on: bool,
+    ) -> bool:
+        """Whether a route is among them; `ends`: where it ends, and its last section; `called_on`: a call-on route."""
         return (
-            self.entry in (None, entry)
+            (called_on or not self.called_on)
+            and self.entry in (None, entry)
             and (self.exit is None or self.exit in ends)
             and all(s in sections for s in self.via)
             and not any(s in sections for s in self.not_via)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from interlock.logic.expr import FALSE, Expr, conj, disj, implies, neg, var
+from interlock.logic.expr import FALSE, Expr, conj, disj, iff, implies, neg, var
 from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import Choice, SignalId
 from interlock.model.traversal import Traversal
@@ -17,16 +17,23 @@ from interlock.proof.claims.paths import SignalPath, lie, signal_paths
 
 def chosen(f: Facts, choice: Choice, g: SignalId, shunt: bool) -> list[tuple[int, SignalPath]]:
     """The paths of a signal among the author's choice, with their numbers."""
-    return [(k, p) for k, p in enumerate(signal_paths(f, g, shunt), 1) if fits(f, choice, g, shunt, p.ways)]
+    return [(k, p) for k, p in enumerate(signal_paths(f, g, shunt), 1) if fits(f, choice, g, shunt, p.ways, not shunt)]
 
 
-def fits(f: Facts, choice: Choice, g: SignalId, shunt: bool, ways: Sequence[Traversal]) -> bool:
-    """Whether a route over these ways is among the author's choice."""
+def fits(f: Facts, choice: Choice, g: SignalId, shunt: bool, ways: Sequence[Traversal], called_on: bool) -> bool:
+    """Whether a route over these ways is among the author's choice; `called_on`: trains may be called on over it."""
     last = ways[-1]
     ahead = f.topo.beyond(last.section, last.exit)
     signal = None if ahead is None else f.topo.signal_into.get((last.exit, ahead))
     ends = {str(last.section), str(last.exit), *([str(signal)] if signal is not None else [])}
-    return choice.fits(g, ends, {t.section for t in ways}, shunt)
+    return choice.fits(g, ends, {t.section for t in ways}, shunt, called_on)
+
+
+def _aspect(f: Facts, choice: Choice, g: SignalId, shunt: bool) -> Expr:
+    """The signal shows proceed for the author's choice: for call-on routes alone its call-on aspect."""
+    if not choice.called_on:
+        return f.sym.aspects.signal(g, shunt)
+    return var(f.sym.aspects.call_on[g]) if g in f.sym.aspects.call_on and not shunt else FALSE
 
 
 def declared(f: Facts) -> Iterator[tuple[str, str, Expr]]:
@@ -35,7 +42,7 @@ def declared(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
     def shown(g: SignalId, shunt: bool, choice: Choice) -> Expr:
         over = disj(lie(f, p.ways) for _, p in chosen(f, choice, g, shunt))
-        return conj((f.sym.aspects.signal(g, shunt), over))
+        return conj((_aspect(f, choice, g, shunt), over))
 
     for i, b in enumerate(f.layout.barred, 1):
         ones = [(who, x) for who in callings if (x := shown(*who, b.one)) is not FALSE]
@@ -43,7 +50,8 @@ def declared(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         for (g, k), x in ones:
             for (h, m), y in others:
                 if g != h:
-                    yield "S-DECLARED", f"{i}: {_who(g, k)} and {_who(h, m)}", neg(conj((x, y)))
+                    who, whom = _who(g, k, b.one.called_on), _who(h, m, b.other.called_on)
+                    yield "S-DECLARED", f"{i}: {who} and {whom}", neg(conj((x, y)))
 
 
 def held(f: Facts) -> Iterator[tuple[str, str, Expr]]:
@@ -70,7 +78,7 @@ def held(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
 def _route_fits(f: Facts, choice: Choice, r: RouteSymbols) -> bool:
     """Whether a route of the controller is among the author's choice."""
-    return fits(f, choice, r.entry, r.shunt, _run(f, r))
+    return fits(f, choice, r.entry, r.shunt, _run(f, r), r.call_on)
 
 
 def _among_hostile(f: Facts, r: RouteSymbols) -> bool:
@@ -101,12 +109,20 @@ def demanded(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             there.append(neg(var(f.sym.machines.trailed[m])))
         for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.track.functions(h.id)):
             for n, path in chosen(f, d.routes, g, shunt):
-                here = conj((after(f.sym.aspects.signal(g, shunt)), after(lie(f, path.ways))))
-                yield "S-DEMANDED", f"{_who(g, shunt)}:{n} {m} {x}", implies(here, conj(there))
+                here = conj((after(_aspect(f, d.routes, g, shunt)), after(lie(f, path.ways))))
+                yield "S-DEMANDED", f"{_who(g, shunt, d.routes.called_on)}:{n} {m} {x}", implies(here, conj(there))
 
 
-def _who(g: SignalId, shunt: bool) -> str:
-    return f"{g} shunt" if shunt else g
+def _who(g: SignalId, shunt: bool, called_on: bool) -> str:
+    return f"{g} shunt" if shunt else f"{g} call-on" if called_on else g
+
+
+def called_on_lit(f: Facts) -> Iterator[tuple[SignalId, Expr]]:
+    """The call-on aspect is lit for call-on routes and no others, where the author adds something to these alone."""
+    added = [*(x for b in f.layout.barred for x in (b.one, b.other)), *(d.routes for d in f.layout.demanded)]
+    for g, lamp in f.sym.aspects.call_on.items():
+        if any(x.called_on and x.entry in (None, g) for x in added):
+            yield g, iff(var(lamp), f.sym.routes.called(g))
 
 
 def added_invariants(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:

@@ -27,7 +27,7 @@ from interlock.logic.plant import (
 )
 from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import MachineId, Position, SectionId, SignalId
-from interlock.proof.claims.added import added_invariants
+from interlock.proof.claims.added import added_invariants, called_on_lit
 from interlock.proof.claims.block import token_invariants
 from interlock.proof.claims.kinds import Facts, Invariant
 from interlock.proof.claims.overlaps import against_of, overlap_invariants, overrun, running_into
@@ -58,6 +58,7 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
         if several or any(r.path.overlap is not None and r.path.overlap[0] in f.sym.overlaps.swings for r in routes):
             one = at_most_one(var(r.active) for r in routes)  # they lock the same ways
             out.append(Invariant("G-ONE", g.id, one))
+    out += [Invariant("G-CALL-ON-LIT", g, lit) for g, lit in called_on_lit(f)]
     out += [Invariant("C-COVERED", t.timer.name, var(t.covered)) for t in f.system.ties]
     out += overlap_invariants(f)
     out += token_invariants(f)
