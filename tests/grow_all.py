@@ -201,6 +201,13 @@ def hostile_and_demand(rng: random.Random, layout: Layout, table: InterlockingTa
         name = p.machine if p.id in halves else p.id
         alone = ", kind: call-on" if r.kind is RouteKind.CALL_ON else ""
         demand.append(f"  - {{point: {name}, lies: {lies}, routes: {{{routes_text(r)}{alone}}}, reason: by chance}}")
+    for r in rng.sample(table.routes, 2):  # not under its movement, nor where it stands before
+        entry = {e.section for e in layout.edges_at[r.entry_node]}
+        no = {*r.section_ids, *entry, *layout.undetected, *(b.approach for b in layout.boundaries)}
+        beside = [s.id for s in layout.sections if s.id not in no]
+        if beside and r.onward is None and r.kind is not RouteKind.IDENTIFIER:
+            clear = f"clear: {rng.choice(beside)}, routes: {{{routes_text(r)}, kind: {_kind(r)}}}"
+            demand.append(f"  - {{{clear}, reason: by chance}}")
     return hostile, demand
 
 

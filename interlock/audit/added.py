@@ -41,6 +41,9 @@ def added(layout: Layout, table: InterlockingTable, matched: Mapping[str, Trip])
             yield r.id, "barred", f"declared hostile are {', '.join(sorted(barred)) or 'none'}"
         if not barred <= set(r.hostile.routes):
             yield r.id, "hostile", f"hostile by declaration are {', '.join(sorted(barred))}"
+        clear = {d.section for d in layout.demanded_clear if chosen(d.routes, mine)}
+        if {c.section for c in r.demanded_clear or ()} != clear:
+            yield r.id, "sections", f"demanded clear are {', '.join(sorted(clear)) or 'none'}"
         asked = {(d.machine, d.position) for d in layout.demanded if chosen(d.routes, mine)}
         lies = {(p.machine, p.position) for p in r.points}
         for m, x in sorted(asked - lies):

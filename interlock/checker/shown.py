@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 
+from interlock.checker.added import Added
 from interlock.checker.drawing import Diamond, Edge
 from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, no, some
 from interlock.checker.railway import Calling, Path, Signal
-from interlock.checker.terminals import Terminals
 from interlock.checker.track import Way
 
 
@@ -34,7 +34,7 @@ class Flank:
     waived: bool = False
 
 
-class Protection(Terminals):
+class Protection(Added):
     """Words of hostile signals and of flanks."""
 
     def w_lies(self, x: str | Way | Path, position: str | None = None) -> Formula:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from math import isinf
 
-from interlock.derivation.added import derive_barred, idle_barred, with_added
+from interlock.derivation.added import demanded_clear, derive_barred, idle_barred, with_added
 from interlock.derivation.beside import Beside
 from interlock.derivation.conflicts import Conflicts
 from interlock.derivation.locking import (
@@ -71,7 +71,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     locks = derive_locks(layout, paths, sink)
     by_key = {t.key: t for t in locks}
     demands = with_added(layout, paths, {p.id: route_demands(p, by_key) for p in paths}, sink)
-    barred = derive_barred(layout, paths, sink)
+    barred, asked_clear = derive_barred(layout, paths, sink), demanded_clear(layout, paths, sink)
     swinging = _swinging(layout, paths, sink)
     hostile = Conflicts(paths, by_key, demands, barred)
     _apart(paths, hostile, sink)
@@ -117,6 +117,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             onward=None if p.onward is None else p.onward.id,
             destination=None if p.onward is None else p.parts[-1].exit,
             passed=None if p.onward is None else tuple(q.entry for q in p.parts[1:]),
+            demanded_clear=asked_clear.get(p.id),
         )
         for p in paths
     )

@@ -1,7 +1,8 @@
-"""What the author adds to the derivation: hostile routes, points that routes demand, routes that are not printed.
+"""What the author adds to the derivation: hostile routes, points and clear sections that routes demand, routes that are
+not printed.
 
-Input: the file and its wiring.  Output: elements of the layout; IL2001 and the codes of unknown signals, ends and
-sections.  Whether an addition fits any route, and whether it contradicts one, is known after derivation.
+Input: the file and its wiring.  Output: elements of the layout; IL2001, IL3034 and the codes of unknown signals, ends
+and sections.  Whether an addition fits any route, and whether it contradicts one, is known after derivation.
 """
 
 from __future__ import annotations
@@ -12,7 +13,8 @@ from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.ports import Wiring
 from interlock.frontend.resolve import resolve_choice
-from interlock.model.elements import Barred, Demanded, MachineId, Position
+from interlock.frontend.schema import DemandSpec
+from interlock.model.elements import Barred, Demanded, DemandedClear, MachineId, Position, SectionId
 
 
 def resolve_barred(ctx: Context, wiring: Wiring) -> tuple[Barred, ...]:
@@ -36,6 +38,8 @@ def resolve_demanded(ctx: Context, wiring: Wiring) -> tuple[Demanded, ...]:
     } | devices
     out = []
     for i, x in enumerate(ctx.file.demand):
+        if x.point is None or x.lies is None or x.clear is not None:
+            continue  # of a section, or IL3034
         if not machines and ctx.sink.has_errors:
             continue  # there is no graph yet
         if x.point not in machines:
@@ -46,6 +50,28 @@ def resolve_demanded(ctx: Context, wiring: Wiring) -> tuple[Demanded, ...]:
         position = Position.NORMAL if x.lies == "normal" else Position.REVERSE
         out.append(Demanded(machines[x.point], position, routes, x.reason))
     return tuple(out)
+
+
+def resolve_demanded_clear(ctx: Context, wiring: Wiring) -> tuple[DemandedClear, ...]:
+    """Sections that routes find clear, in the order in which they are written."""
+    out = []
+    for i, x in enumerate(ctx.file.demand):
+        if (x.point is None) != (x.lies is None) or (x.point is None) == (x.clear is None):
+            text = f"a demand of {_named(x) or 'nothing'}: it takes a point and how it lies, or a section that is clear"
+            fix = "write `point: 3, lies: normal`, or `clear: s7`; for both write two demands"
+            ctx.add("IL3034", text, ctx.at("demand", i), fix)
+        elif x.clear is not None and x.clear not in wiring.sections:
+            text = f"a demand: there is no section {x.clear}"
+            ctx.add("IL2004", text, ctx.at("demand", i, "clear"), did_you_mean(x.clear, wiring.sections))
+        elif x.clear is not None:
+            routes = resolve_choice(ctx, wiring, x.routes, ("demand", i, "routes"), "a demand")
+            out.append(DemandedClear(SectionId(x.clear), routes, x.reason, i))
+    return tuple(out)
+
+
+def _named(x: DemandSpec) -> str:
+    """What a demand names, in words."""
+    return " and ".join(f"`{k}`" for k in ("point", "lies", "clear") if getattr(x, k) is not None)
 
 
 def unlisted(ctx: Context) -> tuple[str, ...]:

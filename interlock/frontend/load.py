@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import did_you_mean
-from interlock.frontend.added import named_kinds, resolve_barred, resolve_demanded, unlisted
+from interlock.frontend.added import named_kinds, resolve_barred, resolve_demanded, resolve_demanded_clear, unlisted
 from interlock.frontend.cabinets import (
     resolve_addresses,
     resolve_anchors,
@@ -58,6 +58,7 @@ from interlock.model.elements import (
     Barred,
     Condition,
     Demanded,
+    DemandedClear,
     Device,
     Distant,
     Exclude,
@@ -171,6 +172,7 @@ class _Named:
     excluded: tuple[Exclude, ...]
     barred: tuple[Barred, ...]
     demanded: tuple[Demanded, ...]
+    demanded_clear: tuple[DemandedClear, ...]
 
     @classmethod
     def of(cls, ctx: Context, wiring: Wiring) -> _Named:
@@ -186,6 +188,7 @@ class _Named:
             resolve_excludes(ctx, wiring),
             resolve_barred(ctx, wiring),
             resolve_demanded(ctx, wiring),
+            resolve_demanded_clear(ctx, wiring),
         )
 
 
@@ -269,6 +272,7 @@ def _layout(ctx: Context, principles: Principles, wiring: Wiring, named: _Named,
         identifiers=identifiers(ctx),
         signal_releases=signal_releases(ctx),
         demanded=named.demanded,
+        demanded_clear=named.demanded_clear,
         unlisted=unlisted(ctx),
         named_kinds=named_kinds(ctx),
         no_berths=tuple(sorted(SectionId(s) for s, x in ctx.file.sections.items() if not x.berth)),

@@ -466,6 +466,17 @@ class Barred:
 
 
 @dataclass(frozen=True)
+class DemandedClear:
+    """A section beside or beyond their paths that the author has routes find clear, with the reason (R3); `written`: as
+    which entry of `demand`, from 0."""
+
+    section: SectionId
+    routes: Choice
+    reason: str
+    written: int
+
+
+@dataclass(frozen=True)
 class Demanded:
     """A machine that the author has routes lock in a position, with the reason (R5)."""
 

@@ -411,6 +411,7 @@ class RouteRow:
     `onward`: past the signal at its exit, which shows its identifier light, the train runs on over this route, of kind
     identifier, which may run on over another in the same way; they are set together.  `destination`: where the last
     ends.  `passed`: the signals that the train passes at identifier light, in order.
+    `demanded_clear`: sections beside or beyond the path that the author has it find clear; None where there are none.
     """
 
     id: RouteId
@@ -448,6 +449,7 @@ class RouteRow:
     onward: RouteId | None = None
     destination: str | None = None
     passed: tuple[SignalId, ...] | None = None
+    demanded_clear: tuple[ClearCell, ...] | None = None
 
     @property
     def train(self) -> bool:

@@ -223,6 +223,7 @@ class Railway:
                 things.add(("section", f.section))
         things |= {("section", c.name) for c in r.space if not c.lamp}
         things |= {("section", c.section) for c in r.block}
+        things |= {("section", c.section) for c in r.demanded_clear or ()}
         things |= {("under way", c.route) for c in r.barred}
         things |= {("lies", d.machine, d.position.other) for d in r.added}
         if r.token is not None:

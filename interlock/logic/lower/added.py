@@ -55,6 +55,14 @@ def detected(d: Draft, r: RouteRow) -> list[Term]:
     return out
 
 
+def clear(d: Draft, r: RouteRow) -> list[Term]:
+    """The sections beside or beyond the path that were added are clear (R3)."""
+    return [
+        Term(d.sections.clear(c.section), "added section clear", c.because.text, c.because.rule)
+        for c in r.demanded_clear or ()
+    ]
+
+
 def held(d: Draft, m: MachineId) -> list[Expr]:
     """Some route holds a machine that was added to it."""
     return [var(names.HOLDS_ADDED(r.number)) for r in d.routes.adding.get(m, ())]

@@ -66,23 +66,23 @@ def held(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         ends = conj((holds, neg(after(holds))))
         yield id_, f"{r.id} given up", implies(ends, neg(disj((var(r.active), after(var(r.active)), _last_lock(f, r)))))
         for d in f.layout.demanded:
-            if (d.machine, d.position) in r.path.demands and _route_fits(f, d.routes, r):
+            if (d.machine, d.position) in r.path.demands and route_fits(f, d.routes, r):
                 commanded = after(var(f.sym.machines.command[d.machine, d.position]))
                 yield "S-DEMANDED", f"{r.id} {d.machine} held", implies(after(holds), commanded)
     for i, b in enumerate(f.layout.barred, 1):
-        ones, others = ([r for r in f.sym.routes if _route_fits(f, x, r)] for x in (b.one, b.other))
+        ones, others = ([r for r in f.sym.routes if route_fits(f, x, r)] for x in (b.one, b.other))
         for r, x in ((r, x) for r in ones for x in others if r is not x):
             both = conj(after(var(name)) for name in (r.added, x.added) if name is not None)
             yield "S-DECLARED", f"{i}: {r.id} and {x.id}", neg(both)
 
 
-def _route_fits(f: Facts, choice: Choice, r: RouteSymbols) -> bool:
+def route_fits(f: Facts, choice: Choice, r: RouteSymbols) -> bool:
     """Whether a route of the controller is among the author's choice."""
     return fits(f, choice, r.entry, r.shunt, _run(f, r), r.call_on)
 
 
 def _among_hostile(f: Facts, r: RouteSymbols) -> bool:
-    return any(_route_fits(f, x, r) for b in f.layout.barred for x in (b.one, b.other))
+    return any(route_fits(f, x, r) for b in f.layout.barred for x in (b.one, b.other))
 
 
 def _run(f: Facts, r: RouteSymbols) -> list[Traversal]:
@@ -111,6 +111,12 @@ def demanded(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             for n, path in chosen(f, d.routes, g, shunt):
                 here = conj((after(_aspect(f, d.routes, g, shunt)), after(lie(f, path.ways))))
                 yield "S-DEMANDED", f"{_who(g, shunt, d.routes.called_on)}:{n} {m} {x}", implies(here, conj(there))
+    for a in f.layout.demanded_clear:
+        for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.track.functions(h.id)):
+            for n, path in chosen(f, a.routes, g, shunt):
+                here = conj((after(_aspect(f, a.routes, g, shunt)), after(lie(f, path.ways))))
+                who = _who(g, shunt, a.routes.called_on)
+                yield "S-DEMANDED", f"{who}:{n} {a.section} clear", implies(here, f.seen.steadily_clear(a.section))
 
 
 def _who(g: SignalId, shunt: bool, called_on: bool) -> str:
@@ -119,7 +125,8 @@ def _who(g: SignalId, shunt: bool, called_on: bool) -> str:
 
 def called_on_lit(f: Facts) -> Iterator[tuple[SignalId, Expr]]:
     """The call-on aspect is lit for call-on routes and no others, where the author adds something to these alone."""
-    added = [*(x for b in f.layout.barred for x in (b.one, b.other)), *(d.routes for d in f.layout.demanded)]
+    added = [x for b in f.layout.barred for x in (b.one, b.other)]
+    added += [*(d.routes for d in f.layout.demanded), *(d.routes for d in f.layout.demanded_clear)]
     for g, lamp in f.sym.aspects.call_on.items():
         if any(x.called_on and x.entry in (None, g) for x in added):
             yield g, iff(var(lamp), f.sym.routes.called(g))

@@ -332,6 +332,7 @@ KINDS: tuple[Kind, ...] = (
         "proceed is shown without detection of a point that the author has the route lock",
         without("CO", "added point detected"),
     ),
+    Kind("added-not-clear", "proceed although a section demanded clear is not", without("CO", "added section clear")),
     Kind("diamond-not-excluded", "the exclusion over a diamond or foul joint is missing", _exclusions),
     Kind("board-passed", "a shunt route locks beyond its limit-of-shunt board", past_the_board),
     Kind("two-grants", "a route is granted without having been asked for, beside another", without("G", "requested")),
