@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from interlock.audit.walk import Trip
-from interlock.model.elements import Choice
+from interlock.model.elements import Choice, of_points, of_sections
 from interlock.model.layout import Layout
 from interlock.table.rows import InterlockingTable
 
@@ -41,10 +41,10 @@ def added(layout: Layout, table: InterlockingTable, matched: Mapping[str, Trip])
             yield r.id, "barred", f"declared hostile are {', '.join(sorted(barred)) or 'none'}"
         if not barred <= set(r.hostile.routes):
             yield r.id, "hostile", f"hostile by declaration are {', '.join(sorted(barred))}"
-        clear = {d.section for d in layout.demanded_clear if chosen(d.routes, mine)}
+        clear = {d.section for d in of_sections(layout.demanded) if chosen(d.routes, mine)}
         if {c.section for c in r.demanded_clear or ()} != clear:
             yield r.id, "sections", f"demanded clear are {', '.join(sorted(clear)) or 'none'}"
-        asked = {(d.machine, d.position) for d in layout.demanded if chosen(d.routes, mine)}
+        asked = {(d.machine, d.position) for d in of_points(layout.demanded) if chosen(d.routes, mine)}
         lies = {(p.machine, p.position) for p in r.points}
         for m, x in sorted(asked - lies):
             yield r.id, "points", f"{m} {x} is demanded"

@@ -8,7 +8,7 @@ conditions, and loses none.  Diagnostics IL2019, IL4011, IL4012, IL4019.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from itertools import count, product
+from itertools import product
 
 from interlock.derivation.routes import Path
 from interlock.diag import Element, Sink
@@ -54,9 +54,9 @@ def derive_barred(layout: Layout, paths: Sequence[Path], sink: Sink) -> Barred:
 def with_added(layout: Layout, paths: Sequence[Path], derived: Demands, sink: Sink) -> Demands:
     """The demands of all routes with those that the author adds."""
     found = {r: list(demands) for r, demands in derived.items()}
-    clear = {d.written for d in layout.demanded_clear}
-    written = (i for i in count() if i not in clear)
-    for i, d in zip(written, layout.demanded, strict=False):
+    for i, d in enumerate(layout.demanded):
+        if not isinstance(d, Demanded):
+            continue
         those, idle = chosen(d.routes, paths), []
         for p in those:
             lies = {x.machine: x for x in found[p.id]}.get(d.machine)
@@ -81,8 +81,10 @@ def with_added(layout: Layout, paths: Sequence[Path], derived: Demands, sink: Si
 def demanded_clear(layout: Layout, paths: Sequence[Path], sink: Sink) -> Mapping[RouteId, tuple[ClearCell, ...]]:
     """For each route the sections beside or beyond its path that the author has it find clear, as they are written."""
     found: dict[RouteId, dict[SectionId, ClearCell]] = {}
-    for d in layout.demanded_clear:
-        those, about = chosen(d.routes, paths), Element("demand", d.written)
+    for i, d in enumerate(layout.demanded):
+        if isinstance(d, Demanded):
+            continue
+        those, about = chosen(d.routes, paths), Element("demand", i)
         for p in those:
             if why := _never_clear(layout, p, d.section):
                 text = f"{d.section} cannot be demanded clear of {p.id}: {why}"

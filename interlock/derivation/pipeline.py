@@ -65,6 +65,9 @@ def _cannot_swing(layout: Layout, swinging: Collection[SignalId], sink: Sink) ->
             )
 
 
+_Way = tuple[SignalId, RouteKind, str, int, RouteId | None]
+
+
 def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     """The interlocking table of a layout."""
     paths = find_routes(layout, sink)
@@ -77,8 +80,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     _apart(paths, hostile, sink)
     idle_barred(layout, paths, hostile.derived, sink)
     beside = Beside(layout, paths, demands, hostile.bits)
-    names = derive_names(layout, paths, sink)
-    hidden = {_way(p) for p in paths if set(names.get(p.id, ())) & set(layout.unlisted)}
+    names, hidden = _named(layout, paths, sink)
     _notes(layout, paths, sink)
     rows = tuple(
         RouteRow(
@@ -128,7 +130,13 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
 
 
-def _way(p: Path) -> tuple[SignalId, RouteKind, str, int, RouteId | None]:
+def _named(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[Mapping[RouteId, tuple[str, ...]], set[_Way]]:
+    """The names of routes, and what the author does not have printed."""
+    names = derive_names(layout, paths, sink)
+    return names, {_way(p) for p in paths if set(names.get(p.id, ())) & set(layout.unlisted)}
+
+
+def _way(p: Path) -> _Way:
     """What the routes have in common that differ in their overlaps alone."""
     return p.entry, p.kind, p.exit, p.variant, None if p.onward is None else p.onward.id
 

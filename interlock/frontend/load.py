@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import did_you_mean
-from interlock.frontend.added import named_kinds, resolve_barred, resolve_demanded, resolve_demanded_clear, unlisted
+from interlock.frontend.added import named_kinds, resolve_barred, resolve_demanded, unlisted
 from interlock.frontend.cabinets import (
     resolve_addresses,
     resolve_anchors,
@@ -171,8 +171,7 @@ class _Named:
     waivers: tuple[Waiver, ...]
     excluded: tuple[Exclude, ...]
     barred: tuple[Barred, ...]
-    demanded: tuple[Demanded, ...]
-    demanded_clear: tuple[DemandedClear, ...]
+    demanded: tuple[Demanded | DemandedClear, ...]
 
     @classmethod
     def of(cls, ctx: Context, wiring: Wiring) -> _Named:
@@ -188,7 +187,6 @@ class _Named:
             resolve_excludes(ctx, wiring),
             resolve_barred(ctx, wiring),
             resolve_demanded(ctx, wiring),
-            resolve_demanded_clear(ctx, wiring),
         )
 
 
@@ -272,7 +270,6 @@ def _layout(ctx: Context, principles: Principles, wiring: Wiring, named: _Named,
         identifiers=identifiers(ctx),
         signal_releases=signal_releases(ctx),
         demanded=named.demanded,
-        demanded_clear=named.demanded_clear,
         unlisted=unlisted(ctx),
         named_kinds=named_kinds(ctx),
         no_berths=tuple(sorted(SectionId(s) for s, x in ctx.file.sections.items() if not x.berth)),

@@ -7,7 +7,7 @@ All lengths are in metres.
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass, field
 from enum import StrEnum
 from math import isinf
@@ -467,13 +467,11 @@ class Barred:
 
 @dataclass(frozen=True)
 class DemandedClear:
-    """A section beside or beyond their paths that the author has routes find clear, with the reason (R3); `written`: as
-    which entry of `demand`, from 0."""
+    """A section beside or beyond their paths that the author has routes find clear, with the reason (R3)."""
 
     section: SectionId
     routes: Choice
     reason: str
-    written: int
 
 
 @dataclass(frozen=True)
@@ -484,3 +482,13 @@ class Demanded:
     position: Position
     routes: Choice
     reason: str
+
+
+def of_points(demands: Iterable[Demanded | DemandedClear]) -> list[Demanded]:
+    """The demands of machines."""
+    return [d for d in demands if isinstance(d, Demanded)]
+
+
+def of_sections(demands: Iterable[Demanded | DemandedClear]) -> list[DemandedClear]:
+    """The demands of clear sections."""
+    return [d for d in demands if isinstance(d, DemandedClear)]

@@ -90,8 +90,7 @@ class Layout:
     """Elements that have a place on the plan."""
     blades: tuple[Blades, ...] = ()
     barred: tuple[Barred, ...] = ()
-    demanded: tuple[Demanded, ...] = ()
-    demanded_clear: tuple[DemandedClear, ...] = ()
+    demanded: tuple[Demanded | DemandedClear, ...] = ()
     boards: tuple[SignalId, ...] = ()
     """Boards without lamps, of the kind of signal whose routes end there; no route begins at one."""
     stops: tuple[SignalId, ...] = ()
@@ -279,7 +278,7 @@ class Layout:
 _OF_CHOICES = frozenset({"not_via", "called_on"})
 _ONLY_STATED = frozenset(
     {"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted", "hands", "target", "health"}
-    | {"demanded_clear", "title_block", "named_kinds", "no_berths", "signal_releases", "anchors"}
+    | {"title_block", "named_kinds", "no_berths", "signal_releases", "anchors"}
     | {"overlap_ways", "overlap_bars", "entry_speeds", "overlap_releases", "identifiers"}
 )
 """Written only where there are any: a new element of the language changes no digest of layouts that do not have it."""

@@ -479,16 +479,16 @@ class RouteRow:
         return self.traversals[:-1] if self.berth is not None else self.traversals
 
     @property
-    def last_left(self) -> TraversalKey:
-        """The way whose lock a train leaves behind when it is wholly in the last section; the last one, where it leaves
-        the layout or there is no other."""
-        through = self.locked if self.berth is not None or self.exit_kind is ExitKind.BOUNDARY else self.locked[:-1]
-        return (through or self.locked)[-1]
-
-    @property
     def section_ids(self) -> tuple[SectionId, ...]:
         """The sections of the path in order."""
         return tuple(s for s, _ in self.traversals)
+
+
+def last_left(r: RouteRow) -> TraversalKey:
+    """The way whose lock a train leaves behind when it is wholly in the last section; the last one, where it leaves the
+    layout or there is no other."""
+    through = r.locked if r.berth is not None or r.exit_kind is ExitKind.BOUNDARY else r.locked[:-1]
+    return (through or r.locked)[-1]
 
 
 @dataclass(frozen=True)

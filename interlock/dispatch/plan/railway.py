@@ -28,7 +28,7 @@ from interlock.model.elements import NodeId, Position, RouteId, SectionId
 from interlock.model.layout import Layout
 from interlock.model.portable import beside
 from interlock.model.traversal import topology
-from interlock.table.rows import ExitKind, InterlockingTable, Role, RouteKind, RouteRow, TraversalKey
+from interlock.table.rows import ExitKind, InterlockingTable, Role, RouteKind, RouteRow, TraversalKey, last_left
 
 MOST_NODES = 20_000
 """Places of one train that are looked at (our choice)."""
@@ -475,7 +475,7 @@ class Railway:
         under = self._lies((*rear, *(k for r in chain for k in r.traversals)), errand.length_m)
         firm = last.id if last.overlap is not None and len(under) > 1 else None
         added = place.under_way | {r.id for r in chain if r.barred or r.added}
-        under_way = frozenset(x for x in added if x == firm or self.table.route[x].last_left in under)
+        under_way = frozenset(x for x in added if x == firm or last_left(self.table.route[x]) in under)
         return Place(at, frozenset() if done else passed, last.id, under, under_way)
 
 

@@ -15,7 +15,7 @@ from interlock.logic.expr import Expr, disj, neg, var
 from interlock.logic.lower.draft import Draft
 from interlock.logic.names import Name
 from interlock.model.elements import MachineId, Position
-from interlock.table.rows import RouteRow
+from interlock.table.rows import RouteRow, last_left
 
 
 def holds(r: RouteRow) -> Name | None:
@@ -91,7 +91,7 @@ def keep(d: Draft) -> None:
             options = {r.overlap.option, *r.overlap.swings}
             overlaps = [d.overlaps.held(o) for o in d.overlaps.of_signal[r.overlap.signal] if o[1] in options]
         under_way = disj(
-            (var(names.GRANTED(r.number)), var(names.ACTIVE(r.number)), d.sections.lock(*r.last_left), *overlaps)
+            (var(names.GRANTED(r.number)), var(names.ACTIVE(r.number)), d.sections.lock(*last_left(r)), *overlaps)
         )
         d.kept(
             name,

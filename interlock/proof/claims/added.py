@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 
 from interlock.logic.expr import FALSE, Expr, conj, disj, iff, implies, neg, var
 from interlock.logic.symbols import RouteSymbols
-from interlock.model.elements import Choice, SignalId
+from interlock.model.elements import Choice, SignalId, of_points, of_sections
 from interlock.model.traversal import Traversal
 from interlock.proof.claims.kinds import Facts
 from interlock.proof.claims.paths import SignalPath, lie, signal_paths
@@ -65,7 +65,7 @@ def held(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         yield id_, f"{r.id} held", implies(after(var(r.proceed)), after(holds))
         ends = conj((holds, neg(after(holds))))
         yield id_, f"{r.id} given up", implies(ends, neg(disj((var(r.active), after(var(r.active)), _last_lock(f, r)))))
-        for d in f.layout.demanded:
+        for d in of_points(f.layout.demanded):
             if (d.machine, d.position) in r.path.demands and route_fits(f, d.routes, r):
                 commanded = after(var(f.sym.machines.command[d.machine, d.position]))
                 yield "S-DEMANDED", f"{r.id} {d.machine} held", implies(after(holds), commanded)
@@ -102,7 +102,7 @@ def _last_lock(f: Facts, r: RouteSymbols) -> Expr:
 def demanded(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """S-DEMANDED, path by path."""
     after = f.system.after
-    for d in f.layout.demanded:
+    for d in of_points(f.layout.demanded):
         m, x = d.machine, d.position
         there = [var(f.sym.machines.detected[m, x]), neg(var(f.sym.machines.detected[m, x.other]))]
         if m in f.sym.machines.trailed:
@@ -111,7 +111,7 @@ def demanded(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             for n, path in chosen(f, d.routes, g, shunt):
                 here = conj((after(_aspect(f, d.routes, g, shunt)), after(lie(f, path.ways))))
                 yield "S-DEMANDED", f"{_who(g, shunt, d.routes.called_on)}:{n} {m} {x}", implies(here, conj(there))
-    for a in f.layout.demanded_clear:
+    for a in of_sections(f.layout.demanded):
         for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.track.functions(h.id)):
             for n, path in chosen(f, a.routes, g, shunt):
                 here = conj((after(_aspect(f, a.routes, g, shunt)), after(lie(f, path.ways))))
@@ -126,7 +126,7 @@ def _who(g: SignalId, shunt: bool, called_on: bool) -> str:
 def called_on_lit(f: Facts) -> Iterator[tuple[SignalId, Expr]]:
     """The call-on aspect is lit for call-on routes and no others, where the author adds something to these alone."""
     added = [x for b in f.layout.barred for x in (b.one, b.other)]
-    added += [*(d.routes for d in f.layout.demanded), *(d.routes for d in f.layout.demanded_clear)]
+    added += [d.routes for d in f.layout.demanded]
     for g, lamp in f.sym.aspects.call_on.items():
         if any(x.called_on and x.entry in (None, g) for x in added):
             yield g, iff(var(lamp), f.sym.routes.called(g))

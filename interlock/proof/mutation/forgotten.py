@@ -74,12 +74,6 @@ def to_called_on(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
         for i, x in enumerate(layout.demanded, 1)
         if x.routes.called_on
     ]
-    others += [
-        (f"demand of {x.section}: {x.reason}", replace(layout, demanded_clear=more))
-        for i, x in enumerate(layout.demanded_clear, 1)
-        if x.routes.called_on
-        for more in (layout.demanded_clear[: i - 1] + layout.demanded_clear[i:],)
-    ]
     for place, other in others:
         yield place, lower(other, derive(other, Sink()))
 
