@@ -233,7 +233,10 @@ def _row(s: Station, name: str) -> Iterator[Difference]:
     theirs = s.points(row)
     for d in _both(name, "points", theirs, set(roles)):
         yield Difference(name, d.column, d.side, d.item + (roles[d.item] if d.side == "derived" else ""))
-    pieces = {"clear": {str(c.section) for c in (*r.sections, *r.foul)}, "locked": set(map(str, r.section_ids))}
+    pieces = {
+        "clear": {str(c.section) for c in (*r.sections, *r.foul, *(r.demanded_clear or ()))},
+        "locked": set(map(str, r.section_ids)),
+    }
     for column, mine in pieces.items():
         if column in s.columns and row[column] != UNTOLD:
             yield from _both(name, column, s.words(row, "clear" if column == "clear" else column), s.sections(mine))

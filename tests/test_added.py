@@ -17,6 +17,7 @@ from interlock.checker.check import agree
 from interlock.checker.reading import loaded
 from interlock.derivation import derive
 from interlock.diag import Sink
+from interlock.emit.tables.document import table_json
 from interlock.emit.tables.export import table_csv
 from interlock.frontend import load_text
 from interlock.logic.controller import Controller
@@ -169,6 +170,113 @@ def test_it_is_proved_and_the_second_checker_asks_for_it() -> None:
         agree(loaded(TEXT), system, text, specification.shipped())
 
 
+# --- to call-on routes alone ------------------------------------------------------------------------
+
+CALLED = Path("tests/layouts_for_tests/called_on.yaml").read_text("utf-8")
+
+
+def test_what_is_added_to_call_on_routes_alone_is_not_added_to_the_train_route_over_the_same_way() -> None:
+    _, table = made(CALLED)
+    assert {r.id: [c.route for c in r.barred] for r in table.routes if r.barred} == {
+        "A-N1.c": ["N1-E"],
+        "N1-E": ["A-N1.c"],
+    }
+    assert {r.id: [p.machine for p in r.added] for r in table.routes if r.added} == {"A-N2.c": ["2"]}
+    hostile = next(c for c in COLUMNS if c.key == "hostile").text(table.route[RouteId("A-N1.c")])
+    assert "N1-E (declared hostile: a departure at the far end of the track)" in hostile
+
+
+def test_it_is_proved_and_the_second_checker_asks_for_it_of_call_on_routes_and_of_no_others() -> None:
+    layout, table = made(CALLED)
+    result = prove(System(layout, lower(layout, table)), Limits(search_s=0))
+    assert {c.verdict for c in result.claims} == {Verdict.PROVED} and not result.dropped
+    _, system, text = told(CALLED)
+    assert agree(loaded(CALLED), system, text, specification.shipped()).left == ()
+    for chosen, claim in (("to: N1", "S-DECLARED"), ("to: N2", "S-DEMANDED")):
+        other = CALLED.replace(f"{chosen}, kind: call-on", f"{chosen}, kind: main")
+        with pytest.raises(Rejected, match=claim):
+            agree(loaded(other), system, text, specification.shipped())
+
+
+@pytest.mark.parametrize("part", ["hostile:", "demand:"])
+def test_a_controller_without_it_is_refused_by_the_second_checker(part: str) -> None:
+    at = CALLED.index(part)
+    without = CALLED[:at] + (CALLED[CALLED.index("demand:") :] if part == "hostile:" else "")
+    _, system, text = told(without)
+    with pytest.raises(Rejected, match="S-DECLARED" if part == "hostile:" else "S-DEMANDED"):
+        agree(loaded(CALLED), system, text, specification.shipped())
+
+
+def test_no_exclusion_chooses_call_on_routes_alone() -> None:
+    sink = Sink()
+    text = CALLED + "exclude:\n  - {from: A, kind: call-on, reason: none}\n"
+    assert load_text("called_on.yaml", text, sink)[0] is None
+    assert [d.code for d in sink.diagnostics] == ["IL1017"]
+
+
+# --- sections that are demanded clear ---------------------------------------------------------------
+
+CLEAR = Path("tests/layouts_for_tests/clear_beyond.yaml").read_text("utf-8")
+BARE = CLEAR[: CLEAR.index("demand:")]
+
+
+def test_a_section_that_is_demanded_clear_stands_in_the_table_with_its_reason_and_nowhere_else() -> None:
+    _, table = made(CLEAR)
+    asked = {r.id: [c.section for c in r.demanded_clear] for r in table.routes if r.demanded_clear is not None}
+    assert asked == {"A-N1.s": ["T3"], "A-N2.c": ["T2"]}
+    cell = next(c for c in COLUMNS if c.key == "sections").text(table.route[RouteId("A-N1.s")])
+    assert "T3 (demanded clear: the track is short)" in cell
+    assert "demanded_clear" not in table_json(*made(BARE)), "written only where the author demands it"
+
+
+@pytest.mark.parametrize("profile", ["generic", "uk", "de", "cn"])
+def test_a_section_that_is_demanded_clear_stands_in_every_national_form(profile: str) -> None:
+    with_, without = (
+        [s.rows for s in national_sheets(*made(text + f"profile: {profile}\n")) if s.of_routes]
+        for text in (CLEAR, BARE)
+    )
+    assert with_ != without
+
+
+def test_it_is_proved_with_what_the_controller_must_do_and_the_second_checker_asks_for_it() -> None:
+    layout, table = made(CLEAR)
+    system = System(layout, lower(layout, table))
+    result = prove(system, Limits(search_s=0))
+    assert {c.verdict for c in result.claims} == {Verdict.PROVED} and not result.dropped
+    assert agree(*told(CLEAR), specification.shipped()).left == ()
+    others = [("kind: shunt}, reason", "kind: main}, reason"), ("clear: T2", "clear: e1")]
+    for less in (BARE, *(CLEAR.replace(*x) for x in others)):
+        with pytest.raises(Rejected, match="S-DEMANDED"):
+            agree(loaded(CLEAR), *told(less)[1:], specification.shipped())
+
+
+@pytest.mark.parametrize(
+    ("demand", "code"),
+    [
+        ("clear: T3, point: 1, lies: normal", "IL3034"),
+        ("point: 1", "IL3034"),
+        ("lies: normal", "IL3034"),
+        ("clear: nowhere", "IL2004"),
+    ],
+)
+def test_a_demand_is_of_a_point_as_it_lies_or_of_a_section(demand: str, code: str) -> None:
+    sink = Sink()
+    text = BARE + f"demand:\n  - {{{demand}, routes: {{from: A}}, reason: none}}\n"
+    assert load_text("clear.yaml", text, sink)[0] is None
+    assert [d.code for d in sink.diagnostics] == [code]
+
+
+@pytest.mark.parametrize(("section", "why"), [("T1", "on the way"), ("w1", "stands there")])
+def test_what_cannot_be_clear_while_a_route_is_open_cannot_be_demanded_of_it(section: str, why: str) -> None:
+    sink = Sink()
+    text = BARE + f"demand:\n  - {{clear: {section}, routes: {{from: A, to: N1, kind: shunt}}, reason: none}}\n"
+    layout, _ = load_text("clear.yaml", text, sink)
+    assert layout is not None
+    derive(layout, sink)
+    (found,) = [d for d in sink.diagnostics if d.severity == "error"]
+    assert found.code == "IL4019" and why in found.message
+
+
 # --- adding can only restrict ----------------------------------------------------------------------
 
 
@@ -201,6 +309,21 @@ def test_the_shipped_example_restricts_and_the_other_way_round_is_seen() -> None
     found = set(more_than(plain, more))
     assert kept_back | {"MOV_3"} <= found, "what holds the point keeps back all routes that need it otherwise, too"
     assert f"G_R{number[RouteId('S2-W')]}" not in found
+
+
+def test_what_is_added_to_call_on_routes_alone_restricts_them_and_no_train_route() -> None:
+    plain, more = (lower(*made(text)) for text in (CALLED[: CALLED.index("hostile:")], CALLED))
+    assert more_than(more, plain) == []
+    found = more_than(plain, more)
+    kept_back = {r.id for r in more.symbols.routes if f"G_R{r.number}" in found}
+    assert {"A-N1.c", "A-N2.c", "N1-E"} <= kept_back and not {"A-N1", "A-N2"} & kept_back
+
+
+def test_a_section_demanded_clear_restricts_its_routes_and_no_others() -> None:
+    plain, more = (lower(*made(text)) for text in (BARE, CLEAR))
+    assert more_than(more, plain) == []
+    proceed = {r.proceed: r.id for r in more.symbols.routes}
+    assert {proceed.get(x, x) for x in more_than(plain, more)} == {"A-N1.s", "A-N2.c"}
 
 
 def with_additions(seed: int) -> tuple[str, str] | None:

@@ -332,6 +332,9 @@ RESTRICTS: dict[str, Case] = {
     "hostile.other": said(FORK, HOSTILE % "from: X1", DECLARED, HOSTILE.replace("Y1", "S1") % "from: X1"),
     "demand.point": said(FORK2, DEMAND % "from: X1", DEMANDED, DEMAND.replace("P1", "P2") % "from: X1"),
     "demand.lies": said(FORK, DEMAND % "from: X1", DEMANDED, DEMAND.replace("normal", "reverse") % "from: X1"),
+    "demand.clear": said(
+        FORK, DEMAND.replace("point: P1, lies: normal", "clear: q4") % "from: X1", DEMANDED, DEMAND % "from: S1"
+    ),
     "demand.routes": said(FORK, DEMAND % "from: X1", DEMANDED, DEMAND % "from: Y1"),
     "choice.from": said(FORK, DEMAND % "from: X1", DEMANDED, DEMAND % "from: Y1"),
     "choice.to": said(FORK, HOSTILE % "from: X2, to: B", DECLARED, HOSTILE % "from: X2, to: N3"),

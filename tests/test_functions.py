@@ -16,9 +16,21 @@ from interlock.proof.system.transition import System
 from tests.layouts import SHIPPED, built
 from tests.test_operations import put
 
-OTHERS = ("added", "closing", "devices", "driven", "entry_speeds", "foul_joint", "overlaps", "shunt_yard", "speeds")
+OTHERS = (
+    "added",
+    "clear_beyond",
+    "closing",
+    "devices",
+    "driven",
+    "entry_speeds",
+    "foul_joint",
+    "overlaps",
+    "shunt_yard",
+    "speeds",
+)
 OTHERS = (
     *OTHERS,
+    "clear_beyond",
     "swing",
     "token",
     "boards",

@@ -58,6 +58,8 @@ ON = {
     "trap-entered": "../tests/layouts_for_tests/trap_beyond",
     "entrance-left-by": "../tests/layouts_for_tests/no_calling_on",
     **dict.fromkeys(("declared-not-excluded", "added-point-not-detected", "added-let-go"), ADDED),
+    "added-to-called-on-forgotten": "../tests/layouts_for_tests/called_on",
+    "added-not-clear": "../tests/layouts_for_tests/clear_beyond",
     "board-passed": BOARDS,
     **dict.fromkeys((k.name for k in KINDS if k.name.startswith("identifier-")), IDENTIFIER),
     "zone-not-checked": "heishan",
@@ -167,6 +169,8 @@ ALONE = {
     "call-on-unasked": ("../tests/layouts_for_tests/trap_beyond", "S-CALL-ON"),
     "speed-not-shown": ("../tests/layouts_for_tests/speeds", "S-SPEED"),
     "added-let-go": (ADDED, "S-DECLARED"),
+    "added-to-called-on-forgotten": ("../tests/layouts_for_tests/called_on", "S-DECLARED"),
+    "added-not-clear": ("../tests/layouts_for_tests/clear_beyond", "S-DEMANDED"),
 }
 """Kinds that one claim alone keeps out, each on a layout where that is so: nobody would come to harm by them."""
 

@@ -18,7 +18,17 @@ from interlock.verify import Rejected
 from tests.layouts import SHIPPED, built
 from tests.written import shipped, told
 
-OTHERS = ("added", "boards", "devices", "identifier", "overlap_berth", "spaces", "token", "turning_loop")
+OTHERS = (
+    "added",
+    "boards",
+    "clear_beyond",
+    "devices",
+    "identifier",
+    "overlap_berth",
+    "spaces",
+    "token",
+    "turning_loop",
+)
 
 
 def table(name: str) -> Published:

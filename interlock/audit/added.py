@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from interlock.audit.walk import Trip
-from interlock.model.elements import Choice
+from interlock.model.elements import Choice, of_points, of_sections
 from interlock.model.layout import Layout
 from interlock.table.rows import InterlockingTable
 
@@ -18,6 +18,7 @@ def chosen(x: Choice, t: Trip) -> bool:
         and all(s in t.sections for s in x.via)
         and not any(s in t.sections for s in x.not_via)
         and (x.shunt is None or x.shunt == t.shunt)
+        and (t.call_on or not x.called_on)
     )
 
 
@@ -40,7 +41,10 @@ def added(layout: Layout, table: InterlockingTable, matched: Mapping[str, Trip])
             yield r.id, "barred", f"declared hostile are {', '.join(sorted(barred)) or 'none'}"
         if not barred <= set(r.hostile.routes):
             yield r.id, "hostile", f"hostile by declaration are {', '.join(sorted(barred))}"
-        asked = {(d.machine, d.position) for d in layout.demanded if chosen(d.routes, mine)}
+        clear = {d.section for d in of_sections(layout.demanded) if chosen(d.routes, mine)}
+        if {c.section for c in r.demanded_clear or ()} != clear:
+            yield r.id, "sections", f"demanded clear are {', '.join(sorted(clear)) or 'none'}"
+        asked = {(d.machine, d.position) for d in of_points(layout.demanded) if chosen(d.routes, mine)}
         lies = {(p.machine, p.position) for p in r.points}
         for m, x in sorted(asked - lies):
             yield r.id, "points", f"{m} {x} is demanded"

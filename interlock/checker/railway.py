@@ -293,7 +293,8 @@ class Paths:
         return v.get("kind") not in ("board", "limit") and (c.shunt or v.get("stops_trains") not in ("yes", "true"))
 
     def chosen(self, x: Mapping[str, Any], c: Calling, p: Path) -> bool:
-        """A route over this path begins, ends and passes as the author says."""
+        """A route over this path begins, ends and passes as the author says, and may be of the kind: whether it is one
+        over which trains are called on, no path tells, but the lamp."""
         ahead = self._r.signal_into.get((p.last.exit, self._track.beyond(p.last.section, p.last.exit) or ""))
         ends = {p.last.section, p.last.exit, *([ahead.name] if ahead is not None else [])}
         return (
@@ -301,7 +302,7 @@ class Paths:
             and x.get("to", p.last.exit) in ends
             and set(x.get("via") or ()) <= {w.section for w in p.ways}
             and not set(x.get("not_via") or ()) & {w.section for w in p.ways}
-            and x.get("kind") in (None, "shunt" if c.shunt else "main")
+            and x.get("kind") in ((None, "shunt") if c.shunt else (None, "main", "call-on"))
         )
 
     def passed_after(self, p: Path) -> list[Signal]:

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 
+from interlock.checker.added import Added
 from interlock.checker.drawing import Diamond, Edge
 from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, no, some
 from interlock.checker.railway import Calling, Path, Signal
-from interlock.checker.terminals import Terminals
 from interlock.checker.track import Way
 
 
@@ -34,7 +34,7 @@ class Flank:
     waived: bool = False
 
 
-class Protection(Terminals):
+class Protection(Added):
     """Words of hostile signals and of flanks."""
 
     def w_lies(self, x: str | Way | Path, position: str | None = None) -> Formula:
@@ -135,19 +135,20 @@ class Protection(Terminals):
         return found
 
     def w_declared_hostile(self) -> list[tuple[Formula, Formula]]:
-        """Routes of two signals that the author declares hostile: each shown along its path."""
+        """Routes of two signals that the author declares hostile: each shown along its path, call-on routes by calling
+        on."""
         found = []
         those = [(c, p) for g in self.w_signals() for c in g.callings for p in self.r.paths.of(c)]
 
-        def so(c: Calling, p: Path) -> Formula:
-            return every((self.w_shows(c), self.w_lies(p)))
+        def so(kind: str | None, c: Calling, p: Path) -> Formula:
+            return every((self.w_calls_on(c.signal) if kind == "call-on" else self.w_shows(c), self.w_lies(p)))
 
         for x in self.r.body.get("hostile") or ():
             one, other = ([(c, p) for c, p in those if self.r.paths.chosen(x[k], c, p)] for k in ("one", "other"))
             for c, p in one:
                 for b, q in other:
                     if b.signal != c.signal:
-                        found.append((so(c, p), so(b, q)))
+                        found.append((so(x["one"].get("kind"), c, p), so(x["other"].get("kind"), b, q)))
         return found
 
     def w_shown_first(self, h: tuple[Formula, Formula]) -> Formula:

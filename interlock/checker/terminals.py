@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import cached_property
 from typing import Any
 
@@ -11,7 +11,7 @@ from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, names, 
 from interlock.checker.lamps import CALL_ON, IDENTIFIER, MAIN, WHITE, Lamps
 from interlock.checker.lengths import Approach
 from interlock.checker.railway import Calling, Path, Signal, safe
-from interlock.checker.track import Demand, Way
+from interlock.checker.track import Way
 from interlock.checker.words import fact
 from interlock.verify import need
 
@@ -289,58 +289,6 @@ class Terminals(Lamps):
     def w_own_ways(self, r: int) -> list[Way]:
         """The ways over which a route leads that must lie for it."""
         return [w for w in self.w_kept_clear(self.run_of(r)[1]) if w.points]
-
-    def chosen_routes(self, choice: Mapping[str, Any]) -> list[int]:
-        """The routes that the author chooses."""
-        return [r for r in self.w_routes() if self.r.paths.chosen(choice, *self.run_of(r))]
-
-    def w_declared_routes(self) -> list[tuple[int, int]]:
-        """Each two routes that the author declares hostile."""
-        told = [(x["one"], x["other"]) for x in self.r.body.get("hostile") or ()]
-        pairs = {(r, q) for a, b in told for r in self.chosen_routes(a) for q in self.chosen_routes(b)}
-        return sorted((r, q) for r, q in pairs if r != q)
-
-    def w_routes_declared(self) -> list[int]:
-        return sorted({r for pair in self.w_declared_routes() for r in pair})
-
-    def w_routes_demanding(self) -> list[int]:
-        """Others that hold what was added to them: points that do not lie so for them anyway."""
-        told = {r for x in self.r.body.get("demand") or () for r in self.chosen_routes(x["routes"])}
-        return [r for r in self.w_holding_routes() if r in told and r not in self.w_routes_declared()]
-
-    def w_holding_routes(self) -> list[int]:
-        return [r for r in self.w_routes() if f"AH_R{r}" in self.state]
-
-    def w_demanded_of(self, r: int) -> list[Demand]:
-        """The points that the author has a route lock, but those on its own path."""
-        return [d for d in self.w_added_demands(*self.run_of(r)) if d not in self.w_demands(self.run_of(r)[1])]
-
-    def w_added_demands(self, c: Calling, p: Path) -> list[Demand]:
-        """The points that the author has a route over this path lock."""
-        return [
-            Demand(self._machine_of(x["point"]), "N" if x["lies"] == "normal" else "R")
-            for x in self.r.body.get("demand") or ()
-            if self.r.paths.chosen(x["routes"], c, p)
-        ]
-
-    def _machine_of(self, name: str) -> str:
-        """The machine of a point; a level crossing or another interlock is its own."""
-        return self.r.drawn.points[name].machine if name in self.r.drawn.points else name
-
-    def w_added_powered_demands(self, c: Calling, p: Path) -> list[Demand]:
-        return [d for d in self.w_added_demands(c, p) if d.machine in self.w_powered()]
-
-    def w_holds_added(self, r: int) -> Formula:
-        return self.known(f"AH_R{r}")
-
-    def w_last_held(self, r: int) -> Way:
-        """The way whose lock a train leaves behind when it is wholly in the last section; where a route leads out over
-        a boundary, as no shunting movement does, or has one section, the last one."""
-        c, p = self.run_of(r)
-        own = self.w_kept_clear(p)
-        leaves = not c.shunt and p.last.exit in self.r.drawn.boundaries
-        through = own if p.berth or leaves else own[:-1]
-        return (through or own)[-1]
 
     def w_opened(self, r: int) -> Formula:
         return leaf(f"S_R{r}")

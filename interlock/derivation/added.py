@@ -1,7 +1,8 @@
-"""What the author adds to a table: hostile routes and points (R5, R6), for reasons that no layout tells.
+"""What the author adds to a table: hostile routes, points and clear sections (R3, R5, R6), for reasons that no
+layout tells.
 
 Everything else is derived as if nothing had been added, so that an addition can only restrict: a route gets further
-conditions, and loses none.  Diagnostics IL2019, IL4011, IL4012.
+conditions, and loses none.  Diagnostics IL2019, IL4011, IL4012, IL4019.
 """
 
 from __future__ import annotations
@@ -11,9 +12,9 @@ from itertools import product
 
 from interlock.derivation.routes import Path
 from interlock.diag import Element, Sink
-from interlock.model.elements import Choice, Demanded, Position, RouteId
+from interlock.model.elements import Choice, Demanded, Position, RouteId, SectionId
 from interlock.model.layout import Layout
-from interlock.table.rows import BarredCell, Because, PointDemand, Role, RouteKind
+from interlock.table.rows import BarredCell, Because, ClearCell, PointDemand, Role, RouteKind
 
 Barred = Mapping[RouteId, tuple[BarredCell, ...]]
 Demands = Mapping[RouteId, tuple[PointDemand, ...]]
@@ -29,6 +30,7 @@ def chosen(choice: Choice, paths: Sequence[Path]) -> list[Path]:
             {p.exit, p.ways[-1].section, p.ways[-1].exit},
             {t.section for t in p.ways},
             p.kind is RouteKind.SHUNT,
+            p.kind is RouteKind.CALL_ON,
         )
     ]
 
@@ -53,6 +55,8 @@ def with_added(layout: Layout, paths: Sequence[Path], derived: Demands, sink: Si
     """The demands of all routes with those that the author adds."""
     found = {r: list(demands) for r, demands in derived.items()}
     for i, d in enumerate(layout.demanded):
+        if not isinstance(d, Demanded):
+            continue
         those, idle = chosen(d.routes, paths), []
         for p in those:
             lies = {x.machine: x for x in found[p.id]}.get(d.machine)
@@ -72,6 +76,36 @@ def with_added(layout: Layout, paths: Sequence[Path], derived: Demands, sink: Si
             text = f"the demand of {d.machine} {d.position} adds nothing: it lies so for {those_ids} anyway"
             sink.add("IL4012", text, None, "remove it", about=Element("demand", i))
     return {r: tuple(demands) for r, demands in found.items()}
+
+
+def demanded_clear(layout: Layout, paths: Sequence[Path], sink: Sink) -> Mapping[RouteId, tuple[ClearCell, ...]]:
+    """For each route the sections beside or beyond its path that the author has it find clear, as they are written."""
+    found: dict[RouteId, dict[SectionId, ClearCell]] = {}
+    for i, d in enumerate(layout.demanded):
+        if isinstance(d, Demanded):
+            continue
+        those, about = chosen(d.routes, paths), Element("demand", i)
+        for p in those:
+            if why := _never_clear(layout, p, d.section):
+                text = f"{d.section} cannot be demanded clear of {p.id}: {why}"
+                sink.add("IL4019", text, None, "remove the demand, or choose fewer routes", about=about)
+            cell = ClearCell(d.section, Because("R3", f"demanded clear: {d.reason}"))
+            found.setdefault(p.id, {}).setdefault(d.section, cell)
+        if not those:
+            text = f"no route demands {d.section} clear ({d.reason})"
+            fix = "`routes` chooses them by `from`, `to`, `via` and `kind`: correct it"
+            sink.add("IL2019", text, None, fix, about=about)
+    return {r: tuple(cells.values()) for r, cells in found.items()}
+
+
+def _never_clear(layout: Layout, p: Path, s: SectionId) -> str:
+    """Why a section cannot be clear while a route is open; empty where it can."""
+    if s in layout.undetected:
+        return "it has no detection"
+    if any(t.section == s for t in p.ways):
+        return "it lies on the way, where what must be clear is known and its own movement comes to stand"
+    rear = {e.section for e in layout.edges_at[p.entry_node]}
+    return "the movement stands there when its signal opens" if s in rear else ""
 
 
 def _against_key(layout: Layout, d: Demanded) -> bool:

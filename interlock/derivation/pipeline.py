@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from math import isinf
 
-from interlock.derivation.added import derive_barred, idle_barred, with_added
+from interlock.derivation.added import demanded_clear, derive_barred, idle_barred, with_added
 from interlock.derivation.beside import Beside
 from interlock.derivation.conflicts import Conflicts
 from interlock.derivation.locking import (
@@ -65,20 +65,22 @@ def _cannot_swing(layout: Layout, swinging: Collection[SignalId], sink: Sink) ->
             )
 
 
+_Way = tuple[SignalId, RouteKind, str, int, RouteId | None]
+
+
 def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     """The interlocking table of a layout."""
     paths = find_routes(layout, sink)
     locks = derive_locks(layout, paths, sink)
     by_key = {t.key: t for t in locks}
     demands = with_added(layout, paths, {p.id: route_demands(p, by_key) for p in paths}, sink)
-    barred = derive_barred(layout, paths, sink)
+    barred, asked_clear = derive_barred(layout, paths, sink), demanded_clear(layout, paths, sink)
     swinging = _swinging(layout, paths, sink)
     hostile = Conflicts(paths, by_key, demands, barred)
     _apart(paths, hostile, sink)
     idle_barred(layout, paths, hostile.derived, sink)
     beside = Beside(layout, paths, demands, hostile.bits)
-    names = derive_names(layout, paths, sink)
-    hidden = {_way(p) for p in paths if set(names.get(p.id, ())) & set(layout.unlisted)}
+    names, hidden = _named(layout, paths, sink)
     _notes(layout, paths, sink)
     rows = tuple(
         RouteRow(
@@ -117,6 +119,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             onward=None if p.onward is None else p.onward.id,
             destination=None if p.onward is None else p.parts[-1].exit,
             passed=None if p.onward is None else tuple(q.entry for q in p.parts[1:]),
+            demanded_clear=asked_clear.get(p.id),
         )
         for p in paths
     )
@@ -127,7 +130,13 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
 
 
-def _way(p: Path) -> tuple[SignalId, RouteKind, str, int, RouteId | None]:
+def _named(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[Mapping[RouteId, tuple[str, ...]], set[_Way]]:
+    """The names of routes, and what the author does not have printed."""
+    names = derive_names(layout, paths, sink)
+    return names, {_way(p) for p in paths if set(names.get(p.id, ())) & set(layout.unlisted)}
+
+
+def _way(p: Path) -> _Way:
     """What the routes have in common that differ in their overlaps alone."""
     return p.entry, p.kind, p.exit, p.variant, None if p.onward is None else p.onward.id
 

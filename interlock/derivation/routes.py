@@ -262,7 +262,8 @@ def _overlap_along(layout: Layout, signal: str, ways: Ways) -> tuple[int, Ways] 
 def _excludes(x: Exclude, path: _Found) -> bool:
     last, sections = path.run[-1], {t.section for t in path.run}
     ends = {path.end, last.section, last.exit}  # before a boundary a shunting movement ends in the last section
-    return x.fits(path.signal.id, ends, sections, path.kind is RouteKind.SHUNT)
+    shunt, called_on = (path.kind is k for k in (RouteKind.SHUNT, RouteKind.CALL_ON))
+    return x.fits(path.signal.id, ends, sections, shunt, called_on)
 
 
 def _numbered(layout: Layout, found: Sequence[_Found], sink: Sink) -> tuple[Path, ...]:

@@ -1,7 +1,8 @@
-"""What the author adds to the derivation: hostile routes, points that routes demand, routes that are not printed.
+"""What the author adds to the derivation: hostile routes, points and clear sections that routes demand, routes that are
+not printed.
 
-Input: the file and its wiring.  Output: elements of the layout; IL2001 and the codes of unknown signals, ends and
-sections.  Whether an addition fits any route, and whether it contradicts one, is known after derivation.
+Input: the file and its wiring.  Output: elements of the layout; IL2001, IL3034 and the codes of unknown signals, ends
+and sections.  Whether an addition fits any route, and whether it contradicts one, is known after derivation.
 """
 
 from __future__ import annotations
@@ -12,7 +13,8 @@ from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.ports import Wiring
 from interlock.frontend.resolve import resolve_choice
-from interlock.model.elements import Barred, Demanded, MachineId, Position
+from interlock.frontend.schema import DemandSpec
+from interlock.model.elements import Barred, Demanded, DemandedClear, MachineId, Position, SectionId
 
 
 def resolve_barred(ctx: Context, wiring: Wiring) -> tuple[Barred, ...]:
@@ -27,25 +29,44 @@ def resolve_barred(ctx: Context, wiring: Wiring) -> tuple[Barred, ...]:
     )
 
 
-def resolve_demanded(ctx: Context, wiring: Wiring) -> tuple[Demanded, ...]:
-    """Points that routes demand, in the order in which they are written."""
-    devices = {n: MachineId(n) for n in (*ctx.file.level_crossings, *ctx.file.interlocks)}
-    halves = {b.point for b in wiring.blades}  # of slips: named by what lays them, which may lay all of it
-    machines: Mapping[str, MachineId] = {
-        p.machine if p.id in halves else p.id: p.machine for p in wiring.points
-    } | devices
-    out = []
+def resolve_demanded(ctx: Context, wiring: Wiring) -> tuple[Demanded | DemandedClear, ...]:
+    """Points and clear sections that routes demand, in the order in which they are written."""
+    machines = _machines(ctx, wiring)
+    out: list[Demanded | DemandedClear] = []
     for i, x in enumerate(ctx.file.demand):
-        if not machines and ctx.sink.has_errors:
+        whole = (x.point is None) == (x.lies is None) and (x.point is None) != (x.clear is None)
+        if not whole:
+            text = f"a demand of {_named(x) or 'nothing'}: it takes a point and how it lies, or a section that is clear"
+            fix = "write `point: 3, lies: normal`, or `clear: s7`; for both write two demands"
+            ctx.add("IL3034", text, ctx.at("demand", i), fix)
+        elif x.clear is not None and x.clear not in wiring.sections:
+            text = f"a demand: there is no section {x.clear}"
+            ctx.add("IL2004", text, ctx.at("demand", i, "clear"), did_you_mean(x.clear, wiring.sections))
+        elif x.clear is not None:
+            routes = resolve_choice(ctx, wiring, x.routes, ("demand", i, "routes"), "a demand")
+            out.append(DemandedClear(SectionId(x.clear), routes, x.reason))
+        elif x.point is None or (not machines and ctx.sink.has_errors):
             continue  # there is no graph yet
-        if x.point not in machines:
+        elif x.point not in machines:
             text = f"a demand names {x.point}, which is no point, half of a slip, level crossing or other interlock"
             ctx.add("IL2001", text, ctx.at("demand", i, "point"), did_you_mean(x.point, machines))
-            continue
-        routes = resolve_choice(ctx, wiring, x.routes, ("demand", i, "routes"), "a demand")
-        position = Position.NORMAL if x.lies == "normal" else Position.REVERSE
-        out.append(Demanded(machines[x.point], position, routes, x.reason))
+        else:
+            routes = resolve_choice(ctx, wiring, x.routes, ("demand", i, "routes"), "a demand")
+            position = Position.NORMAL if x.lies == "normal" else Position.REVERSE
+            out.append(Demanded(machines[x.point], position, routes, x.reason))
     return tuple(out)
+
+
+def _machines(ctx: Context, wiring: Wiring) -> Mapping[str, MachineId]:
+    """What can be demanded, by the names of points and devices."""
+    devices = {n: MachineId(n) for n in (*ctx.file.level_crossings, *ctx.file.interlocks)}
+    halves = {b.point for b in wiring.blades}  # of slips: named by what lays them, which may lay all of it
+    return {p.machine if p.id in halves else p.id: p.machine for p in wiring.points} | devices
+
+
+def _named(x: DemandSpec) -> str:
+    """What a demand names, in words."""
+    return " and ".join(f"`{k}`" for k in ("point", "lies", "clear") if getattr(x, k) is not None)
 
 
 def unlisted(ctx: Context) -> tuple[str, ...]:

@@ -58,6 +58,7 @@ from interlock.model.elements import (
     Barred,
     Condition,
     Demanded,
+    DemandedClear,
     Device,
     Distant,
     Exclude,
@@ -170,7 +171,7 @@ class _Named:
     waivers: tuple[Waiver, ...]
     excluded: tuple[Exclude, ...]
     barred: tuple[Barred, ...]
-    demanded: tuple[Demanded, ...]
+    demanded: tuple[Demanded | DemandedClear, ...]
 
     @classmethod
     def of(cls, ctx: Context, wiring: Wiring) -> _Named:

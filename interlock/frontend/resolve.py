@@ -365,8 +365,9 @@ def resolve_choice(ctx: Context, wiring: Wiring, spec: ChoiceSpec, at: tuple[str
             if s not in wiring.sections:
                 _unknown(ctx, "section", s, ctx.at(*at, key, k), wiring.sections, what)
     entry = SignalId(spec.from_) if spec.from_ else None
-    shunt = None if spec.kind is None else spec.kind == "shunt"
-    return Choice(entry, spec.to, tuple(map(SectionId, spec.via)), tuple(map(SectionId, spec.not_via)), shunt)
+    shunt, called_on = None if spec.kind is None else spec.kind == "shunt", spec.kind == "call-on"
+    via, not_via = tuple(map(SectionId, spec.via)), tuple(map(SectionId, spec.not_via))
+    return Choice(entry, spec.to, via, not_via, shunt, called_on=called_on)
 
 
 def resolve_excludes(ctx: Context, wiring: Wiring) -> tuple[Exclude, ...]:

@@ -331,14 +331,17 @@ class ChoiceSpec(_Part):
     to: Name | None = key("the signal, boundary, buffer or last section where they end; without it, any", None)
     via: list[Name] = key("sections over which they lead", [])
     not_via: list[Name] = key("sections over none of which they lead", [])
-    kind: Annotated[Literal["main", "shunt"] | None, choice("kind of route", ("main", "shunt"))] = key(
-        "train routes or shunt routes; without it, both", None
+    kind: Annotated[Literal["main", "shunt", "call-on"] | None, choice("kind of route", _ROUTE_KINDS)] = key(
+        "train routes (`main`), call-on routes among them; shunt routes; call-on routes alone; without it, all", None
     )
 
 
 class ExcludeSpec(ChoiceSpec):
     """Routes that shall not be: all that fit what is given."""
 
+    kind: Annotated[Literal["main", "shunt"] | None, choice("kind of route", ("main", "shunt"))] = key(
+        "train routes or shunt routes; without it, both", None
+    )
     reason: Reason = key("why they shall not be; not empty")
 
 
@@ -351,12 +354,13 @@ class HostileSpec(_Part):
 
 
 class DemandSpec(_Part):
-    """A point or device that routes lock, though nothing in the layout tells."""
+    """A point or device that routes lock, or a section that must be clear, though nothing in the layout tells."""
 
-    point: Name = key("the point, derailer, half of a slip, level crossing or other interlock")
-    lies: Annotated[Literal["normal", "reverse"], choice("position", ("normal", "reverse"))] = key(
-        "the position in which it lies, is detected and stays locked; a level crossing is open to its road in `normal`"
+    point: Name | None = key("a point, derailer, half of a slip, level crossing, interlock; without it, `clear`", None)
+    lies: Annotated[Literal["normal", "reverse"] | None, choice("position", ("normal", "reverse"))] = key(
+        "its position, detected and locked; a level crossing is open to its road in `normal`; without it, `clear`", None
     )
+    clear: Name | None = key("a section, clear while the signal shows proceed; without it, `point` and `lies`", None)
     routes: ChoiceSpec = key("the routes that demand it")
     reason: Reason = key("why they do; not empty")
 

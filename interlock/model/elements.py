@@ -7,7 +7,7 @@ All lengths are in metres.
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass, field
 from enum import StrEnum
 from math import isinf
@@ -416,11 +416,21 @@ class Choice:
     via: tuple[SectionId, ...]
     not_via: tuple[SectionId, ...]
     shunt: bool | None
+    called_on: bool = field(default=False, kw_only=True)
+    """Of train routes those alone over which trains are called on; without it these are among the train routes."""
 
-    def fits(self, entry: SignalId, ends: Collection[str], sections: Collection[SectionId], shunt: bool) -> bool:
-        """Whether a route is among them; `ends`: where it ends, and its last section."""
+    def fits(
+        self,
+        entry: SignalId,
+        ends: Collection[str],
+        sections: Collection[SectionId],
+        shunt: bool,
+        called_on: bool,
+    ) -> bool:
+        """Whether a route is among them; `ends`: where it ends, and its last section; `called_on`: a call-on route."""
         return (
-            self.entry in (None, entry)
+            (called_on or not self.called_on)
+            and self.entry in (None, entry)
             and (self.exit is None or self.exit in ends)
             and all(s in sections for s in self.via)
             and not any(s in sections for s in self.not_via)
@@ -456,6 +466,15 @@ class Barred:
 
 
 @dataclass(frozen=True)
+class DemandedClear:
+    """A section beside or beyond their paths that the author has routes find clear, with the reason (R3)."""
+
+    section: SectionId
+    routes: Choice
+    reason: str
+
+
+@dataclass(frozen=True)
 class Demanded:
     """A machine that the author has routes lock in a position, with the reason (R5)."""
 
@@ -463,3 +482,13 @@ class Demanded:
     position: Position
     routes: Choice
     reason: str
+
+
+def of_points(demands: Iterable[Demanded | DemandedClear]) -> list[Demanded]:
+    """The demands of machines."""
+    return [d for d in demands if isinstance(d, Demanded)]
+
+
+def of_sections(demands: Iterable[Demanded | DemandedClear]) -> list[DemandedClear]:
+    """The demands of clear sections."""
+    return [d for d in demands if isinstance(d, DemandedClear)]

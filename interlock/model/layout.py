@@ -22,6 +22,7 @@ from interlock.model.elements import (
     Crossing,
     CrossingId,
     Demanded,
+    DemandedClear,
     Device,
     Distant,
     Edge,
@@ -89,7 +90,7 @@ class Layout:
     """Elements that have a place on the plan."""
     blades: tuple[Blades, ...] = ()
     barred: tuple[Barred, ...] = ()
-    demanded: tuple[Demanded, ...] = ()
+    demanded: tuple[Demanded | DemandedClear, ...] = ()
     boards: tuple[SignalId, ...] = ()
     """Boards without lamps, of the kind of signal whose routes end there; no route begins at one."""
     stops: tuple[SignalId, ...] = ()
@@ -269,11 +270,12 @@ class Layout:
 
     def to_text(self) -> str:
         """One readable, canonical text form."""
-        stated = asdict(self, dict_factory=lambda found: {k: v for k, v in found if v or k != "not_via"})
+        stated = asdict(self, dict_factory=lambda found: {k: v for k, v in found if v or k not in _OF_CHOICES})
         facts = {k: v for k, v in stated.items() if k != "pins" and (v or k not in _ONLY_STATED)}
         return json.dumps(facts, indent=1, sort_keys=True, ensure_ascii=False)
 
 
+_OF_CHOICES = frozenset({"not_via", "called_on"})
 _ONLY_STATED = frozenset(
     {"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted", "hands", "target", "health"}
     | {"title_block", "named_kinds", "no_berths", "signal_releases", "anchors"}

@@ -96,6 +96,11 @@ def _names(r: RouteRow) -> Reasons:
     return [(n, Because("R1", "named in the layout")) for n in r.names]
 
 
+def _clear(r: RouteRow) -> Reasons:
+    added = [(f"{c.section} ({c.because.text})", c.because) for c in r.demanded_clear or ()]
+    return [*((c.section, c.because) for c in r.sections), *added]
+
+
 def _foul(c: FoulCell) -> str:
     return c.section if c.when is None else f"{c.section} if {c.when[0]} {c.when[1]}"
 
@@ -190,7 +195,7 @@ COLUMNS: tuple[Column, ...] = (
         "Sections clear",
         "轨道区段",
         "Freimeldeabschnitte",
-        lambda r: [(c.section, c.because) for c in r.sections],
+        _clear,
     ),
     Column(
         "foul",

@@ -411,6 +411,7 @@ class RouteRow:
     `onward`: past the signal at its exit, which shows its identifier light, the train runs on over this route, of kind
     identifier, which may run on over another in the same way; they are set together.  `destination`: where the last
     ends.  `passed`: the signals that the train passes at identifier light, in order.
+    `demanded_clear`: sections beside or beyond the path that the author has it find clear; None where there are none.
     """
 
     id: RouteId
@@ -448,6 +449,7 @@ class RouteRow:
     onward: RouteId | None = None
     destination: str | None = None
     passed: tuple[SignalId, ...] | None = None
+    demanded_clear: tuple[ClearCell, ...] | None = None
 
     @property
     def train(self) -> bool:
@@ -477,16 +479,16 @@ class RouteRow:
         return self.traversals[:-1] if self.berth is not None else self.traversals
 
     @property
-    def last_left(self) -> TraversalKey:
-        """The way whose lock a train leaves behind when it is wholly in the last section; the last one, where it leaves
-        the layout or there is no other."""
-        through = self.locked if self.berth is not None or self.exit_kind is ExitKind.BOUNDARY else self.locked[:-1]
-        return (through or self.locked)[-1]
-
-    @property
     def section_ids(self) -> tuple[SectionId, ...]:
         """The sections of the path in order."""
         return tuple(s for s, _ in self.traversals)
+
+
+def last_left(r: RouteRow) -> TraversalKey:
+    """The way whose lock a train leaves behind when it is wholly in the last section; the last one, where it leaves the
+    layout or there is no other."""
+    through = r.locked if r.berth is not None or r.exit_kind is ExitKind.BOUNDARY else r.locked[:-1]
+    return (through or r.locked)[-1]
 
 
 @dataclass(frozen=True)

@@ -74,7 +74,7 @@ LARGE = {
         "the transition system; each reader sees a part of it through a protocol (SystemView, Located, HasFamilies)",
     ),
     "st/parser.py _Reader": (16, "a recursive-descent parser: one method a rule of the grammar"),
-    "table/rows.py RouteRow": (42, "a row of the table: its cells (35 fields), and seven things that follow from them"),
+    "table/rows.py RouteRow": (42, "a row of the table: its cells (36 fields), and six things that follow from them"),
 }
 """Classes with more than PUBLIC members that are more than fields, each with its reason.  Numbers only fall."""
 

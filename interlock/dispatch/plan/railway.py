@@ -28,7 +28,7 @@ from interlock.model.elements import NodeId, Position, RouteId, SectionId
 from interlock.model.layout import Layout
 from interlock.model.portable import beside
 from interlock.model.traversal import topology
-from interlock.table.rows import ExitKind, InterlockingTable, Role, RouteKind, RouteRow, TraversalKey
+from interlock.table.rows import ExitKind, InterlockingTable, Role, RouteKind, RouteRow, TraversalKey, last_left
 
 MOST_NODES = 20_000
 """Places of one train that are looked at (our choice)."""
@@ -223,6 +223,7 @@ class Railway:
                 things.add(("section", f.section))
         things |= {("section", c.name) for c in r.space if not c.lamp}
         things |= {("section", c.section) for c in r.block}
+        things |= {("section", c.section) for c in r.demanded_clear or ()}
         things |= {("under way", c.route) for c in r.barred}
         things |= {("lies", d.machine, d.position.other) for d in r.added}
         if r.token is not None:
@@ -474,7 +475,7 @@ class Railway:
         under = self._lies((*rear, *(k for r in chain for k in r.traversals)), errand.length_m)
         firm = last.id if last.overlap is not None and len(under) > 1 else None
         added = place.under_way | {r.id for r in chain if r.barred or r.added}
-        under_way = frozenset(x for x in added if x == firm or self.table.route[x].last_left in under)
+        under_way = frozenset(x for x in added if x == firm or last_left(self.table.route[x]) in under)
         return Place(at, frozenset() if done else passed, last.id, under, under_way)
 
 

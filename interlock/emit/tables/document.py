@@ -52,7 +52,7 @@ class HostileGroup:
     routes: tuple[int, ...]
 
 
-ONLY_STATED = frozenset({"onward", "destination", "passed"})
+ONLY_STATED = frozenset({"onward", "destination", "passed", "demanded_clear"})
 """Keys that are written only where they say something."""
 
 TOPOLOGY = ("sections", "edges", "points", "crossings", "signals", "boundaries", "buffers", "devices")

@@ -113,7 +113,8 @@ def _relation(x: Reading, r: RouteRow, groups: _Groups) -> dict[str, object]:
                 **({"while": f"{c.when[0]} {IN[c.when[1]]}"} if c.when else {}),
             }
             for c in r.foul
-        ],
+        ]
+        + [{"refersTo": c.section, "inState": "vacant"} for c in r.demanded_clear or ()],
         "requiredSignalAspect": [{"refersTo": list(stops), "showsAspect": "closed"}] if stops else [],
         "requiredLevelCrossingState": [
             {"refersTo": p.machine, "inState": "closed"}

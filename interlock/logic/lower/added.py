@@ -15,7 +15,7 @@ from interlock.logic.expr import Expr, disj, neg, var
 from interlock.logic.lower.draft import Draft
 from interlock.logic.names import Name
 from interlock.model.elements import MachineId, Position
-from interlock.table.rows import RouteRow
+from interlock.table.rows import RouteRow, last_left
 
 
 def holds(r: RouteRow) -> Name | None:
@@ -55,6 +55,14 @@ def detected(d: Draft, r: RouteRow) -> list[Term]:
     return out
 
 
+def clear(d: Draft, r: RouteRow) -> list[Term]:
+    """The sections beside or beyond the path that were added are clear (R3)."""
+    return [
+        Term(d.sections.clear(c.section), "added section clear", c.because.text, c.because.rule)
+        for c in r.demanded_clear or ()
+    ]
+
+
 def held(d: Draft, m: MachineId) -> list[Expr]:
     """Some route holds a machine that was added to it."""
     return [var(names.HOLDS_ADDED(r.number)) for r in d.routes.adding.get(m, ())]
@@ -83,7 +91,7 @@ def keep(d: Draft) -> None:
             options = {r.overlap.option, *r.overlap.swings}
             overlaps = [d.overlaps.held(o) for o in d.overlaps.of_signal[r.overlap.signal] if o[1] in options]
         under_way = disj(
-            (var(names.GRANTED(r.number)), var(names.ACTIVE(r.number)), d.sections.lock(*r.last_left), *overlaps)
+            (var(names.GRANTED(r.number)), var(names.ACTIVE(r.number)), d.sections.lock(*last_left(r)), *overlaps)
         )
         d.kept(
             name,

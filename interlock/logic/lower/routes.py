@@ -157,7 +157,7 @@ def _beside(d: Draft, r: RouteRow) -> list[Term]:
     ]
     terms += [Term(d.sections.clear(b.section), "line beyond clear", b.because.text, b.because.rule) for b in r.block]
     terms += block.terms(d, r)
-    terms += added.detected(d, r)
+    terms += [*added.detected(d, r), *added.clear(d, r)]
     if r.kind is not RouteKind.CALL_ON:
         terms.append(Term(neg(var(names.STALE(r.section_ids[0]))), "inputs never lost"))
     terms += aspects.lamp_terms(d, r)

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from interlock.logic.expr import FALSE, Expr, conj, disj, implies, neg, var
+from interlock.logic.expr import FALSE, Expr, conj, disj, iff, implies, neg, var
 from interlock.logic.symbols import RouteSymbols
-from interlock.model.elements import Choice, SignalId
+from interlock.model.elements import Choice, SignalId, of_points, of_sections
 from interlock.model.traversal import Traversal
 from interlock.proof.claims.kinds import Facts
 from interlock.proof.claims.paths import SignalPath, lie, signal_paths
@@ -17,16 +17,23 @@ from interlock.proof.claims.paths import SignalPath, lie, signal_paths
 
 def chosen(f: Facts, choice: Choice, g: SignalId, shunt: bool) -> list[tuple[int, SignalPath]]:
     """The paths of a signal among the author's choice, with their numbers."""
-    return [(k, p) for k, p in enumerate(signal_paths(f, g, shunt), 1) if fits(f, choice, g, shunt, p.ways)]
+    return [(k, p) for k, p in enumerate(signal_paths(f, g, shunt), 1) if fits(f, choice, g, shunt, p.ways, not shunt)]
 
 
-def fits(f: Facts, choice: Choice, g: SignalId, shunt: bool, ways: Sequence[Traversal]) -> bool:
-    """Whether a route over these ways is among the author's choice."""
+def fits(f: Facts, choice: Choice, g: SignalId, shunt: bool, ways: Sequence[Traversal], called_on: bool) -> bool:
+    """Whether a route over these ways is among the author's choice; `called_on`: trains may be called on over it."""
     last = ways[-1]
     ahead = f.topo.beyond(last.section, last.exit)
     signal = None if ahead is None else f.topo.signal_into.get((last.exit, ahead))
     ends = {str(last.section), str(last.exit), *([str(signal)] if signal is not None else [])}
-    return choice.fits(g, ends, {t.section for t in ways}, shunt)
+    return choice.fits(g, ends, {t.section for t in ways}, shunt, called_on)
+
+
+def _aspect(f: Facts, choice: Choice, g: SignalId, shunt: bool) -> Expr:
+    """The signal shows proceed for the author's choice: for call-on routes alone its call-on aspect."""
+    if not choice.called_on:
+        return f.sym.aspects.signal(g, shunt)
+    return var(f.sym.aspects.call_on[g]) if g in f.sym.aspects.call_on and not shunt else FALSE
 
 
 def declared(f: Facts) -> Iterator[tuple[str, str, Expr]]:
@@ -35,7 +42,7 @@ def declared(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
     def shown(g: SignalId, shunt: bool, choice: Choice) -> Expr:
         over = disj(lie(f, p.ways) for _, p in chosen(f, choice, g, shunt))
-        return conj((f.sym.aspects.signal(g, shunt), over))
+        return conj((_aspect(f, choice, g, shunt), over))
 
     for i, b in enumerate(f.layout.barred, 1):
         ones = [(who, x) for who in callings if (x := shown(*who, b.one)) is not FALSE]
@@ -43,7 +50,8 @@ def declared(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         for (g, k), x in ones:
             for (h, m), y in others:
                 if g != h:
-                    yield "S-DECLARED", f"{i}: {_who(g, k)} and {_who(h, m)}", neg(conj((x, y)))
+                    who, whom = _who(g, k, b.one.called_on), _who(h, m, b.other.called_on)
+                    yield "S-DECLARED", f"{i}: {who} and {whom}", neg(conj((x, y)))
 
 
 def held(f: Facts) -> Iterator[tuple[str, str, Expr]]:
@@ -57,24 +65,24 @@ def held(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         yield id_, f"{r.id} held", implies(after(var(r.proceed)), after(holds))
         ends = conj((holds, neg(after(holds))))
         yield id_, f"{r.id} given up", implies(ends, neg(disj((var(r.active), after(var(r.active)), _last_lock(f, r)))))
-        for d in f.layout.demanded:
-            if (d.machine, d.position) in r.path.demands and _route_fits(f, d.routes, r):
+        for d in of_points(f.layout.demanded):
+            if (d.machine, d.position) in r.path.demands and route_fits(f, d.routes, r):
                 commanded = after(var(f.sym.machines.command[d.machine, d.position]))
                 yield "S-DEMANDED", f"{r.id} {d.machine} held", implies(after(holds), commanded)
     for i, b in enumerate(f.layout.barred, 1):
-        ones, others = ([r for r in f.sym.routes if _route_fits(f, x, r)] for x in (b.one, b.other))
+        ones, others = ([r for r in f.sym.routes if route_fits(f, x, r)] for x in (b.one, b.other))
         for r, x in ((r, x) for r in ones for x in others if r is not x):
             both = conj(after(var(name)) for name in (r.added, x.added) if name is not None)
             yield "S-DECLARED", f"{i}: {r.id} and {x.id}", neg(both)
 
 
-def _route_fits(f: Facts, choice: Choice, r: RouteSymbols) -> bool:
+def route_fits(f: Facts, choice: Choice, r: RouteSymbols) -> bool:
     """Whether a route of the controller is among the author's choice."""
-    return fits(f, choice, r.entry, r.shunt, _run(f, r))
+    return fits(f, choice, r.entry, r.shunt, _run(f, r), r.call_on)
 
 
 def _among_hostile(f: Facts, r: RouteSymbols) -> bool:
-    return any(_route_fits(f, x, r) for b in f.layout.barred for x in (b.one, b.other))
+    return any(route_fits(f, x, r) for b in f.layout.barred for x in (b.one, b.other))
 
 
 def _run(f: Facts, r: RouteSymbols) -> list[Traversal]:
@@ -94,19 +102,34 @@ def _last_lock(f: Facts, r: RouteSymbols) -> Expr:
 def demanded(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """S-DEMANDED, path by path."""
     after = f.system.after
-    for d in f.layout.demanded:
+    for d in of_points(f.layout.demanded):
         m, x = d.machine, d.position
         there = [var(f.sym.machines.detected[m, x]), neg(var(f.sym.machines.detected[m, x.other]))]
         if m in f.sym.machines.trailed:
             there.append(neg(var(f.sym.machines.trailed[m])))
         for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.track.functions(h.id)):
             for n, path in chosen(f, d.routes, g, shunt):
-                here = conj((after(f.sym.aspects.signal(g, shunt)), after(lie(f, path.ways))))
-                yield "S-DEMANDED", f"{_who(g, shunt)}:{n} {m} {x}", implies(here, conj(there))
+                here = conj((after(_aspect(f, d.routes, g, shunt)), after(lie(f, path.ways))))
+                yield "S-DEMANDED", f"{_who(g, shunt, d.routes.called_on)}:{n} {m} {x}", implies(here, conj(there))
+    for a in of_sections(f.layout.demanded):
+        for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.track.functions(h.id)):
+            for n, path in chosen(f, a.routes, g, shunt):
+                here = conj((after(_aspect(f, a.routes, g, shunt)), after(lie(f, path.ways))))
+                who = _who(g, shunt, a.routes.called_on)
+                yield "S-DEMANDED", f"{who}:{n} {a.section} clear", implies(here, f.seen.steadily_clear(a.section))
 
 
-def _who(g: SignalId, shunt: bool) -> str:
-    return f"{g} shunt" if shunt else g
+def _who(g: SignalId, shunt: bool, called_on: bool) -> str:
+    return f"{g} shunt" if shunt else f"{g} call-on" if called_on else g
+
+
+def called_on_lit(f: Facts) -> Iterator[tuple[SignalId, Expr]]:
+    """The call-on aspect is lit for call-on routes and no others, where the author adds something to these alone."""
+    added = [x for b in f.layout.barred for x in (b.one, b.other)]
+    added += [d.routes for d in f.layout.demanded]
+    for g, lamp in f.sym.aspects.call_on.items():
+        if any(x.called_on and x.entry in (None, g) for x in added):
+            yield g, iff(var(lamp), f.sym.routes.called(g))
 
 
 def added_invariants(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:

@@ -72,7 +72,8 @@ CLAIMS: dict[str, str] = {
     "S-DECLARED": "No two signals show proceed for routes that the author declares hostile, and no two such routes are "
     "held at once, each from proceed on until its train is wholly in its last section.",
     "S-DEMANDED": "Proceed is shown only while the points that the author has the route lock are detected so in that "
-    "very scan, and were not trailed; they stay commanded so until the train is wholly in its last section.",
+    "very scan, and were not trailed; they stay commanded so until the train is wholly in its last section; "
+    "and only while the sections that it has the route find clear are steadily clear.",
     "S-DIRECTION": "Proceed onto a line with a direction token is shown only while the direction is ours, and then the "
     "neighbour has it not.",
     "S-BLOCKED": "No proceed is shown over a blocked section.",

@@ -46,7 +46,7 @@ def _passed(f: Facts, path: SignalPath) -> SignalId | None:
 
 def _unwanted(f: Facts, g: SignalId, shunt: bool, path: SignalPath) -> bool:
     """The author excludes a route over the path."""
-    return any(fits(f, x, g, shunt, path.ways) for x in f.layout.excluded)
+    return any(fits(f, x, g, shunt, path.ways, not shunt) for x in f.layout.excluded)
 
 
 def _can_be(f: Facts, g: SignalId, shunt: bool, path: SignalPath) -> bool:

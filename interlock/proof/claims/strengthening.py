@@ -26,8 +26,8 @@ from interlock.logic.plant import (
     was_called,
 )
 from interlock.logic.symbols import RouteSymbols
-from interlock.model.elements import MachineId, Position, SectionId, SignalId
-from interlock.proof.claims.added import added_invariants
+from interlock.model.elements import MachineId, Position, SectionId, SignalId, of_points
+from interlock.proof.claims.added import added_invariants, called_on_lit
 from interlock.proof.claims.block import token_invariants
 from interlock.proof.claims.kinds import Facts, Invariant
 from interlock.proof.claims.overlaps import against_of, overlap_invariants, overrun, running_into
@@ -58,6 +58,7 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
         if several or any(r.path.overlap is not None and r.path.overlap[0] in f.sym.overlaps.swings for r in routes):
             one = at_most_one(var(r.active) for r in routes)  # they lock the same ways
             out.append(Invariant("G-ONE", g.id, one))
+    out += [Invariant("G-CALL-ON-LIT", g, lit) for g, lit in called_on_lit(f)]
     out += [Invariant("C-COVERED", t.timer.name, var(t.covered)) for t in f.system.ties]
     out += overlap_invariants(f)
     out += token_invariants(f)
@@ -174,7 +175,7 @@ def _standing_section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
         if s in f.layout.machines.sections[m]:
             told = [(p, x) for p in Position for x in (var(f.sym.machines.command[m, p]), old_command(m, p))]
             quiet = [implies(x, lies(m, p)) for p, x in told]
-            held_open = any((d.machine, d.position) == (m, Position.NORMAL) for d in f.layout.demanded)
+            held_open = any((d.machine, d.position) == (m, Position.NORMAL) for d in of_points(f.layout.demanded))
             if m in f.layout.machines.device and not held_open:  # it may be closed, and nothing opens it
                 quiet = [neg(x) for p, x in told if p is Position.NORMAL]
             yield f"S-QUIET:{m}", implies(f.locking.restart(s), conj(quiet))

@@ -7,9 +7,10 @@ from collections.abc import Iterator
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, iff, implies, neg, var
 from interlock.logic.names import Name
 from interlock.logic.symbols import RouteSymbols
-from interlock.model.elements import Position, SectionId, SignalId
+from interlock.model.elements import Position, SectionId, SignalId, of_sections
 from interlock.model.overlap import route_speed
 from interlock.model.principles import Closes
+from interlock.proof.claims.added import route_fits
 from interlock.proof.claims.aspects import allows_clear
 from interlock.proof.claims.paths import SignalPath
 from interlock.proof.functions.words import Way, Words
@@ -310,6 +311,9 @@ def _in_order(w: Words, r: RouteSymbols, wide: bool, clear: bool = True) -> Iter
         exits = not r.shunt and ways[-1].exit in c.exits
         if r.entry in c.signals or any(t.section in c.over for t in ways) or exits:
             yield var(sym.condition[c.id])
+    for d in of_sections(w.layout.demanded):
+        if route_fits(f, d.routes, r):
+            yield w.sections.long(d.section)
     boundary = w.layout.boundary_at.get(ways[-1].exit)
     if boundary is not None and not r.shunt:
         if boundary.node in sym.token:

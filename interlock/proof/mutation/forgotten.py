@@ -19,7 +19,7 @@ from interlock.table.rows import InterlockingTable
 Others = Callable[[Layout], Iterator[tuple[str, Layout]]]
 
 
-def forgotten(others: Others) -> Callable[[Layout, InterlockingTable], Iterator[Mutant]]:
+def more(others: Others) -> Callable[[Layout, InterlockingTable], Iterator[Mutant]]:
     """The controllers of other layouts, where there are routes, and no others than with them."""
 
     def make(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
@@ -60,6 +60,22 @@ def calls(layout: Layout) -> Iterator[tuple[str, Layout]]:
         if g.main and not g.call_on and layout.opens(g.id, False):
             more = tuple(replace(x, call_on=True) if x is g else x for x in layout.signals)
             yield g.id, replace(layout, signals=more)
+
+
+def to_called_on(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """Each `hostile` and each `demand` that chooses call-on routes alone is forgotten by itself."""
+    others = [
+        (f"hostile {i}: {x.reason}", replace(layout, barred=layout.barred[: i - 1] + layout.barred[i:]))
+        for i, x in enumerate(layout.barred, 1)
+        if x.one.called_on or x.other.called_on
+    ]
+    others += [
+        (f"demand {i}: {x.reason}", replace(layout, demanded=layout.demanded[: i - 1] + layout.demanded[i:]))
+        for i, x in enumerate(layout.demanded, 1)
+        if x.routes.called_on
+    ]
+    for place, other in others:
+        yield place, lower(other, derive(other, Sink()))
 
 
 def speeds_dark(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:

@@ -24,7 +24,7 @@ from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.inductive import inductive, open_claims
 from interlock.proof.induction.search import search
 from interlock.proof.induction.story import tell
-from interlock.proof.mutation.forgotten import calls, entrances, exclusions, forgotten, let_go, speeds_dark, traps
+from interlock.proof.mutation import forgotten
 from interlock.proof.mutation.points import Mutation
 from interlock.proof.mutation.ways import (
     Mutant,
@@ -332,6 +332,7 @@ KINDS: tuple[Kind, ...] = (
         "proceed is shown without detection of a point that the author has the route lock",
         without("CO", "added point detected"),
     ),
+    Kind("added-not-clear", "proceed although a section demanded clear is not", without("CO", "added section clear")),
     Kind("diamond-not-excluded", "the exclusion over a diamond or foul joint is missing", _exclusions),
     Kind("board-passed", "a shunt route locks beyond its limit-of-shunt board", past_the_board),
     Kind("two-grants", "a route is granted without having been asked for, beside another", without("G", "requested")),
@@ -459,12 +460,13 @@ KINDS: tuple[Kind, ...] = (
     Kind("identifier-unlocked", "an identifier light although nothing leads to it", without("PR", "rear locked")),
     Kind("identifier-not-shown", "a route past a signal opens at stop there", without("PR", "identifier shown")),
     Kind("identifier-nothing-beyond", "a route past a signal locks nothing beyond it", nothing_beyond),
-    Kind("excluded-offered", "a route is offered that the author excludes", forgotten(exclusions)),
-    Kind("trap-entered", "a route leads into a trap", forgotten(traps)),
-    Kind("entrance-left-by", "a route leaves where trains only come in", forgotten(entrances)),
-    Kind("call-on-unasked", "a signal calls on that the layout does not let call on", forgotten(calls)),
-    Kind("added-let-go", "what the author added is given up when the train has passed the signal", let_go),
-    Kind("speed-not-shown", "a speed is not shown", speeds_dark),
+    Kind("excluded-offered", "a route is offered that the author excludes", forgotten.more(forgotten.exclusions)),
+    Kind("trap-entered", "a route leads into a trap", forgotten.more(forgotten.traps)),
+    Kind("entrance-left-by", "a route leaves where trains only come in", forgotten.more(forgotten.entrances)),
+    Kind("call-on-unasked", "a signal calls on that the layout does not let call on", forgotten.more(forgotten.calls)),
+    Kind("added-let-go", "what the author added is given up when the train has passed the signal", forgotten.let_go),
+    Kind("added-to-called-on-forgotten", "what is added to call-on routes alone is forgotten", forgotten.to_called_on),
+    Kind("speed-not-shown", "a speed is not shown", forgotten.speeds_dark),
     Kind("speed-too-high", "a signal shows the speed of another route", _too_fast),
     Kind("entry-speed-forgotten", "a route shows more than its overlap is made for", _entry_speed_forgotten),
     Kind("lamp-not-proved", "a signal opens with its stop lamp out", without("PR", "stop lamp proved")),

@@ -392,6 +392,7 @@ class _Form:
                 elif f.when[0] not in named:
                     out.append(f"<{_lying(self._end_in(f.section, f.when[0]), f.when[1])}>{f.section}")
         out += [c.name for c in r.space if not c.lamp]
+        out += [c.section for c in r.demanded_clear or ()]
         return list(dict.fromkeys(out))
 
     def _facing(self, r: RouteRow) -> tuple[str, str]:

@@ -186,11 +186,12 @@ class Reading:
         return self.topo.traversals[key[0]][key[1] - 1]
 
     def sections(self, r: RouteRow) -> list[str]:
-        """Sections to be clear: path, foul sections with their condition, overlap, flank space."""
+        """Sections to be clear: path, foul sections with their condition, overlap, flank space, what was added."""
         foul = [f.section if f.when is None else f"[{f.section} or {f.when[0]} {f.when[1].other}]" for f in r.foul]
         over = [s for s, _ in r.overlap.ways] if r.overlap else []
         space = [c.name for c in r.space if not c.lamp]
-        return list(dict.fromkeys([*(c.section for c in r.sections), *foul, *over, *space]))
+        added = [c.section for c in r.demanded_clear or ()]
+        return list(dict.fromkeys([*(c.section for c in r.sections), *foul, *over, *space, *added]))
 
     def overlap_release_s(self, r: RouteRow) -> float:
         """Seconds after which the overlap of a route is given up behind a train that stands."""
