@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 from interlock.app.check import check_file
@@ -32,7 +32,13 @@ def _built(name: str, _: UniqueTable) -> tuple[Layout, InterlockingTable, Contro
 
 
 def grown(text: str) -> tuple[Layout, InterlockingTable, Sink] | None:
-    """Layout and table of a text, or None when the front end refuses it."""
+    """Layout and table of a text, or None when the front end refuses it: values that nobody changes, the last ones made
+    once (a layout that grows at random is read to see which routes it must exclude, most of them none)."""
+    return _grown(text, current_table())
+
+
+@lru_cache(4)
+def _grown(text: str, table: UniqueTable) -> tuple[Layout, InterlockingTable, Sink] | None:
     sink = Sink()
     layout, _ = load_text("grown.yaml", text, sink)
     if layout is None:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 import xml.etree.ElementTree as ElementTree
 from collections import Counter
+from functools import cache
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -14,12 +16,13 @@ from interlock.app.init import line, yard
 from interlock.cli.main import cli
 from interlock.diag import Sink
 from interlock.emit.drawing import Drawing, folded, place, sheets
-from interlock.emit.drawing.sheets import HIGH, WIDE, windows
+from interlock.emit.drawing.sheets import HIGH, WIDE, Window, marks, windows
 from interlock.frontend import load_text
 
 SVG = "{http://www.w3.org/2000/svg}"
 
 
+@cache
 def drawn(text: str) -> Drawing:
     layout, _ = load_text("large.yaml", text, Sink())
     assert layout is not None
@@ -59,6 +62,41 @@ def test_what_goes_on_is_told_on_both_sheets() -> None:
     for w in windows(d):
         left, top, right, low = w.box
         assert right - left <= WIDE + 0.1 and low - top <= HIGH + 0.1
+
+
+@pytest.mark.parametrize(("wide", "high"), [(WIDE, HIGH), (500, 150)])
+@pytest.mark.parametrize("name", ["munkerod", "swtbahnfull"])
+def test_every_track_that_goes_on_is_told_and_no_mark_lies_over_another(name: str, wide: float, high: float) -> None:
+    d = drawn(Path(f"tests/stations/{name}.yaml").read_text("utf-8"))
+    aside = 0
+    for w in windows(d, wide, high):
+        there = marks(d, w, "row ")
+        assert Counter(m.text.split(" \u2192 ")[0] for m in there) == _cut(d, w)
+        for i, m in enumerate(there):
+            for other in there[i + 1 :]:
+                (a, b, c, e), (p, q, r, s) = m.box, other.box
+                assert c <= p or r <= a or e <= q or s <= b, (m.text, other.text)
+        aside += sum(m.aside for m in there)
+    assert aside or name != "munkerod"
+
+
+def _cut(d: Drawing, w: Window) -> Counter[str]:
+    """How often the lines of each section leave a window towards another one, counted from the lines alone."""
+    left, top, right, low = w.box
+    spots: dict[tuple[str, int, int], str] = {}
+    for e in d.layout.edges:
+        for (x0, y0), (x1, y1) in pairwise(d.edges[e.id]):
+            for side, at in (("left", left), ("right", right)):
+                if side in w.after and min(x0, x1) <= at <= max(x0, x1) and x0 != x1:
+                    y = y0 + (y1 - y0) * (at - x0) / (x1 - x0)
+                    if top <= y <= low:
+                        spots[side + e.section, round(at), round(y)] = e.section
+            for side, at in (("top", top), ("bottom", low)):
+                if side in w.after and min(y0, y1) <= at <= max(y0, y1) and y0 != y1:
+                    x = x0 + (x1 - x0) * (at - y0) / (y1 - y0)
+                    if left <= x <= right:
+                        spots[side + e.section, round(x), round(at)] = e.section
+    return Counter(map(str, spots.values()))
 
 
 def test_a_small_plan_is_one_sheet_without_match_lines() -> None:

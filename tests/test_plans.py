@@ -16,9 +16,14 @@ from interlock.app.draw import draw_file
 from interlock.app.init import line, yard
 from interlock.diag import Sink
 from interlock.emit.drawing import place, plan_svg
+from interlock.emit.drawing.embedding import SINK, SOURCE
+from interlock.emit.drawing.slips import with_diamonds
+from interlock.emit.drawing.strands import Plan
+from interlock.emit.drawing.upward import joins, turned
 from interlock.frontend import load, load_text
 from interlock.model.layout import Layout
 from tests.campaigns.plans import measured, random_layouts
+from tests.grow import grow
 from tests.layouts import SHIPPED
 from tests.plans import examine
 from tests.published import STATIONS
@@ -59,6 +64,36 @@ def test_random_layouts() -> None:
             assert covered and {f"the name {x} lies over a line or symbol" for x in covered} <= set(notes)
         else:
             assert counts == (0, 0, 0) and notes == (), seed
+
+
+def test_a_railway_in_rings_lies_flat_whatever_its_tracks_measure() -> None:
+    """The turns come from an embedding, and lengths only say which of equals turn."""
+    text = Path("tests/stations/swtbahnfull.yaml").read_text("utf-8")
+    start, end = text.index("tracks:"), text.index("points:")
+    alike = re.sub(r"(seg\w+) \d+", r"\1 10", text[start:end])
+    layout, _ = load_text("alike.yaml", text[:start] + alike + text[end:], Sink())
+    assert layout is not None
+    counts, _, _, notes = measured(layout)
+    assert counts == (0, 0, 0) and notes == ()
+    assert len(turned(with_diamonds(layout)).cut.turns) == 6
+
+
+def test_the_turns_of_a_station_without_rings_are_none() -> None:
+    for text in (yard(20), line(5)):
+        layout, _ = load_text("plain.yaml", text, Sink())
+        assert layout is not None
+        t = turned(layout)
+        assert not t.cut.turns
+        ends = joins(Plan(t.cut.layout), t)
+        assert len(ends) == len(layout.boundaries) + len(layout.buffers)
+        assert all((a == SOURCE) is not (b == SINK) for a, b in ends.values()), "every track comes in from outside"
+
+
+def test_a_track_outside_that_another_crosses_is_seen() -> None:
+    layout, _ = load_text("grown.yaml", grow(273), Sink())
+    assert layout is not None
+    counts, _, _, notes = measured(layout)
+    assert counts == (0, 0, 0) and notes == ()
 
 
 @pytest.mark.parametrize("path", SPOILED)

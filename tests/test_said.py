@@ -39,10 +39,11 @@ def table(name: str) -> Published:
 
 
 @pytest.mark.parametrize("name", [*SHIPPED, *(f"../tests/layouts_for_tests/{x}" for x in OTHERS)])
-def test_words_and_sentences_of_a_layout_are_read(name: str) -> None:
+def test_text_written_system_words_and_sentences_of_a_layout_say_what_they_should(name: str) -> None:
     source = Path(f"layouts/{name}.yaml").read_text("utf-8")
     found = agree(*told(source), specification(), table(name))
-    assert found.left == ()
+    assert found.left == (), "everything was compared"
+    assert "as specified" in found.compared[1]
     assert (
         "words of routes say what is so" in found.compared[4] and "sentences of io/words.csv read" in found.compared[4]
     )

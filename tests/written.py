@@ -6,16 +6,15 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from interlock.app.texts import writers
 from interlock.checker.reading import loaded
 from interlock.logic.lower import lower
-from interlock.model.portable import portable
 from interlock.proof.certificate.bundle import system_text
 from interlock.proof.certificate.facts import FactBase
 from interlock.proof.claims import Facts, strengthening
 from interlock.proof.claims import claims as claimed
 from interlock.proof.prover import start_claim
 from interlock.proof.system.transition import System
+from interlock.st.dialects import BY_NAME, write_st
 from tests.layouts import grown
 
 
@@ -28,11 +27,8 @@ def told(source: str) -> tuple[dict[str, Any], str, str]:
     system = System(layout, lower(layout, table))
     facts = Facts(system)
     written = system_text(FactBase(system, strengthening(facts), claimed(facts), start_claim(system)))
-    texts: dict[str, str | bytes] = {}
-    for _, those in (task() for task in writers(layout.bare, system.controller, [], (), True)):
-        texts |= those
-    text = texts[f"st/iec/{portable(layout.name)}.st"]
-    return loaded(source), written, text.decode("utf-8") if isinstance(text, bytes) else text
+    (text,) = write_st(system.controller, BY_NAME["iec"], []).values()
+    return loaded(source), written, text
 
 
 def shipped(name: str) -> tuple[dict[str, Any], str, str]:

@@ -11,7 +11,7 @@ gives the same plan.
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import pairwise
 
@@ -23,6 +23,9 @@ from interlock.model.elements import NodeId
 
 Name = tuple[str, ...]
 """A node of the embedded graph: what it is, and its id."""
+
+Joins = Mapping[Name, tuple[Name, Name]]
+"""For every end of track and every turn an edge, from left to right, that makes of it neither source nor sink."""
 
 SOURCE, SINK = ("source",), ("sink",)
 ORDERS = ((60, 12), (120, 4), (2000, 1))  # up to so many strands so many embeddings are compared
@@ -65,12 +68,13 @@ def middle(number: int) -> Name:
 class Embedding:
     """The strands of a plan as a graph with one source and one sink."""
 
-    def __init__(self, plan: Plan) -> None:
+    def __init__(self, plan: Plan, joins: Joins | None = None) -> None:
         self.plan = plan
         self.flow: nx.DiGraph[Name] = nx.DiGraph()
         self.flat: nx.Graph[Name] = nx.Graph()
         self.dummies: list[tuple[Name, Name]] = []
         self.inside: set[Name] = set()
+        self.beyond: list[tuple[Name, Name]] = []
         crossings = plan.layout.crossing_at
         for s in plan.strands:
             m = middle(s.number)
@@ -86,7 +90,26 @@ class Embedding:
                 self.flat.add_edge(a, knot(n))
         if not nx.is_directed_acyclic_graph(self.flow):
             raise NotPlanar("runs back into itself")
-        self._join()
+        if joins is None:
+            self._join()
+        else:
+            self._told(joins)
+
+    def _told(self, joins: Joins) -> None:
+        """Join every end as an embedding has told."""
+        self.flow.add_edge(SOURCE, SINK)
+        self.flat.add_edge(SOURCE, SINK)
+        for end, (a, b) in sorted(joins.items()):
+            self._add(a, b)
+            if a != SOURCE and b != SINK:
+                self.inside.add(end)
+                self.beyond.append((self._knot(a, 0), self._knot(b, -1)))
+        if not nx.is_directed_acyclic_graph(self.flow) or not nx.check_planarity(self.flat)[0]:
+            raise NotPlanar("its ends cannot be joined")
+
+    def _knot(self, n: Name, end: int) -> Name:
+        """The knot at an end of a strand."""
+        return next((knot(s.nodes[end]) for s in self.plan.strands if middle(s.number) == n), n)
 
     def _port(self, s: Strand, node: NodeId) -> Name:
         if node in self.plan.layout.crossing_at:
@@ -154,6 +177,7 @@ class Embedding:
             self._add(*new)
             self.inside.add(end)
             if n in around or nx.check_planarity(self.flat)[0]:
+                self.beyond.append(new)
                 return
             self._remove(*new)
         raise NotPlanar(f"the end of track {end[1]} has no room")
@@ -334,14 +358,14 @@ class Heights:
             {NodeId(n[1]): round(v) for n, v in y.items() if n[0] == "knot"},
             {self.strand[n].number: round(v) for n, v in y.items() if n[0] == "strand"},
             {self.strand[m].number for m in self.direct},
-            [d for d in self.e.dummies if d[0] != SOURCE and d[1] != SINK],
+            self.e.beyond,
             self.e.inside,
         )
 
 
-def exact_levels(plan: Plan) -> Levels:
+def exact_levels(plan: Plan, joins: Joins | None = None) -> Levels:
     """Heights without false crossings.  Raises NotPlanar, Bridges."""
-    e = Embedding(plan)
+    e = Embedding(plan, joins)
     best: Levels | None = None
     for order in range(next((k for most, k in ORDERS if len(plan.strands) <= most), 0)):
         found = Heights(e, e.embedded(order)).solved()

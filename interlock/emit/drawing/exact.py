@@ -9,20 +9,21 @@ from interlock.emit.drawing.embedding import Bridges, Levels, Name, NotPlanar, e
 from interlock.emit.drawing.strands import Plan
 from interlock.emit.drawing.stretch import Behind, along, finish, length_of, named_edges, outer, put_strand
 from interlock.emit.drawing.turns import Unrolled
+from interlock.emit.drawing.upward import Turned, joins
 from interlock.model.elements import NodeId
 from interlock.model.layout import Layout
 
 PARTS = 5  # parts that are turned round on trial
 
 
-def exact_drawing(layout: Layout, cut: Unrolled) -> Drawing | None:
+def exact_drawing(layout: Layout, cut: Unrolled, turned: Turned | None = None) -> Drawing | None:
     """The plan with levels from a planar embedding; none where that cannot be had.  Raises Bridges."""
     best: tuple[float, Plan, Levels] | None = None
     parts = Plan(cut.layout, 0, cut.turns).parts
     for mirrored in range(0, 1 << min(parts, PARTS), 2):
         plan = Plan(cut.layout, mirrored, cut.turns)
         try:
-            levels = exact_levels(plan)
+            levels = exact_levels(plan, None if turned is None else joins(plan, turned))
         except Bridges:
             raise
         except NotPlanar:
@@ -66,23 +67,32 @@ def _levels_drawn(layout: Layout, cut: Unrolled, plan: Plan, levels: Levels) -> 
 
 def _beyond(plan: Plan, levels: Levels, a: Name, b: Name) -> Behind:
     """How far an end of track inside the plan stays away from what lies beyond it: no diagonal runs through it."""
-    knots = set(levels.beyond_ends)
-    end, other = (a, b) if a in knots else (b, a)
-    node = NodeId(end[1])
+    ends = [pair for pair in ((a, b), (b, a)) if pair[0] in levels.beyond_ends]
+    apart = max(_room(plan, levels, end, other, other == a) for end, other in ends)
+    return (_far(plan, a, True), _far(plan, b, False), apart)
+
+
+def _far(plan: Plan, n: Name, left: bool) -> NodeId:
+    """A knot, or that at an end of a strand."""
+    if n[0] == "knot":
+        return NodeId(n[1])
+    s = next(s for s in plan.strands if s.number == int(n[1]))
+    return s.left if left else s.right
+
+
+def _room(plan: Plan, levels: Levels, end: Name, other: Name, left: bool) -> float:
+    """Pixels between an end and what lies beyond it."""
+    node, far = NodeId(end[1]), _far(plan, other, left)
     heights = [levels.strand[s.number] for s in plan.strands if node in (s.left, s.right)]
     if node in plan.turns:
         room = min(ARC, abs(heights[0] - heights[1]) * UNIT / 2) + 12
     else:
         room = outer(plan.layout, node)
     if other[0] == "strand":
-        s = next(s for s in plan.strands if s.number == int(other[1]))
-        far = s.left if other == a else s.right
-        rise = abs(levels.node[far] - levels.strand.get(s.number, levels.node[far]))
+        rise = abs(levels.node[far] - levels.strand.get(int(other[1]), levels.node[far]))
     else:
-        far = NodeId(other[1])
         rise = max(abs(levels.node[far] - h) for h in [*heights, levels.node[node]])
-    apart = room + rise * UNIT + 20
-    return (far, node, apart) if other == a else (node, far, apart)
+    return room + rise * UNIT + 20
 
 
 def _joined(d: Drawing, layout: Layout, cut: Unrolled) -> None:

@@ -7,10 +7,11 @@ names allow (`stretch`).
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from itertools import pairwise
 
 from interlock.emit.drawing.canvas import MARGIN, TOP, UNIT, Drawing, Spot
-from interlock.emit.drawing.embedding import Bridges
+from interlock.emit.drawing.embedding import Bridges, NotPlanar
 from interlock.emit.drawing.exact import exact_drawing
 from interlock.emit.drawing.levels import FEW, Runs, cost, place_levels
 from interlock.emit.drawing.names import tell_covered
@@ -18,10 +19,10 @@ from interlock.emit.drawing.slips import restore, with_diamonds
 from interlock.emit.drawing.strands import Plan, Strand
 from interlock.emit.drawing.stretch import Behind, along, finish, length_of, named_edges, outer, put_strand
 from interlock.emit.drawing.turns import Unrolled, unrolled
+from interlock.emit.drawing.upward import turned
 from interlock.model.elements import NodeId
 from interlock.model.layout import Layout
 
-VARIANTS = 80  # ways to turn tracks that are tried where the first does not lie flat
 TURNS = 5  # parts that are turned round on trial
 CROSSED = 2000.0
 
@@ -55,14 +56,10 @@ def _placed(layout: Layout) -> Drawing:
     if drawn is not None and drawn.plan.slips and not hints:  # a slip's arms decide on which side much else lies
         drawn = _smaller(drawn, cut)
     if drawn is None or (_crossed(drawn) and not hints):
-        for variant in range(1 if large else VARIANTS):
-            try:
-                exact = exact_drawing(layout, unrolled(layout, variant) if variant else cut)
-            except Bridges:
-                break
-            if exact is not None and (drawn is None or _crossed(exact) < _crossed(drawn)):
+        for exact in _exact(layout, cut):
+            if drawn is None or _crossed(exact) < _crossed(drawn):
                 drawn = exact
-            if drawn is not None and not _crossed(drawn):
+            if not _crossed(drawn):
                 break
     if drawn is None:
         drawn = _settled(layout)
@@ -70,6 +67,18 @@ def _placed(layout: Layout) -> Drawing:
     if crossed:
         drawn.notes.append(f"lines cross at {crossed} places where the tracks do not")
     return drawn
+
+
+def _exact(layout: Layout, cut: Unrolled) -> Iterator[Drawing]:
+    """Plans with exact levels: the longest tracks turn, or those that a planar embedding tells."""
+    try:
+        if (drawn := exact_drawing(layout, cut)) is not None:
+            yield drawn
+        told = turned(layout)
+        if (drawn := exact_drawing(layout, told.cut, told)) is not None:
+            yield drawn
+    except NotPlanar:  # however its tracks turn
+        return
 
 
 def _smaller(drawn: Drawing, cut: Unrolled) -> Drawing:
@@ -124,9 +133,8 @@ def _drawn(layout: Layout, tried: Levelled) -> tuple[float, Drawing]:
 
 def _crossed(d: Drawing) -> int:
     """Lines that cross or overprint each other where the tracks do not cross."""
-    parts = sorted(
-        (min(a[0], b[0]), max(a[0], b[0]), e, a, b) for e, line in d.edges.items() for a, b in pairwise(line)
-    )
+    lines = [*d.edges.items(), *((f"outside {n}", [d.at[n], tip]) for n, tip, _ in d.outside)]
+    parts = sorted((min(a[0], b[0]), max(a[0], b[0]), e, a, b) for e, line in lines for a, b in pairwise(line))
     count = 0
     for i, (_, right, e, a, b) in enumerate(parts):
         low, high = min(a[1], b[1]), max(a[1], b[1])

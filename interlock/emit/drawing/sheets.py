@@ -10,8 +10,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from itertools import pairwise
-from math import ceil
+from itertools import count, pairwise
+from math import ceil, dist
 from xml.sax.saxutils import escape
 
 from interlock.emit.drawing.canvas import Box, Drawing, Spot, width
@@ -135,6 +135,7 @@ def _onward(d: Drawing, w: Window) -> Iterator[tuple[str, Spot, str]]:
 
 MORE = """
 .plan .match { stroke: #555; stroke-width: 1; stroke-dasharray: 12 4 2 4 }
+.plan .lead { stroke: #555; stroke-width: 0.7 }
 .plan .onward { font-size: 10px; fill: #333 }
 .plan .frame { fill: none; stroke: #222; stroke-width: 1.2 }
 .plan .foot { font-size: 11px; text-anchor: start }
@@ -164,25 +165,71 @@ def _view(d: Drawing, w: Window, body: list[Part], x: float, y: float, known: se
         x0, x1 = (x, x) if side == "left" else (x + wide, x + wide) if side == "right" else (x, x + wide)
         y0, y1 = (y, y) if side == "top" else (y + high, y + high) if side == "bottom" else (y, y + high)
         out.append(f'<path class="match" d="M{x0:.1f} {y0:.1f} L{x1:.1f} {y1:.1f}"/>')
-    return "\n".join([*out, *_marks(d, w, (x - left, y - top), word)])
+    return "\n".join([*out, *_told(d, w, (x - left, y - top), word)])
 
 
 BESIDE = {"left": (-6, 3.5, "end"), "right": (6, 3.5, "start"), "top": (0, -6, "middle"), "bottom": (0, 14, "middle")}
+LETTERS = 10.0  # pixels from one such word to the next below it
+APART = 6.0  # between two beside each other
 
 
-def _marks(d: Drawing, w: Window, by: Spot, word: str) -> Iterator[str]:
-    """What goes on at the sides of a window, and where; what would lie over another such word goes on beside it."""
-    taken: dict[str, list[float]] = {}
-    for side, (x, y), section in sorted(set(_onward(d, w))):
-        upright = side in ("left", "right")
-        along = y if upright else x
-        if any(abs(along - other) < (10 if upright else 60) for other in taken.get(side, ())):
-            continue
-        taken.setdefault(side, []).append(along)
-        dx, dy, anchor = BESIDE[side]
-        place = f'x="{x + by[0] + dx:.1f}" y="{y + by[1] + dy:.1f}"'
-        text = escape(f"{section} \u2192 {word}{w.after[side]}")
-        yield f'<text class="onward" style="text-anchor:{anchor}" {place}>{text}</text>'
+@dataclass(frozen=True)
+class Mark:
+    """What goes on at a spot of a window's side, where that is told, and the box of its letters."""
+
+    text: str
+    spot: Spot
+    at: Spot
+    anchor: str
+    box: Box
+    aside: bool
+    """It stands further away than others do: a line leads to it."""
+
+
+def marks(d: Drawing, w: Window, word: str) -> list[Mark]:
+    """What goes on at the sides of a window, none over another."""
+    out: list[Mark] = []
+    for side, spot, section in sorted(set(_onward(d, w))):
+        text = f"{section} \u2192 {word}{w.after[side]}"
+        if any(m.text == text and dist(m.spot, spot) < 1 for m in out):
+            continue  # two edges of the section meet there
+        tries = (_mark(side, spot, text, step) for step in count())
+        out.append(next(m for m in tries if not any(_over(m.box, other.box) for other in out)))
+    return out
+
+
+def _mark(side: str, spot: Spot, text: str, step: int) -> Mark:
+    """A word so many steps away from its place beside a spot: along the side, of one that lies level in two rows."""
+    x, y, anchor = spot[0] + BESIDE[side][0], spot[1] + BESIDE[side][1], BESIDE[side][2]
+    long = width(text)
+    if side in ("left", "right"):
+        y += _either(step) * LETTERS
+    else:
+        x += _either(step // 2) * APART
+        y += step % 2 * LETTERS * (-1 if side == "top" else 1)
+    left = x - {"start": 0.0, "middle": long / 2, "end": long}[anchor]
+    return Mark(text, spot, (x, y), anchor, (left, y - LETTERS, left + long, y), step > 0)
+
+
+def _either(step: int) -> int:
+    """0, 1, -1, 2, -2 and so on."""
+    return (step + 1) // 2 * (1 if step % 2 else -1)
+
+
+def _over(a: Box, b: Box) -> bool:
+    return a[0] < b[2] + APART and b[0] < a[2] + APART and a[1] < b[3] and b[1] < a[3]
+
+
+def _told(d: Drawing, w: Window, by: Spot, word: str) -> Iterator[str]:
+    """The marks on paper, with lines from the tracks to those that stand aside."""
+    for m in marks(d, w, word):
+        x, y = m.at[0] + by[0], m.at[1] + by[1]
+        if m.aside:
+            x0, y0 = m.spot[0] + by[0], m.spot[1] + by[1]
+            end = y - LETTERS if y - LETTERS > y0 else y + 2 if y + 2 < y0 else y - 3.5
+            yield f'<path class="lead" d="M{x0:.1f} {y0:.1f} L{x:.1f} {end:.1f}"/>'
+        place = f'x="{x:.1f}" y="{y:.1f}"'
+        yield f'<text class="onward" style="text-anchor:{m.anchor}" {place}>{escape(m.text)}</text>'
 
 
 def _once(text: str, known: set[str]) -> str:
@@ -234,11 +281,11 @@ def sheets(d: Drawing) -> list[str]:
     return [_sheet(d, w, body, len(those)) for w in those]
 
 
-def _sheet(d: Drawing, w: Window, body: list[Part], count: int) -> str:
+def _sheet(d: Drawing, w: Window, body: list[Part], of: int) -> str:
     wide, high = SHEET
     title = d.layout.title or d.layout.name
     facts = [f"{label}: {fact}" for label, fact in title_block(d.layout, d.layout.digest, "en")]
-    foot = "    ".join([*facts, f"Sheet {w.number} of {count}"])
+    foot = "    ".join([*facts, f"Sheet {w.number} of {of}"])
     shown = _view(d, w, body, EDGE + STRIP, EDGE + 24, set(), "")
     frame = f'<rect class="frame" x="20" y="20" width="{wide - 40:.1f}" height="{high - 40:.1f}"/>'
     line = high - EDGE - FOOT / 2

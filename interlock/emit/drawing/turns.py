@@ -2,12 +2,12 @@
 
 Every point has its toe on one side and its legs on the other.  Where that cannot be had of all points with every track
 running from left to right, the longest of the tracks that close a loop is cut where it turns back, and drawn with an
-arc there.  Short tracks are looked at first, so that it is never a crossover that turns.
+arc there.  Short tracks are looked at first, so that it is never a crossover that turns.  Where that does not lie flat,
+an embedding tells what turns (`upward`).
 """
 
 from __future__ import annotations
 
-import random
 from dataclasses import dataclass, replace
 
 import networkx as nx
@@ -15,8 +15,6 @@ import networkx as nx
 from interlock.emit.drawing.strands import Plan, Strand
 from interlock.model.elements import EdgeId, NodeId
 from interlock.model.layout import Layout
-
-OTHERS = 0.15  # of the tracks turn in a variant, whether they must or not
 
 
 @dataclass(frozen=True)
@@ -28,27 +26,24 @@ class Unrolled:
     pieces: dict[EdgeId, tuple[EdgeId, ...]]
 
 
-def unrolled(layout: Layout, variant: int = 0) -> Unrolled:
-    """The layout, cut so that every track can run from left to right; with a variant, some other tracks turn."""
+def unrolled(layout: Layout) -> Unrolled:
+    """The layout, cut so that every track can run from left to right."""
     plan = Plan(layout)
     out = Unrolled(layout, frozenset(), {})
-    by_chance = random.Random(variant) if variant else None
-    for s in _turning(plan, by_chance):
-        out = _cut(out, _longest(layout, s), 1)
+    for s in _turning(plan):
+        out = cut_at_turns(out, longest(layout, s), 1)
     for _ in range(len(layout.edges)):
         plan = Plan(out.layout, 0, out.turns)
         cycle = _cycle(plan)
         whole = [s for s in cycle if not set(s.nodes) & out.turns]
         if not whole:
             break
-        longest = max(whole, key=lambda s: (_metres(layout, s), -s.number))
-        if by_chance is not None:
-            longest = by_chance.choice(sorted(whole, key=lambda s: s.number))
-        out = _cut(out, _longest(layout, longest), 2)
+        turning = max(whole, key=lambda s: (metres(layout, s), -s.number))
+        out = cut_at_turns(out, longest(layout, turning), 2)
     return out
 
 
-def _turning(plan: Plan, by_chance: random.Random | None) -> list[Strand]:
+def _turning(plan: Plan) -> list[Strand]:
     """Strands whose ends lie on the same side of their points, once the shorter ones are laid from left to right."""
     parent: dict[object, tuple[object, bool]] = {}
 
@@ -60,21 +55,16 @@ def _turning(plan: Plan, by_chance: random.Random | None) -> list[Strand]:
         return k, odd
 
     out = []
-    ordered = sorted(plan.strands, key=lambda s: (_metres(plan.layout, s), s.number))
-    if by_chance is not None:
-        by_chance.shuffle(ordered)
+    ordered = sorted(plan.strands, key=lambda s: (metres(plan.layout, s), s.number))
     for s in ordered:
-        wanted = by_chance is not None and by_chance.random() < OTHERS
         a, b = _port(plan, s.left, s.edges[0]), _port(plan, s.right, s.edges[-1])
         if a is None or b is None:
-            out += [s] if wanted else []
             continue
         (x, p), (y, q) = root(a[0]), root(b[0])
         differ = p ^ q ^ a[1] ^ b[1]
         if x != y:
-            parent[x] = (y, differ is wanted)
-            differ = not wanted
-        if not differ:
+            parent[x] = (y, not differ)
+        elif not differ:
             out.append(s)
     return out
 
@@ -103,15 +93,17 @@ def _cycle(plan: Plan) -> list[Strand]:
         return []
 
 
-def _metres(layout: Layout, s: Strand) -> float:
+def metres(layout: Layout, s: Strand) -> float:
+    """The length of a track."""
     return sum(layout.edge[e].length for e in s.edges if e in layout.edge)
 
 
-def _longest(layout: Layout, s: Strand) -> EdgeId:
+def longest(layout: Layout, s: Strand) -> EdgeId:
+    """The edge of a track at which it turns."""
     return max(s.edges, key=lambda e: (layout.edge[e].length, e))
 
 
-def _cut(before: Unrolled, edge: EdgeId, times: int) -> Unrolled:
+def cut_at_turns(before: Unrolled, edge: EdgeId, times: int) -> Unrolled:
     """An edge in equal pieces, joined by nodes at which the track turns."""
     layout = before.layout
     e = layout.edge[edge]
