@@ -104,6 +104,8 @@ def test_a_recording_in_which_little_moves_goes_on_with_other_trains() -> None:
     assert short.movements == 0 and short.scans == 500
     assert more.movements > once.movements and more.scans in range(2 * scans, 9 * scans, scans)
     assert more.segments[0] == once.segments[0]
+    cut = record(made().railway, 400, 1, [(False, True)], power_cuts=2)
+    assert cut.power_cuts > 1 and cut.scans in range(800, 3600, 400)
 
 
 def test_power_cuts_leave_trains_the_time_to_run() -> None:
@@ -115,15 +117,16 @@ def test_power_cuts_leave_trains_the_time_to_run() -> None:
         assert 0.3 < faults.power * delay < 0.7
 
 
-def test_a_layout_in_which_too_little_moved_is_told() -> None:
-    def row(movements: int) -> Row:
-        return Row("yard", 304, (1500, 50, movements, 375, 22, 1), "", 0, "", (Verdict(0),), ())
+def test_a_layout_in_which_too_little_happened_is_told() -> None:
+    def row(movements: int, power_cuts: int = 1) -> Row:
+        return Row("yard", 304, (1500, 50, movements, 375, 22, power_cuts), "", 0, "", (Verdict(0),), ())
 
     def in_c(movements: int) -> CRow:
         return CRow("yard", (1500, movements, 1500, 1, 1), Verdict(0))
 
     assert still([row(MOVEMENTS)], [in_c(IN_C)]) == []
     assert still([row(2)], [in_c(0)]) == ["yard (2)", "yard in C (0)"]
+    assert still([row(MOVEMENTS, 0)], []) == ["yard (0 power cuts)"]
 
 
 @pytest.mark.parametrize("what", TEXTS)

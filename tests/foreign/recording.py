@@ -32,7 +32,7 @@ QUIET = Faults(inputs=0.0, stall=0.0, power=0.0)
 CUTS = 0.5
 """Power cuts for each restart delay that passes, on average: most railways outlive one."""
 ROUNDS = 8
-"""How often all lives are begun anew, at most, to have as many movements as are asked for."""
+"""How often all lives are lived, at most, to have as many movements and power cuts as are asked for."""
 OFTEN = {"DN_": 0.5, "DR_": 0.5, "BLK_": 0.03, "CAN_": 0.03}
 """Of inputs at random: how often they are 1, by the beginning of their names; others nearly always."""
 STARTS_MS = (0, 1, 86_400_000, 31 * 86_400_000)
@@ -178,16 +178,21 @@ def harsh_faults(railway: Railway) -> Faults:
 
 
 def record(
-    railway: Railway, scans: int, seed: int, lives: Sequence[tuple[bool, bool]] = LIVES, movements: int = 0
+    railway: Railway,
+    scans: int,
+    seed: int,
+    lives: Sequence[tuple[bool, bool]] = LIVES,
+    movements: int = 0,
+    power_cuts: int = 0,
 ) -> Recording:
-    """So many scans, each life its share; then as many again with other trains, until there were so many movements, in
-    eight rounds at most."""
+    """So many scans, each life its share; then as many again with other trains, until there were so many movements and
+    power cuts, in eight rounds at most."""
     track = Track.of(railway.layout)
     total = Outcome()
     segments: list[Segment] = []
     stalls = invalid = 0
     for n in range(ROUNDS * len(lives)):
-        if n >= len(lives) and n % len(lives) == 0 and total.movements >= movements:
+        if n >= len(lives) and n % len(lives) == 0 and total.movements >= movements and total.power_cuts >= power_cuts:
             break
         k = n % len(lives)
         hostile, harsh = lives[k]
