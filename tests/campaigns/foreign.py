@@ -197,7 +197,8 @@ def _c_table(rows: Sequence[CRow]) -> list[str]:
     lines = [
         "The C runtime (`--dialect c99`), proved, and compiled by gcc -O1 without a warning, against the Python "
         "runtime: outputs,\nstate and words of routes in every scan, without wires, as there is no mapping program in "
-        "C.  Faults in it are noticed:\n`pytest --external tests/test_c99.py`.",
+        "C.  Where there were\nfewer than 5 movements the railway is begun anew, without power cuts.  Faults in it are "
+        "noticed:\n`pytest --external tests/test_c99.py`.",
         "",
         "| layout | scans with trains | movements | scans at random | stalls | power-ons | scans that differ |",
         f"|---|{'---:|' * 6}",
@@ -260,10 +261,10 @@ def _probes(compilers: Sequence[Compiler], wrong: Path | None) -> list[Probed]:
     return found
 
 
-def _tools(probes: Sequence[Probed], seed: int) -> list[str]:
+def _tools(probes: Sequence[Probed], scans: int, seed: int) -> list[str]:
     commit = _first_line("git", "rev-parse", "--short", "HEAD")
     lines = [
-        f"At commit {commit}, seed {seed}; {_processor()}, {os.cpu_count()} cores; "
+        f"At commit {commit}, `--scans {scans} --seed {seed}`; {_processor()}, {os.cpu_count()} cores; "
         f"{_first_line('gcc', '--version')}, {UNOPTIMIZED}; Python {platform.python_version()}.",
         "",
         "| compiler | commit | probe: `FOR K := N TO N` runs once, TON, wires |",
@@ -343,7 +344,7 @@ def main() -> int:
         in_c = list(pool.map(partial(c_row, scans=max(args.scans // 4, 1), seed=args.seed), reversed(paths)))[::-1]
     made = bundle(args.planted)
     planted = plant(made, compilers, args.scans, args.seed)
-    lines = [INTRODUCTION, *_tools(probes, args.seed), *_table(rows, compilers)]
+    lines = [INTRODUCTION, *_tools(probes, args.scans, args.seed), *_table(rows, compilers)]
     lines += _planted(made, planted, compilers) + _c_table(in_c) + (_schema(rows) if args.xsd else [])
     text = "\n".join(lines)
     if args.out:
