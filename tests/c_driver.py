@@ -6,6 +6,7 @@ import re
 import struct
 import subprocess
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -118,16 +119,23 @@ class Pair:
         return outputs
 
 
-def driven(layout: Layout, table: InterlockingTable, controller: Controller, scans: int, seed: int) -> tuple[Pair, int]:
-    """Trains in metres for so many scans, with stalled cycles, lost inputs and power cuts, then as many scans with
-    inputs at random; what was recorded, and how many movements there were."""
+def driven(
+    layout: Layout, table: InterlockingTable, controller: Controller, scans: int, seed: int, movements: int = 0
+) -> tuple[Pair, int]:
+    """Trains in metres for so many scans, with stalled cycles, lost inputs and power cuts; as often again, without
+    power cuts, as so many movements need, ten times at most; then so many scans with inputs at random.  Told are what
+    was recorded, and how many movements there were."""
     pair, total = Pair(controller), Outcome()
     routes: dict[str, tuple[int, ...]] = {}
     for r in table.routes:
         routes[str(r.entry)] = (*routes.get(str(r.entry), ()), r.number)
     names = {**pair.names, "Controller": pair}
-    life = Life(layout, Track.of(layout), names, Random(seed), False, routes, HARSH)
-    life.run(scans, total, lambda _: False, None)
+    track, calm = Track.of(layout), replace(HARSH, power=0.0, stall=0.002)
+    Life(layout, track, names, Random(seed), False, routes, HARSH).run(scans, total, lambda _: False, None)
+    for n in range(10):
+        if total.movements >= movements:
+            break
+        Life(layout, track, names, Random(f"{seed} {n}"), False, routes, calm).run(scans, total, lambda _: False, None)
     rng, longest, one = Random(seed), pair.cycle_max_ms, pair()
     for _ in range(scans):
         inputs = {i.name: rng.randrange(i.size) if i.size else int(rng.random() < 0.8) for i in controller.inputs}

@@ -19,9 +19,10 @@ from interlock.st.meaning import Execution, Numbers
 from interlock.st.parser import parse_unit
 from interlock.st.program import joined, parted
 from interlock.st.structures import plain
+from tests.campaigns.foreign import IN_C, MOVEMENTS, CRow, Row, Verdict, still
 from tests.foreign.bundle import Bundle, bundle
 from tests.foreign.planted import TEXTS, early_timer
-from tests.foreign.recording import Recording, record, scramble
+from tests.foreign.recording import Recording, harsh_faults, record, scramble
 from tests.foreign.wiring import Segment, changed, differences, digest
 
 SCANS = 2600
@@ -92,6 +93,40 @@ def test_the_text_with_its_mapping_program_answers_as_was_recorded() -> None:
     assert changed(r.wiring, r.segments) > r.wiring.outputs // 2
     for x in (r, scrambled()):
         assert differences(x.wiring, x.segments, interpreted(made().source, x)) == []
+
+
+def test_a_recording_in_which_little_moves_goes_on_with_other_trains() -> None:
+    """What is shorter than a restart has no movement, however often a route is asked for."""
+    calm, scans = [(False, False)], 2600
+    short = record(made().railway, 500, 1, calm)
+    once = record(made().railway, scans, 1, calm)
+    more = record(made().railway, scans, 1, calm, once.movements + 1)
+    assert short.movements == 0 and short.scans == 500
+    assert more.movements > once.movements and more.scans in range(2 * scans, 9 * scans, scans)
+    assert more.segments[0] == once.segments[0]
+    cut = record(made().railway, 400, 3, [(False, True)], power_cuts=1)
+    assert cut.power_cuts and cut.scans in range(800, 3600, 400)
+
+
+def test_power_cuts_leave_trains_the_time_to_run() -> None:
+    """At a fixed rate nearly no life of a mine, where the restart delay is ten minutes, came to its end."""
+    railway = made().railway
+    for delay in (180.0, 600.0):
+        rules = replace(railway.layout.principles, restart_delay_s=delay)
+        faults = harsh_faults(replace(railway, layout=replace(railway.layout, principles=rules)))
+        assert 0.3 < faults.power * delay < 0.7
+
+
+def test_a_layout_in_which_too_little_happened_is_told() -> None:
+    def row(movements: int, power_cuts: int = 1) -> Row:
+        return Row("yard", 304, (1500, 50, movements, 375, 22, power_cuts), "", 0, "", (Verdict(0),), ())
+
+    def in_c(movements: int) -> CRow:
+        return CRow("yard", (1500, movements, 1500, 1, 1), Verdict(0))
+
+    assert still([row(MOVEMENTS)], [in_c(IN_C)]) == []
+    assert still([row(2)], [in_c(0)]) == ["yard (2)", "yard in C (0)"]
+    assert still([row(MOVEMENTS, 0)], []) == ["yard (0 power cuts)"]
 
 
 @pytest.mark.parametrize("what", TEXTS)

@@ -3,6 +3,9 @@
 The simulator says at times that the inputs are not valid; on the wires that is a substation whose heartbeat stands
 still.  Cycles are stalled more often than in the simulator's campaign, and by exactly the bound and one millisecond
 more; each power cut ends a segment.  A second recording has inputs at random, that no railway gives.
+
+Nothing moves before the restart delay is over: lives shorter than it, and power cuts more often than it ends, would
+record restarts and no railway.
 """
 
 from __future__ import annotations
@@ -26,7 +29,10 @@ STALLED = 0.02
 STILL_MS = (400, 900, 1000, 1100, 3000)
 """How long a heartbeat stands still, at times."""
 QUIET = Faults(inputs=0.0, stall=0.0, power=0.0)
-HARSH = replace(QUIET, inputs=0.003, power=0.003)
+CUTS = 0.5
+"""Power cuts for each restart delay that passes, on average: most railways outlive one."""
+ROUNDS = 8
+"""How often all lives are lived, at most, to have as many movements and power cuts as are asked for."""
 OFTEN = {"DN_": 0.5, "DR_": 0.5, "BLK_": 0.03, "CAN_": 0.03}
 """Of inputs at random: how often they are 1, by the beginning of their names; others nearly always."""
 STARTS_MS = (0, 1, 86_400_000, 31 * 86_400_000)
@@ -166,20 +172,37 @@ LIVES = ((False, False), (True, False), (False, True), (True, True))
 lost, and power cuts."""
 
 
-def record(railway: Railway, scans: int, seed: int, lives: Sequence[tuple[bool, bool]] = LIVES) -> Recording:
-    """So many scans, each life its share."""
+def harsh_faults(railway: Railway) -> Faults:
+    """Heartbeats that are lost, and power cuts as often as the layout's restart delay lets trains run between them."""
+    return replace(QUIET, inputs=0.003, power=CUTS / railway.layout.principles.restart_delay_s)
+
+
+def record(
+    railway: Railway,
+    scans: int,
+    seed: int,
+    lives: Sequence[tuple[bool, bool]] = LIVES,
+    movements: int = 0,
+    power_cuts: int = 0,
+) -> Recording:
+    """So many scans, each life its share; then as many again with other trains, until there were so many movements and
+    power cuts, in eight rounds at most."""
     track = Track.of(railway.layout)
     total = Outcome()
     segments: list[Segment] = []
     stalls = invalid = 0
-    for n, (hostile, harsh) in enumerate(lives):
+    for n in range(ROUNDS * len(lives)):
+        if n >= len(lives) and n % len(lives) == 0 and total.movements >= movements and total.power_cuts >= power_cuts:
+            break
+        k = n % len(lives)
+        hostile, harsh = lives[k]
         rng = Random(f"{seed} {n}")
         recorder = Recorder(railway, Random(f"wires {seed} {n}"))
         names: dict[str, Any] = {**load(railway.runtime), "Controller": recorder}
-        faults = HARSH if harsh else QUIET
+        faults = harsh_faults(railway) if harsh else QUIET
         life = _Life(railway.layout, track, names, rng, hostile, railway.routes, faults)
         life.stalled = STALLED if harsh else STALLED / 20
-        life.run(scans * (n + 1) // len(lives) - scans * n // len(lives), total, lambda _: False, None)
+        life.run(scans * (k + 1) // len(lives) - scans * k // len(lives), total, lambda _: False, None)
         segments += [s for s in recorder.segments if s.scans]
         stalls, invalid = stalls + recorder.stalls, invalid + recorder.invalid
     wiring = recorder.wiring
