@@ -8,7 +8,7 @@ import re
 from pathlib import Path
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from interlock.app.compile import build
@@ -108,6 +108,8 @@ def test_families_that_are_written_alike_belong_to_elements_that_never_are() -> 
 
 
 @given(NAMES)
+@example("\u2474")  # (1) in one sign
+@example("\u2100 7")  # a/c in one sign
 def test_any_letters_become_a_short_identifier_and_both_writers_agree(name: str) -> None:
     """The prover's and the checker's are two pieces of code for the same paragraph of `language.md`."""
     written = portable(name)

@@ -46,7 +46,10 @@ def portable(name: str) -> str:
 @lru_cache(maxsize=1024)
 def _shortened(name: str, plain: str) -> str:
     """What can be read of a name, and a check of it."""
-    letters = "".join(map(readable, unicodedata.normalize("NFKD", plain))).replace("#", "").replace("?", "")
+    read = "".join(map(readable, unicodedata.normalize("NFKD", plain)))
+    letters = "".join(
+        x for x in read if x.isalnum() or x == "_"
+    )  # of a circled letter brackets are left, of others a slash
     near = letters[: LONGEST - _CHECK - 1].strip("_")
     number = int.from_bytes(sha256(name.encode()).digest()[:3], "big")
     return f"{near}_{''.join(_SIGNS[number >> 5 * k & 31] for k in range(_CHECK))}"
