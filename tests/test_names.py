@@ -109,7 +109,7 @@ def test_families_that_are_written_alike_belong_to_elements_that_never_are() -> 
 
 @given(NAMES)
 @example("\u2474")  # (1) in one sign
-@example("\u2100 7")  # a/c in one sign
+@example("7\u2488")  # 1 and a full stop in one sign
 def test_any_letters_become_a_short_identifier_and_both_writers_agree(name: str) -> None:
     """The prover's and the checker's are two pieces of code for the same paragraph of `language.md`."""
     written = portable(name)

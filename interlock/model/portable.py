@@ -47,9 +47,7 @@ def portable(name: str) -> str:
 def _shortened(name: str, plain: str) -> str:
     """What can be read of a name, and a check of it."""
     read = "".join(map(readable, unicodedata.normalize("NFKD", plain)))
-    letters = "".join(
-        x for x in read if x.isalnum() or x == "_"
-    )  # of a circled letter brackets are left, of others a slash
+    letters = "".join(x for x in read if x.isalnum() or x == "_")  # (1) in one sign leaves brackets
     near = letters[: LONGEST - _CHECK - 1].strip("_")
     number = int.from_bytes(sha256(name.encode()).digest()[:3], "big")
     return f"{near}_{''.join(_SIGNS[number >> 5 * k & 31] for k in range(_CHECK))}"
