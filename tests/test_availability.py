@@ -234,3 +234,10 @@ def test_points_that_two_routes_want_both_ways_are_not_driven_along() -> None:
     layout, table = made
     assert not any(r.driven for r in table.routes if r.id == "X1-A") and audit(layout, table) == ()
     assert availability(System(layout, lower(layout, table)), table).shown
+
+
+def test_a_route_over_a_section_that_another_one_is_to_find_clear_is_kept_apart() -> None:
+    layout, table, controller = built("../tests/layouts_for_tests/clear_beyond")
+    found = availability(System(layout, controller), table)
+    apart = [{p.first, p.second} for p in found.pairs if p.manner is Manner.CLEAR]
+    assert found.shown and {"A-N2.c", "B-S1"} in apart and all("A-N2.c" in pair for pair in apart)

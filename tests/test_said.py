@@ -15,6 +15,7 @@ from interlock.checker.specification import shipped as specification
 from interlock.emit.io import words_csv
 from interlock.proof.functions import FUNCTIONS
 from interlock.verify import Rejected
+from tests.grow_all import grow_all
 from tests.layouts import SHIPPED, built
 from tests.written import shipped, told
 
@@ -146,3 +147,8 @@ def test_a_sentence_that_nobody_can_compare_verifies_nothing() -> None:
     assert agree(*shipped("fig2_2"), specification(), strange).left == (
         "the sentences of the codes 10008 in io/words.csv",
     )
+
+
+def test_the_lamp_of_a_signal_that_only_protects_is_spoken_of() -> None:
+    """A signal from which no route leads lights no lamp; a route is refused for its stop lamp all the same."""
+    assert agree(*told(grow_all(51)), shipped()).left == ()

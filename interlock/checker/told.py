@@ -75,7 +75,7 @@ class Telling(World):
         return [o.number]
 
     def w_lamps_reported(self) -> list[Signal]:
-        return self.w_opening() if self.r.drawn.asks("lamp_proof") else []
+        return [*self.r.signals.values()] if self.r.drawn.asks("lamp_proof") else []
 
     def w_stop_lamp(self, g: Signal) -> Formula:
         """The stop lamp is reported intact."""

@@ -13,7 +13,7 @@ one train at a time: it is driven while the other signal stays open, and the oth
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import partial
@@ -64,6 +64,7 @@ class Manner(StrEnum):
     AFTER = "one train for both"
     ALONE = "one train at a time"
     ZONE = "kept apart by a zone"
+    CLEAR = "kept apart by a section that the author demands clear"
     NONE = "no train can take one of them"
 
 
@@ -120,6 +121,10 @@ def availability(system: System, table: InterlockingTable) -> Availability:
         unmet = [i for i, x in enumerate(results) if x.failed is not None and not trial.meet(x.failed)]
         for i, x in zip(unmet, trial.results([otherwise(*pairs[i]) for i in unmet]), strict=True):
             results[i] = replace(x, apart=results[i].apart or results[i].failure)
+    clear = {r.id: {c.section for c in r.demanded_clear or ()} for r in table.routes}
+    asked = {i: p for i, x in enumerate(results) if x.failure and (p := trial.demanded(*pairs[i], clear)) is not None}
+    for (i, _), x in zip(asked.items(), trial.results([*asked.values()]), strict=True):
+        results[i] = replace(x, apart=results[i].apart or results[i].failure)
     count = len(system.symbols.routes.whole)
     return Availability(trial.opened(), tuple(results), count * (count - 1) // 2 - len(pairs))
 
@@ -210,6 +215,14 @@ class Trial:
             self._run(b, a, How.THEN),
             self._run(a, b, How.TOGETHER),
         ]
+
+    def demanded(self, a: RouteSymbols, b: RouteSymbols, clear: Mapping[RouteId, set[SectionId]]) -> Plan | None:
+        """A run without trains, where the author has one of two routes find a section clear over which the train of the
+        other one comes, so that its signal may fall to stop before it."""
+        for x, y in ((a, b), (b, a)):
+            if not clear.get(x.id, set()).isdisjoint({_before(self.railway, y), *(s for s, _ in y.path.ways)}):
+                return a, b, Manner.CLEAR, [self._run(a, b, How.GIVEN_BACK)]
+        return None
 
     def apart(self, a: RouteSymbols, b: RouteSymbols) -> Plan:
         """Runs of two routes with one train at a time."""
