@@ -13,10 +13,12 @@ from interlock.checker.check import agree
 from interlock.checker.said import Published
 from interlock.checker.specification import shipped as specification
 from interlock.emit.io import words_csv
+from interlock.logic.controller import Controller
+from interlock.logic.lower import lower
 from interlock.proof.functions import FUNCTIONS
 from interlock.verify import Rejected
 from tests.grow_all import grow_all
-from tests.layouts import SHIPPED, built
+from tests.layouts import SHIPPED, built, grown
 from tests.written import shipped, told
 
 OTHERS = (
@@ -34,7 +36,11 @@ OTHERS = (
 
 def table(name: str) -> Published:
     """The table of a layout's words, as it is written."""
-    rows = list(csv.DictReader(io.StringIO(words_csv(built(name)[2]))))
+    return published(built(name)[2])
+
+
+def published(controller: Controller) -> Published:
+    rows = list(csv.DictReader(io.StringIO(words_csv(controller))))
     codes = {int(r["Code"]): r["Says"] for r in rows if r["Code"]}
     return Published(codes, {r["Word"]: r["Says"] for r in rows if r["Word"]})
 
@@ -151,4 +157,7 @@ def test_a_sentence_that_nobody_can_compare_verifies_nothing() -> None:
 
 def test_the_lamp_of_a_signal_that_only_protects_is_spoken_of() -> None:
     """A signal from which no route leads lights no lamp; a route is refused for its stop lamp all the same."""
-    assert agree(*told(grow_all(51)), shipped()).left == ()
+    source = grow_all(93)
+    found = grown(source)
+    assert found is not None and "the stop lamp of G32 is out" in (its := published(lower(*found[:2]))).codes.values()
+    assert agree(*told(source), specification(), its).left == ()
