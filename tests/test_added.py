@@ -32,7 +32,7 @@ from interlock.proof.engines.tseitin import Cnf
 from interlock.proof.induction.verdict import Verdict
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
-from interlock.proof.witnesses.availability import availability
+from interlock.proof.witnesses.availability import Manner, availability
 from interlock.table.columns import COLUMNS
 from interlock.table.national import national_sheets
 from interlock.table.printed import Printed
@@ -412,3 +412,22 @@ def test_to_a_boundary_leads_what_ends_before_it_too_for_all_that_read_the_layou
     result = prove(System(layout, lower(layout, table)), Limits(search_s=0))
     assert {c.verdict for c in result.claims} == {Verdict.PROVED}
     assert agree(*told(BEFORE + more), specification.shipped()).left == ()
+
+
+PAST = Path("tests/layouts_for_tests/identifier.yaml").read_text("utf-8")
+
+
+def test_what_is_hostile_to_a_part_is_hostile_to_the_route_that_is_set_with_it() -> None:
+    """X-Y-Z sets what lies past Y, and is refused with it: the table has to say so."""
+    _, table = made(PAST + "hostile: [{one: {from: Y, to: Z}, other: {from: Q, to: E}, reason: test}]\n")
+    route = {r.id: r for r in table.routes}
+    assert "Q-E" in route[RouteId("X-Y-Z")].hostile.routes and "X-Y-Z" in route[RouteId("Q-E")].hostile.routes
+    assert "Q-E" not in route[RouteId("X-Y")].hostile.routes
+
+
+def test_a_section_that_a_part_is_to_find_clear_keeps_apart_the_route_that_is_set_with_it() -> None:
+    layout, table = made(PAST + "demand: [{clear: e1, routes: {from: Y, to: Z}, reason: test}]\n")
+    found = availability(System(layout, lower(layout, table)), table)
+    pairs = {frozenset((p.first, p.second)): p for p in found.pairs}
+    assert found.shown, [(p.first, p.second, p.failure) for p in found.pairs if p.failure]
+    assert pairs[frozenset(("X-Y-Z", "Q-E"))].manner == pairs[frozenset(("Y-Z", "Q-E"))].manner == Manner.CLEAR

@@ -387,8 +387,8 @@ def _hostile(layout: Layout, table: InterlockingTable, matched: dict[str, Trip])
             parts = [[x, *(grounds[n] for n in own.get(k, ()))] for k, x in ((i, a), (j, b))]
             why = next((w for x, y in product(*parts) if (w := _cannot_both(layout, x, y, held)) is not None), None)
             if j in own.get(i, ()) or i in own.get(j, ()):
-                why = None
-            if why is None and declared(layout, matched[a.row.id], matched[b.row.id]):
+                why, parts = None, [[a], [b]]
+            if why is None and any(declared(layout, matched[x.row.id], matched[y.row.id]) for x, y in product(*parts)):
                 why = "declared, with", frozenset({b.row.id})
             for x, y, says in ((a, b, listed[i] >> j & 1), (b, a, listed[j] >> i & 1)):
                 if why and not says:

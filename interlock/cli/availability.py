@@ -68,7 +68,10 @@ def command(layout: str, traces: Path, form: str) -> None:
         click.echo(f"  {click.style('FAILED', fg='red')} {r.bound.route}: {r.failure}")
     for p in failed:
         click.echo(f"  {click.style('FAILED', fg='red')} {p.first} and {p.second}, {p.manner}: {p.failure}")
-    manners = ", ".join(f"{n} with {m}" for m, n in Counter(p.manner for p in found.pairs).items())
+    manners = ", ".join(
+        f"{n} {m}" if m.startswith("kept") else f"{n} with {m}"
+        for m, n in Counter(p.manner for p in found.pairs).items()
+    )
     verdict = click.style("SHOWN", fg="green") if found.shown else click.style("NOT AVAILABLE", fg="red")
     click.echo(
         f"{layout}: {verdict}  {len(found.routes)} routes; of {len(found.pairs) + found.hostile} pairs {found.hostile} "

@@ -17,6 +17,7 @@ from interlock.model.bits import bits_of
 from interlock.model.elements import MachineId, Position, RouteId, SectionId
 from interlock.model.traversal import Traversal
 from interlock.table.rows import (
+    Because,
     Hostile,
     HostileClass,
     HostileRoutes,
@@ -44,7 +45,7 @@ class Conflicts:
         self._path = {p.id: p for p in paths}
         self._needs = _needs(paths, demands)
         self._ids = [p.id for p in paths]
-        self._barred = {r: {c.route: c.because for c in cells} for r, cells in barred.items()}
+        self._barred = _with_parts(paths, barred)
         self.derived = dict(zip(self._ids, _hostile(paths, locks, self._needs), strict=True))
         """For each route the hostile ones but for those that are only declared so, as bits by number less one."""
         self._hostile = dict(self.derived)
@@ -89,6 +90,21 @@ class Conflicts:
             how = Hostility(kind, tuple(dict.fromkeys(k for k, _, _ in found)), witness, rule)
             self._told[a, b] = self._alike.setdefault(how, how)
         return self._told[a, b]
+
+
+def _with_parts(paths: Sequence[Path], barred: Barred) -> dict[RouteId, dict[RouteId, Because]]:
+    """For each route those that are declared hostile to it, or to what is set with it past signals."""
+    having: dict[RouteId, list[Path]] = {}
+    for p in paths:
+        for part in p.parts:
+            having.setdefault(part.id, []).append(p)
+    found = {r: {c.route: c.because for c in cells} for r, cells in barred.items()}
+    for r, cells in barred.items():
+        for c in cells:
+            for p, q in product(having[r], having[c.route]):
+                if p not in q.parts and q not in p.parts:
+                    found.setdefault(p.id, {}).setdefault(q.id, c.because)
+    return found
 
 
 def set_apart(

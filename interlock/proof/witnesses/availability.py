@@ -217,11 +217,17 @@ class Trial:
         ]
 
     def demanded(self, a: RouteSymbols, b: RouteSymbols, clear: Mapping[RouteId, set[SectionId]]) -> Plan | None:
-        """A run without trains, where the author has one of two routes find a section clear over which the train of the
-        other one comes, so that its signal may fall to stop before it."""
+        """A run without trains, where the author has one of two routes, or what is set with it past signals, find a
+        section clear over which the train of the other one comes, so that its signal may fall to stop before it.
+
+        None is run where one calls a train on: vehicles may stand where the other one is to find it clear.
+        """
+        parts = self.system.symbols.routes.parts
         for x, y in ((a, b), (b, a)):
-            if not clear.get(x.id, set()).isdisjoint({_before(self.railway, y), *(s for s, _ in y.path.ways)}):
-                return a, b, Manner.CLEAR, [self._run(a, b, How.GIVEN_BACK)]
+            wanted = set[SectionId]().union(*(clear.get(RouteId(p.id), set()) for p in parts(x)))
+            over = {_before(self.railway, y), *(s for p in parts(y) for s, _ in p.path.ways)}
+            if wanted & over:
+                return a, b, Manner.CLEAR, [] if a.call_on or b.call_on else [self._run(a, b, How.GIVEN_BACK)]
         return None
 
     def apart(self, a: RouteSymbols, b: RouteSymbols) -> Plan:
