@@ -11,11 +11,13 @@ import pytest
 import yaml
 
 from interlock.checker.check import agree, check, report
+from interlock.checker.formula import _clauses
 from interlock.checker.reading import loaded
 from interlock.checker.specification import shipped
 from interlock.checker.written import written
 from interlock.verify import Rejected
 from tests.certified import accepted, certified, forge_proof, signed
+from tests.written import told
 
 FIG = Path("layouts/fig2_2.yaml")
 
@@ -396,3 +398,15 @@ def test_a_key_that_stands_twice_is_read_by_nobody(text: str) -> None:
     reading, in layouts and in the specification."""
     with pytest.raises(yaml.YAMLError, match="stands twice"):
         loaded(text)
+
+
+def test_a_formula_that_is_too_large_to_compare_is_refused_as_that(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Refused, as nobody knows; and told apart from a claim that says something else."""
+    monkeypatch.setattr("interlock.checker.formula.CLAUSES", 1)
+    monkeypatch.setattr("interlock.checker.claims.CLAUSES", 1)
+    _clauses.cache_clear()
+    try:
+        with pytest.raises(Rejected, match="one has over 1 clauses and is compared as it stands, too large to tell"):
+            agree(*told(Path("layouts/junction.yaml").read_text("utf-8")), shipped())
+    finally:
+        _clauses.cache_clear()
