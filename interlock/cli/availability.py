@@ -10,6 +10,7 @@ import click
 
 from interlock.app.availability import try_file, write_stories
 from interlock.cli.common import FINDINGS, OK, format_option, put_json, show
+from interlock.proof.witnesses.availability import Availability
 
 
 @click.command("availability")
@@ -33,33 +34,7 @@ def command(layout: str, traces: Path, form: str) -> None:
     failed = [p for p in found.pairs if p.failure is not None]
     late = [r for r in found.routes if r.failure is not None]
     if form == "json":
-        put_json(
-            {
-                "file": layout,
-                "ok": found.shown,
-                "routes": [
-                    {
-                        "route": r.bound.route,
-                        "scans": r.bound.scans,
-                        "scans_with_machines": r.bound.at_most_scans,
-                        "seconds_of_machines": r.bound.seconds,
-                        "failure": r.failure,
-                    }
-                    for r in found.routes
-                ],
-                "hostile_pairs": found.hostile,
-                "pairs": [
-                    {
-                        "first": p.first,
-                        "second": p.second,
-                        "manner": str(p.manner),
-                        "apart": p.apart,
-                        "failure": p.failure,
-                    }
-                    for p in found.pairs
-                ],
-            }
-        )
+        put_json(_as_json(layout, found))
         sys.exit(OK if found.shown else FINDINGS)
     if form == "full":
         for r in found.routes:
@@ -83,3 +58,26 @@ def command(layout: str, traces: Path, form: str) -> None:
     except OSError as error:
         click.echo(f"{traces}: {error.strerror}", err=True)
     sys.exit(OK if found.shown else FINDINGS)
+
+
+def _as_json(layout: str, found: Availability) -> dict[str, object]:
+    """What `--format json` prints: each route with its bound in scans and seconds, and each pair with what failed."""
+    return {
+        "file": layout,
+        "ok": found.shown,
+        "routes": [
+            {
+                "route": r.bound.route,
+                "scans": r.bound.scans,
+                "scans_with_machines": r.bound.at_most_scans,
+                "seconds_of_machines": r.bound.seconds,
+                "failure": r.failure,
+            }
+            for r in found.routes
+        ],
+        "hostile_pairs": found.hostile,
+        "pairs": [
+            {"first": p.first, "second": p.second, "manner": str(p.manner), "apart": p.apart, "failure": p.failure}
+            for p in found.pairs
+        ],
+    }
