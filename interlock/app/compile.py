@@ -36,7 +36,7 @@ from interlock.frontend import load
 from interlock.logic.cabinet import allocate
 from interlock.logic.expr import interning
 from interlock.logic.lower import lower
-from interlock.logic.plant import ASSUMPTIONS
+from interlock.logic.plant import assumed_of
 from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.verdict import Progress, quiet
 from interlock.table.national import national_sheets
@@ -98,7 +98,7 @@ def _documents(checked: Checked, proved: Proved, plan: str) -> tuple[dict[str, b
         "proved": proved.green,
         "claims": claims_json(proof.claims),
         "text": {t.file: "PROVED equal to the controller" if t.equal else "NOT EQUAL" for t in proved.texts},
-        "assumptions": ASSUMPTIONS,
+        "assumptions": assumed_of(layout),
         "invariants": proof.invariants,
         "dropped_invariants": list(proof.dropped),
         "obligations": proof.obligations,
@@ -135,7 +135,7 @@ def _report(checked: Checked, proved: Proved, files: dict[str, bytes]) -> str:
         files["plan.svg"].decode(),
         claims_json(proof.claims),
         [(t.file, t.equal) for t in proved.texts],
-        ASSUMPTIONS,
+        assumed_of(layout),
         files,
         "" if proved.green else "NOT PROVED: for study only, never for a railway",
     )

@@ -16,18 +16,9 @@ from interlock.audit.approach import approach_sections
 from interlock.audit.aspect import aspect
 from interlock.audit.flank import Movements, crossovers_to_lie_normal, flank_space, open_flanks
 from interlock.audit.foul import Foul, foul_neighbours
+from interlock.audit.overlaps import overlap_speed, overruns, without_speed
 from interlock.audit.own_train import own_train_in_the_way
-from interlock.audit.walk import (
-    Move,
-    Trip,
-    in_rear,
-    left_standing,
-    overlap_way,
-    overruns,
-    past_signals,
-    standing_place,
-    trips,
-)
+from interlock.audit.walk import Move, Trip, in_rear, left_standing, past_signals, standing_place, trips
 from interlock.model.elements import MachineId, NodeId, Position, RouteId, SectionId, Signal, SignalId
 from interlock.model.layout import Layout
 from interlock.table.rows import InterlockingTable, Role, RouteRow
@@ -55,10 +46,11 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
         for over in overruns(layout, t)
     ]
     mine = [t for t in every if not _unwanted(layout, t)]
-    trains = [t for t in mine if not t.shunt]
-    mine += [replace(t, call_on=True) for t in trains if _calls_on(layout, t)]
-    passed = [replace(t, identifier=True) for t in trains if t.entry in layout.identifiers]
-    past = _past(layout, [t for t in every if not t.shunt and t.exit in layout.identifiers], passed)
+    told_nothing = without_speed(layout, (t for t in every if not t.shunt))
+    called = [t for t in told_nothing if not _unwanted(layout, t)]
+    mine += [replace(t, call_on=True) for t in called if _calls_on(layout, t)]
+    passed = [replace(t, identifier=True) for t in called if t.entry in layout.identifiers]
+    past = _past(layout, [t for t in told_nothing if t.exit in layout.identifiers], passed)
     mine += [*past, *dict.fromkeys(p for t in past for p in t.parts[1:])]
     between: dict[tuple[str, str], list[Trip]] = {}
     for t in mine:
@@ -282,8 +274,7 @@ def _slowest(layout: Layout, trip: Trip) -> int | None:
         return min((v for v in both if v is not None), default=None)
     limits = [layout.section[s].speed for s in trip.sections]
     if trip.over:
-        own = overlap_way(layout, trip)
-        limits += [own.entry] if own is not None else [v for g, v in layout.entry_speeds if g == trip.exit]
+        limits.append(overlap_speed(layout, trip))
     over = {m.edge for m in trip.moves}
     here = [p for s in trip.sections for p in layout.points_in.get(s, ())]
     limits += [p.speed for p in here if p.reverse in over and p.toe in over]

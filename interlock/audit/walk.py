@@ -10,7 +10,7 @@ import itertools
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, OverlapWay, Position, SectionId, Signal
+from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, Signal
 from interlock.model.layout import Layout, of_layout
 
 Frozen = Mapping[MachineId, Position]
@@ -203,83 +203,6 @@ def trips(layout: Layout, g: Signal, shunt: bool) -> list[Trip]:
             if any(m.edge == x.edge for x in moves):
                 continue
             todo.append(((*moves, m), (*positions, needs) if needs else positions))
-    return found
-
-
-def overruns(layout: Layout, trip: Trip) -> list[Trip]:
-    """A train's trip with each overlap beyond its exit signal, as far as the trip itself permits."""
-    g = layout.signal.get(trip.exit)  # type: ignore[call-overload]
-    length = layout.overlap_of.get(g.id, 0.0) if g is not None else 0.0
-    if g is None or trip.shunt or length <= 0:
-        return [trip]
-    free = replace(trip, moves=(), sections=(), positions=())
-    own = [w for w in layout.overlap_ways if w.signal == g.id]
-    wanted = [(None, length), *((w, w.length) for w in own)]
-    joined = frozenset(
-        (a.node, layout.section_of(b.edge))
-        for way, metres in wanted
-        for path in _overruns(layout, g, free, metres, frozenset(), checked=False)
-        if overlap_way(layout, path) is way
-        for a, b in itertools.pairwise(path.over)
-        if layout.section_of(a.edge) != layout.section_of(b.edge)
-    )
-    return [
-        path
-        for way, metres in wanted
-        for path in _overruns(layout, g, trip, metres, joined, checked=True)
-        if overlap_way(layout, path) is way
-    ]
-
-
-def overlap_way(layout: Layout, trip: Trip) -> OverlapWay | None:
-    """What the layout states of the overlap of a trip alone, if anything: the first entry whose sections it passes."""
-    passed = {layout.section_of(m.edge) for m in trip.over}
-    return next((w for w in layout.overlap_ways if w.signal == trip.exit and passed >= set(w.over)), None)
-
-
-def _overruns(
-    layout: Layout, g: Signal, trip: Trip, length: float, joined: frozenset[tuple[NodeId, SectionId]], checked: bool
-) -> list[Trip]:
-    """Long enough paths beyond the signal that do not end where another one goes on from section to section."""
-    e = layout.edge[g.into]
-    barred = {*trip.sections, *(in_rear(layout, trip) if trip.moves else ())}
-    found: list[Trip] = []
-    start = Move(g.into, e.b if e.a == g.node else e.a)
-    todo: list[tuple[tuple[Move, ...], tuple[tuple[MachineId, Position], ...], float]] = [((start,), (), e.length)]
-    while todo:
-        moves, positions, gone = todo.pop()
-        here = moves[-1]
-        section = layout.section_of(here.edge)
-        if (g.id, section) in layout.overlap_bars or (g.id, here.edge) in layout.overlap_bars:
-            continue
-        if here.node in layout.buffer_at and layout.buffer_at[here.node].kind == "derail":
-            continue
-        ends = here.node in layout.boundary_at or here.node in layout.buffer_at
-        beside = () if here.node in layout.crossing_at else layout.edges_at[here.node]
-        at_joint = ends or any(layout.section_of(e.id) != section for e in beside)  # even if no train goes on there
-        next_signal = [h for m, _ in steps(layout, here) if (h := signal_facing(layout, here.node, m.edge)) is not None]
-        through = length == float("inf") and any(h.kind != "shunt" for h in next_signal)
-        onward = {layout.section_of(m.edge) for m, _ in steps(layout, here)} - {section}
-        goes_on = any((here.node, s) in joined for s in onward)
-        if ends or (at_joint and (gone >= length or through) and not goes_on):
-            wanted = dict(trip.positions)
-            clash = any(wanted.setdefault(m, x) is not x for m, x in positions)
-            over = {layout.section_of(m.edge) for m in moves}
-            if checked:
-                clash = clash or any(wanted.get(m) == "R" for m in layout.machines.by_hand)
-                clash = clash or bool(over & layout.undetected)
-            diamonds = [m.node for m in (*trip.moves, *moves) if m.node in layout.crossing_at]
-            if not clash and not over & barred and len(diamonds) == len(set(diamonds)):
-                mine = tuple(sorted(dict(positions).items()))
-                found.append(replace(trip, over=moves, over_positions=mine))
-            continue
-        for m, needs in steps(layout, here):
-            beyond = layout.section_of(m.edge)
-            if any(m.edge == x.edge for x in moves):
-                continue
-            if beyond != section and any(layout.section_of(x.edge) == beyond for x in moves):
-                continue
-            todo.append(((*moves, m), (*positions, needs) if needs else positions, gone + layout.edge[m.edge].length))
     return found
 
 

@@ -32,7 +32,7 @@ from interlock.model.elements import (
     SignalKind,
 )
 from interlock.model.layout import Layout
-from interlock.model.overlap import overlap_paths
+from interlock.model.overlap import overlap_paths, told_apart
 from interlock.model.traversal import Topology, Traversal, topology
 from interlock.table.rows import ExitKind, RouteKind
 
@@ -249,12 +249,12 @@ def _why_not_past(layout: Layout, a: _Found, b: _Found) -> str | None:
 
 
 def _overlap_along(layout: Layout, signal: str, ways: Ways) -> tuple[int, Ways] | None:
-    """The longest alternative of a signal's overlap that lies wholly on the way beyond it."""
-    keys = {t.key for t in ways}
+    """The longest alternative of a signal's overlap that lies wholly on the way beyond it, for whatever speed."""
+    keys, apart = {t.key for t in ways}, told_apart(layout, SignalId(signal))
     along = [
         (k, over)
         for k, over in enumerate(overlap_paths(layout, SignalId(signal)), start=1)
-        if all(t.key in keys for t in over)
+        if all(t.key in keys for t in over) and over not in apart
     ]
     return max(along, key=lambda x: (len(x[1]), -x[0]), default=None)
 
@@ -314,7 +314,11 @@ def _with_number(p: Path, number: Mapping[RouteId, int]) -> Path:
 
 
 def _overlaps(layout: Layout, f: _Found, name: str, sink: Sink) -> list[tuple[int, Ways]]:
-    """The alternatives of a train route's overlap that its own path permits; (0, ()) where it needs none (R4)."""
+    """The alternatives of a train route's overlap that its own path permits; (0, ()) where it needs none (R4).
+
+    A short one inside a longer one is for routes that show its speed: not for one that calls a train on, or past a
+    signal at identifier light.
+    """
     if f.kind is RouteKind.SHUNT or f.exit_kind is not ExitKind.SIGNAL:
         return [(0, ())]
     if SignalId(f.exit) not in layout.overlap_of:
@@ -325,10 +329,13 @@ def _overlaps(layout: Layout, f: _Found, name: str, sink: Sink) -> list[tuple[in
     options = overlap_paths(layout, SignalId(f.exit))
     rear = topology(layout).beyond(f.ways[0].section, f.signal.node)
     mine = {rear, *(t.section for t in f.ways)}  # in rear its own train stands until it runs
+    apart = told_apart(layout, SignalId(f.exit)) if f.kind is not RouteKind.MAIN else {}
     fits = [
         (k, ways)
         for k, ways in enumerate(options, start=1)
-        if all(t.section not in mine for t in ways) and obstacle(layout, (*f.ways, *ways), ways) is None
+        if ways not in apart
+        and all(t.section not in mine for t in ways)
+        and obstacle(layout, (*f.ways, *ways), ways) is None
     ]
     if not fits:
         sink.add(

@@ -2,12 +2,10 @@
 
 A name has a *family*, what it means, and the elements and numbers *at* which it stands: `LOCK("q1", 2)` is the lock of
 section q1 for its second way.  Its text (`L_q1_2`) is made here and nowhere else, and nobody takes it apart: whoever
-wants to know to what a name belongs reads its fields.  A name is its own text, so that it can be printed, sorted and
-looked up as any other.
+wants to know to what a name belongs reads its fields.  A name is its own text, printed and sorted as any other.
 
 Names of the controller are portable (letters, digits, single underscores; at most 24 characters); those of the world
-and of the proof have dots and layout names as they are, but for spaces.  A name can be made of another: its value one
-step later, what the world chooses when it could happen, what the proof remembers of it, and a second copy of it.
+and of the proof have dots and layout names as they are, but for spaces.  Names are made of others, too: see `Form`.
 """
 
 from __future__ import annotations
@@ -467,11 +465,13 @@ PARTED = Family(Kind.SECTION, "part.{}", "the rear part of a train that parted h
 SHUNTING = Family(Kind.SECTION, "sh.{}", "the train in the section shunts")
 RUNNING = Family(Kind.SECTION, "run.{}", "the train in the section has not come to a stand")
 IMAGE = Family(Kind.SECTION, "img.{}", "the section was reported occupied")
+SLOW = Family(Kind.SECTION, "slow.{1}.{0}", "the train in the section was called at no more than a speed")
 OVERRAN = Family(Kind.SECTION, "over.{}.{}", "what stands in the section has overrun a signal", place=1)
 ACCEPTED = Family(Kind.SIGNAL, "go.{}", "a train has accepted proceed")
 SHUNT_ACCEPTED = Family(Kind.SIGNAL, "gos.{}", "a shunting movement has accepted the shunt aspect")
 SEEN = Family(Kind.SIGNAL, "lamp.{}", "proceed was shown one scan ago")
 SHUNT_SEEN = Family(Kind.SIGNAL, "lamps.{}", "the shunt aspect was shown one scan ago")
+FAST = Family(Kind.SIGNAL, "fast.{1}.{0}", "the train before it may have seen that more than a speed is permitted")
 LIES = Family(Kind.MACHINE, "at.{}.{}", "the machine really lies so")
 OLD_COMMAND = Family(Kind.MACHINE, "cmd.{}.{}", "the command of the scan before the last")
 TURNS_SINCE = Family(Kind.MACHINE, "turns.{}.{}", "it turns since before a train came to a signal", place=1)

@@ -14,7 +14,7 @@ from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Po
 from interlock.model.foul import FoulJoint, foul_joints
 from interlock.model.layout import Layout
 from interlock.model.needs import Needs, needs
-from interlock.model.overlap import overlap_paths
+from interlock.model.overlap import overlap_paths, told_apart
 from interlock.model.places import Approach
 
 
@@ -38,11 +38,13 @@ class Beyond:
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """overlaps: for each signal that has one the alternatives, as ways through sections by number.  fouls: the foul
-    joints, without distances.  needs: the times that the world needs.  beyond: what lies over an edge away from a node,
-    for legs of points and arms of crossings.  approaches: from where a train may come to each signal."""
+    """overlaps: for each signal that has one the alternatives, as ways through sections by number.  apart: by number
+    from 1, those that lie inside longer ones and are told apart from them by a speed (km/h).  fouls: the foul joints,
+    without distances.  needs: the times that the world needs.  beyond: what lies over an edge away from a node, for
+    legs of points and arms of crossings.  approaches: from where a train may come to each signal."""
 
     overlaps: Mapping[SignalId, tuple[tuple[tuple[SectionId, int], ...], ...]]
+    apart: Mapping[SignalId, Mapping[int, int]]
     fouls: tuple[FoulJoint, ...]
     needs: Needs
     beyond: Mapping[tuple[NodeId, EdgeId], Beyond]
@@ -64,9 +66,14 @@ def measured(layout: Layout) -> Measured:
         for g in layout.signals
         if (paths := overlap_paths(layout, g.id))
     }
+    apart = {
+        g: {k: kmh for k, ways in enumerate(overlap_paths(layout, g), 1) if (kmh := known.get(ways)) is not None}
+        for g in overlaps
+        if (known := told_apart(layout, g))
+    }
     fouls = tuple(replace(f, distance=0.0, needed=0.0) for f in foul_joints(layout))
     approaches = {g.id: approach(layout, g.id) for g in layout.signals}
-    return Measured(overlaps, fouls, needs(layout), beyond, approaches)
+    return Measured(overlaps, apart, fouls, needs(layout), beyond, approaches)
 
 
 def _beyond(layout: Layout, edge: EdgeId, node: NodeId, gone: float, needed: float, seen: frozenset[NodeId]) -> Beyond:

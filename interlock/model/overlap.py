@@ -2,12 +2,13 @@
 
 Lengths are metres.  An overlap ends at the first joint at or beyond its length, at a boundary, or at the end of the
 track; one of infinite length, a successive route, also at the next main signal.  Alternatives over different points may
-have lengths of their own, and speeds for which they are made; those over what the author bars are none.
+have lengths of their own, and speeds for which they are made; those over what the author bars are none.  A short one
+that lies inside a longer one is told apart from it by its speed: see `told_apart`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from itertools import pairwise
 from math import isinf
 
@@ -35,13 +36,13 @@ def overlap_paths(layout: Layout, signal: SignalId) -> tuple[tuple[Traversal, ..
     """Every alternative of a signal's overlap, as ways through sections in order; empty without overlap.
 
     Where two alternatives of different length come together, the one that is long enough goes on as far as the other:
-    nobody knows over which of them a train came that has overrun the signal.
+    nobody knows over which of them a train came that has overrun the signal.  One that is told apart does not go on.
     """
     if layout.overlap_of.get(signal, 0.0) <= 0:
         return ()
-    plain = _found(layout, signal, frozenset())
+    plain = _found(layout, signal)
     steps = frozenset((a.section, a.exit, b.section) for ways in plain for a, b in pairwise(ways))
-    found = _found(layout, signal, steps)
+    found = _found(layout, signal, steps, frozenset(told_apart(layout, signal)))
     return tuple(sorted(found, key=lambda ws: (_reversed(ws), [t.key for t in ws])))
 
 
@@ -51,10 +52,34 @@ Ways = tuple[Traversal, ...]
 def inside_others(layout: Layout, signal: SignalId) -> list[tuple[Ways, Ways]]:
     """Alternatives, as long as they are stated, that lie wholly within a longer one of the same signal; and that one.
 
-    They are held with the longer one: nobody knows for which of the two a train was called that has overrun the signal.
+    But for those that are told apart, they are held with the longer one.
     """
-    plain = _found(layout, signal, frozenset()) if layout.overlap_of.get(signal, 0.0) > 0 else []
+    plain = _found(layout, signal) if layout.overlap_of.get(signal, 0.0) > 0 else []
     return [(a, b) for a in plain for b in plain if b[: len(a)] == a and len(b) > len(a)]
+
+
+@of_layout
+def told_apart(layout: Layout, signal: SignalId) -> dict[Ways, int]:
+    """Alternatives of a signal's overlap that lie inside longer ones and are held alone for trains that were called at
+    no more than a speed (km/h): by how a train was called it is known how far it may run on.
+
+    Each longer one is for a higher speed, and no other alternative comes to the sections of the short one on another
+    way, over which fewer metres might lead to its end.
+    """
+    plain = _found(layout, signal) if layout.overlap_of.get(signal, 0.0) > 0 else []
+    found = {}
+    for a, longer in ((a, [b for x, b in inside_others(layout, signal) if x == a]) for a in plain):
+        kmh, others = entry_speed(layout, signal, a), [entry_speed(layout, signal, b) for b in longer]
+        slowest = kmh is not None and longer and all(v is None or v > kmh for v in others)
+        if kmh is not None and slowest and all(_apart_or_along(a, b) for b in plain):
+            found[a] = kmh
+    return found
+
+
+def _apart_or_along(a: Ways, b: Ways) -> bool:
+    """Alternative b comes to no section of a but along a, from the signal on."""
+    at = {t.section: i for i, t in enumerate(a)}
+    return all(at.get(t.section, i) == i and (t.section not in at or b[:i] == a[:i]) for i, t in enumerate(b))
 
 
 def own_way(layout: Layout, signal: SignalId, ways: Iterable[Traversal]) -> OverlapWay | None:
@@ -78,19 +103,21 @@ def route_speed(layout: Layout, ways: Iterable[Traversal], signal: str, overlap:
 Steps = frozenset[tuple[SectionId, NodeId, SectionId]]
 
 
-def _found(layout: Layout, signal: SignalId, steps: Steps) -> list[tuple[Traversal, ...]]:
-    """The alternatives, each as long as it must be."""
+def _found(
+    layout: Layout, signal: SignalId, steps: Steps = frozenset(), apart: frozenset[Ways] = frozenset()
+) -> list[Ways]:
+    """The alternatives, each as long as it must be; `apart`: those that do not go on with others."""
     lengths = [(None, layout.overlap_of[signal]), *((w, w.length) for w in layout.overlap_ways if w.signal == signal)]
     return [
         ways
         for own, length in lengths
-        for ways in _search(layout, signal, length, steps)
+        for ways in _search(layout, signal, length, steps, {a for a in apart if own_way(layout, signal, a) is own})
         if _agrees(layout, ways) and own_way(layout, signal, ways) is own
     ]
 
 
-def _search(layout: Layout, signal: SignalId, length: float, steps: Steps) -> list[tuple[Traversal, ...]]:
-    """Paths that are long enough and do not end where one of the steps goes on."""
+def _search(layout: Layout, signal: SignalId, length: float, steps: Steps, apart: Collection[Ways]) -> list[Ways]:
+    """Paths that are long enough and do not end where one of the steps goes on, but for those that are told apart."""
     g = layout.signal[signal]
     topo = topology(layout)
     barred: set[str] = {x for h, x in layout.overlap_bars if h == signal}
@@ -105,7 +132,7 @@ def _search(layout: Layout, signal: SignalId, length: float, steps: Steps) -> li
             continue
         onward = topo.beyond(last.section, last.exit)
         enough = gone >= length or (isinf(length) and (last.exit, onward) in topo.main_into)
-        if onward is None or (enough and (last.section, last.exit, onward) not in steps):
+        if onward is None or (enough and ((last.section, last.exit, onward) not in steps or ways in apart)):
             found.append(ways)
             continue
         if all(w.section != onward for w in ways):

@@ -26,6 +26,10 @@ Layouts with overlaps:
     run.s     the train in s, before a signal with an overlap, has not yet come to a stand there
     over.g.s  what stands in s has overrun g; it may run on within the overlap, and moves then only when called
 
+Layouts with a short overlap inside a longer one of the same signal, the short one made for v km/h:
+    fast.v.g  the train before g may have seen proceed there without an indicator of v or less
+    slow.v.s  the train in s was called at no more than v; if it overruns, it stops within the short one
+
 Lines with a direction token (b a boundary):
     line.out.b, line.in.b     a train is on the line beyond b, going out or coming in
     token.has.b, .gives, .fresh   the neighbour: has the token, gives it, has seen it not given since he last took it
@@ -36,12 +40,13 @@ shunting movement may come to them, each signal may call some of them, and some 
 """
 
 from interlock.logic.plant.build import build_plant
-from interlock.logic.plant.kinds import ASSUMPTIONS, Assumption, Hazard, Plant, TokenWires, Wiring
+from interlock.logic.plant.kinds import ASSUMPTIONS, Assumption, Hazard, Plant, TokenWires, Wiring, assumed_of
 from interlock.logic.plant.words import (
     OUTSIDE,
     accepted,
     across,
     came,
+    fast,
     has_token,
     image,
     lamp,
@@ -55,6 +60,7 @@ from interlock.logic.plant.words import (
     running,
     seen_by,
     shunting,
+    slow,
     telegram,
     was_called,
 )
@@ -69,8 +75,10 @@ __all__ = [
     "Wiring",
     "accepted",
     "across",
+    "assumed_of",
     "build_plant",
     "came",
+    "fast",
     "has_token",
     "image",
     "lamp",
@@ -84,6 +92,7 @@ __all__ = [
     "running",
     "seen_by",
     "shunting",
+    "slow",
     "telegram",
     "was_called",
 ]

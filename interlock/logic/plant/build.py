@@ -8,6 +8,7 @@ from itertools import pairwise
 from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, iff, implies, neg, var
 from interlock.logic.plant.block import neighbour, on_the_line
+from interlock.logic.plant.called import ShortEnds, speeds_called
 from interlock.logic.plant.hazards import hazards
 from interlock.logic.plant.images import images
 from interlock.logic.plant.kinds import ASSUMPTIONS, Assumption, Plant, Wiring
@@ -49,6 +50,7 @@ class PlantBuilder:
         self.dropped = dropped
         self._shunts = any(g.shunt for g in layout.signals)
         self._overlaps = {g: self.topo.paths(ways) for g, ways in read.overlaps.items()}
+        self._shorts = ShortEnds(read, self._overlaps)
         self._overlapped: dict[SectionId, list[SignalId]] = {}
         for g_, paths in self._overlaps.items():
             for s in dict.fromkeys(t.section for path in paths for t in path):
@@ -242,7 +244,7 @@ class PlantBuilder:
         for h in self._overlapped.get(s, ()):
             steps = (x for path in self._overlaps[h] for x in pairwise(path))
             if any(a.section == s and a.exit == j and b.section == ahead for a, b in steps):
-                out[h] = conj((overran(h, s), rests(s), heading))
+                out[h] = conj((overran(h, s), rests(s), heading, neg(self._shorts.stops(h, s, j))))
         if g is not None and g in self._overlaps:
             as_train = neg(shunting(s)) if self._shunts else TRUE
             turning = FALSE if "A-SWING" in self.dropped else disj(self._turning(g))
@@ -308,6 +310,7 @@ class PlantBuilder:
             self._outside(b)
         for g in self.layout.signals:
             self._signal(g)
+        speeds_called(self, self._shorts)
 
     def _section(self, s: SectionId) -> None:
         """What stands in a section: whether it rests, was called, has parted, has overrun, runs, shunts."""
@@ -346,6 +349,7 @@ class PlantBuilder:
                 p.next[names.OVERRAN(h, s)] = disj((conj((overran(h, s), neg(out))), came_over))
                 p.next[names.RESTS(s)] = disj((p.next[names.RESTS(s)], came_over))
                 p.initial.append(neg(overran(h, s)))
+        p.gone[s] = out
         if s in self._before:
             self._running(s, disj((out, parts)), disj(enter.values()))
         if self._shunts:

@@ -49,6 +49,16 @@ def running(s: str) -> Expr:
     return var(names.RUNNING(s))
 
 
+def slow(s: str, kmh: int) -> Expr:
+    """The train in s was called at no more than a speed."""
+    return var(names.SLOW(s, kmh))
+
+
+def fast(g: str, kmh: int) -> Expr:
+    """The train before g, once it has accepted it, may have seen that more than a speed is permitted."""
+    return var(names.FAST(g, kmh))
+
+
 def overran(g: str, s: str) -> Expr:
     """What stands in s has overrun signal g."""
     return var(names.OVERRAN(g, s))

@@ -41,7 +41,10 @@ def past_identifier(f: Facts, signal: SignalId, first: SignalPath, here: Expr) -
 def entry(
     f: Facts, signal: SignalId, path: SignalPath, exit_: SignalId, over: Sequence[tuple[Traversal, ...]]
 ) -> Iterator[tuple[str, str, Expr]]:
-    """A train is shown no more than the speed for which its overlap is made: (claim, what of the path, claim)."""
+    """A train is shown no more than the speed for which its overlap is made: (claim, what of the path, claim).
+
+    Where a short overlap that is told apart lies inside a longer one, the longer one is ready for a faster train.
+    """
     after = f.system.after
     shown = {v: var(n) for (g, v), n in f.sym.aspects.speed.items() if g == signal}
     for k, ways in enumerate(over, 1):
@@ -51,9 +54,24 @@ def entry(
         main = after(disj(map(var, f.sym.aspects.main_lamps(signal))))
         lying = after(lie(f, (*path.ways, *ways)))
         slow, faster = (disj(x for v, x in shown.items() if (v <= kmh) is fits) for fits in (True, False))
-        yield "S-ENTRY", f" overlap {k}", implies(conj((main, lying)), conj((after(slow), neg(after(faster)))))
+        longer = disj(overlap_ready(f, x) for x in f.track.longer_overlaps(exit_, k))
+        told = conj((after(slow), neg(after(faster))))
+        yield "S-ENTRY", f" overlap {k}", implies(conj((main, lying)), disj((told, longer)))
         if f.layout.principles.caution is not Caution.NEVER and kmh < f.layout.principles.slow_below_kmh:
-            yield "S-ASPECT", f" overlap {k}", implies(lying, neg(clear_aspect(f, signal)))
+            yield "S-ASPECT", f" overlap {k}", implies(lying, disj((neg(clear_aspect(f, signal)), longer)))
+
+
+def overlap_ready(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
+    """An overlap is clear, its points lie and are detected."""
+    points = [(f.layout.point[p].machine, x) for t in ways for p, x in t.points]
+    return conj(
+        [
+            *(f.seen.steadily_clear(t.section) for t in ways),
+            f.system.after(lie(f, ways)),
+            *(var(f.sym.machines.detected[m, x]) for m, x in points),
+            *(neg(var(f.sym.machines.detected[m, x.other])) for m, x in points),
+        ]
+    )
 
 
 def shows_open(f: Facts, g: SignalId, shunt: bool = False) -> Expr:

@@ -13,7 +13,7 @@ from interlock.logic.plant import accepted, came, has_token, lies, o, rests, shu
 from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint
 from interlock.model.principles import Caution
-from interlock.model.traversal import Traversal, zone_joints
+from interlock.model.traversal import zone_joints
 from interlock.proof.claims.added import declared, demanded, held
 from interlock.proof.claims.aspects import (
     allows_clear,
@@ -21,6 +21,7 @@ from interlock.proof.claims.aspects import (
     clear_aspect,
     distants,
     entry,
+    overlap_ready,
     past_identifier,
     shows_open,
 )
@@ -286,7 +287,7 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
     exit_ = exit_of(f, path)
     over = () if exit_ is None or shunt else f.track.overlap_paths(exit_)
     if over and exit_ is not None:
-        yield "S-OVERLAP", "", implies(here, disj(_overlap(f, ways) for ways in over))
+        yield "S-OVERLAP", "", implies(here, disj(overlap_ready(f, ways) for ways in over))
         yield from entry(f, signal, path, exit_, over)
     if not shunt and f.layout.principles.caution is not Caution.NEVER:
         clear = conj((clear_aspect(f, signal), after(lie(f, path.ways))))
@@ -426,19 +427,6 @@ def _again(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         if r.call_on:
             seen = conj((var(r.shown), var(r.active), neg(var(r.proceed))))
             yield "S-CALL-ON", f"{r.id} once", implies(seen, neg(f.system.after(var(r.proceed))))
-
-
-def _overlap(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
-    """An overlap is clear, its points lie and are detected."""
-    points = [(f.layout.point[p].machine, x) for t in ways for p, x in t.points]
-    return conj(
-        [
-            *(f.seen.steadily_clear(t.section) for t in ways),
-            f.system.after(conj(lies(m, x) for m, x in points)),
-            *(var(f.sym.machines.detected[m, x]) for m, x in points),
-            *(neg(var(f.sym.machines.detected[m, x.other])) for m, x in points),
-        ]
-    )
 
 
 def _not_foul(f: Facts, fj: FoulJoint) -> Expr:

@@ -123,6 +123,18 @@ class TrackFacts:
         """The alternatives of a signal's overlap; none without one."""
         return self._topo.paths(self._measured.overlaps.get(g, ()))
 
+    def longer_overlaps(self, g: SignalId, option: int) -> list[tuple[Traversal, ...]]:
+        """The alternatives inside which one lies that is told apart from them by its speed; none of any other."""
+        if option not in self.apart(g):
+            return []
+        paths = self.overlap_paths(g)
+        short = paths[option - 1]
+        return [p for p in paths if len(p) > len(short) and p[: len(short)] == short]
+
+    def apart(self, g: SignalId) -> Mapping[int, int]:
+        """The alternatives of a signal's overlap that lie inside longer ones and are told apart, by number: km/h."""
+        return self._measured.apart.get(g, {})
+
     @property
     def beyond(self) -> Mapping[tuple[NodeId, EdgeId], Beyond]:
         """What lies beyond the legs of points and the arms of crossings."""

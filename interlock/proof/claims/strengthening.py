@@ -31,6 +31,7 @@ from interlock.proof.claims.added import added_invariants, called_on_lit
 from interlock.proof.claims.block import token_invariants
 from interlock.proof.claims.kinds import Facts, Invariant
 from interlock.proof.claims.overlaps import against_of, overlap_invariants, overrun, running_into
+from interlock.proof.claims.slow import slow_invariants
 
 
 def strengthening(f: Facts) -> tuple[Invariant, ...]:
@@ -61,6 +62,7 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
     out += [Invariant("G-CALL-ON-LIT", g, lit) for g, lit in called_on_lit(f)]
     out += [Invariant("C-COVERED", t.timer.name, var(t.covered)) for t in f.system.ties]
     out += overlap_invariants(f)
+    out += slow_invariants(f)
     out += token_invariants(f)
     for s in sorted({s for z in f.layout.zones for s in z.sections}):
         inside = conj((o(s), neg(rests(s)), neg(disj(_coming(f, s)))))

@@ -19,7 +19,7 @@ from interlock.model.traversal import Topology
 _AT_SECTIONS = frozenset(
     (
         *(names.RESTART_LOCK, names.FIRM, names.USED, names.PASSED, names.STALE, names.TRAIN_LOCK, names.LOCK),
-        *(names.STANDS, names.RESTS, names.CAME, names.ACROSS, names.BEEN),
+        *(names.STANDS, names.RESTS, names.CAME, names.ACROSS, names.BEEN, names.SLOW),
     )
 )
 """What is known of a section and the train in it: the places of the induction."""
@@ -28,7 +28,8 @@ _AT_HOME = _AT_SECTIONS | frozenset(
     (
         *(names.CLEAR, names.IMAGE, names.RUNNING, names.OVERRAN, names.LOCKED_SHOWN),
         *(names.LIES, names.OLD_COMMAND, names.DRIVE),
-        *(names.ACCEPTED, names.SHUNT_ACCEPTED, names.SEEN, names.SHUNT_SEEN, names.STOP_LONG, names.APPROACH_OVER),
+        *(names.ACCEPTED, names.SHUNT_ACCEPTED, names.SEEN, names.SHUNT_SEEN, names.FAST),
+        *(names.STOP_LONG, names.APPROACH_OVER),
         *(
             names.CLEAR_ASPECT,
             names.CAUTION_ASPECT,

@@ -35,6 +35,7 @@ def wiring(controller: Controller, layout: Layout) -> Wiring:
         healthy=s.sections.healthy,
         detected=s.machines.detected,
         stop={g: var(name) for g, name in s.aspects.stop.items()},
+        speed={k: var(name) for k, name in s.aspects.speed.items()},
         token={
             b: TokenWires(x.gives, x.keeps, x.has, x.clear, x.tells["has"], x.tells["gives"], x.manual)
             for b, x in s.token.items()
