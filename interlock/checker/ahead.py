@@ -78,6 +78,26 @@ class Ahead(Topology):
         """The signals that a train may be overrunning that leaves a section there."""
         return [h for h in self.w_overlapped() if self._leads(h, s, j) or self.w_stop_failed(h, s, j)]
 
+    @cached_property
+    def _short(self) -> list[tuple[Overlap, int]]:
+        """The overlaps inside longer ones that count for slow trains: for which km/h."""
+        those = {g.name: self.lengths.short(g) for g in self.w_overlapped()}
+        return [(o, round(those[o.signal.name][o.path])) for o in self.overlaps if o.path in those[o.signal.name]]
+
+    def w_short_speeds(self) -> list[int]:
+        return sorted({v for _, v in self._short})
+
+    def w_short_ends(self, h: Signal, s: str, j: str) -> list[int]:
+        """For which speeds short overlaps of a signal end there."""
+        return [v for o, v in self._short if o.signal == h and (o.path.last.section, o.path.last.exit) == (s, j)]
+
+    def w_longer_overlaps(self, p: Path, o: Path) -> list[Path]:
+        """Those of the signal beyond a path inside which a short one lies that counts by itself."""
+        beyond = self.w_overlaps_beyond(p)
+        if not any(x.path == o and x.path in beyond for x, _ in self._short):
+            return []
+        return [x for x in beyond if len(x.ways) > len(o.ways) and x.ways[: len(o.ways)] == o.ways]
+
     def w_swings_in_time(self, g: Signal) -> list[str]:
         """The machines of an overlap that swings while no train can come so far."""
         if not self.lengths.swings_in_time(g):

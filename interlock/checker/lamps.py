@@ -120,6 +120,13 @@ class Lamps(Ahead):
         kmh = self._entry(p, o)
         return [n for n, v in self._speeds[g.name].items() if kmh is not None and v > kmh]
 
+    def w_lamps_up_to(self, c: Calling, kmh: int) -> list[str]:
+        """Indicators of no more than a speed."""
+        return [n for n, v in self._speeds[c.name].items() if v <= kmh]
+
+    def w_lamps_above(self, c: Calling, kmh: int) -> list[str]:
+        return [n for n, v in self._speeds[c.name].items() if v > kmh]
+
     def w_stop(self, g: Signal) -> Formula:
         return leaf(f"YS_{g.safe}")
 

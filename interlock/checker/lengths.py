@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -68,13 +68,32 @@ class Lengths:
             wanted = self._wanted(g)
             if not g.main or g.node in self.r.drawn.boundaries or wanted[-1].metres <= 0:
                 continue
-            plain = self._those(g, wanted, frozenset())
-            # where a shorter alternative joins a longer one, it goes on as far: nobody knows how a train came there
+            plain = self._those(g, wanted)
+            # where a shorter alternative joins a longer one, it goes on as far: nobody knows how a train came there;
+            # but for one inside a longer one that counts for trains that were shown no more than its speed
             steps = frozenset((a.section, a.exit, b.section) for ways in plain for a, b in pairwise(ways))
-            those = self._those(g, wanted, steps)
+            those = self._those(g, wanted, steps, self._short(g, plain))
             those.sort(key=lambda ws: (_reversed(ws), [(w.section, w.number) for w in ws]))
             if those:
                 found[g.name] = [Path(ways) for ways in those]
+        return found
+
+    def short(self, g: Signal) -> dict[Path, float]:
+        """The alternatives of a signal's overlap that lie inside longer ones and count by themselves: for which speed."""
+        return {Path(ways): v for ways, v in self._short(g, self._those(g, self._wanted(g))).items()}
+
+    def _short(self, g: Signal, plain: list[tuple[Way, ...]]) -> dict[tuple[Way, ...], float]:
+        """A short one is for less than every longer one, and whoever comes to its sections has come along it."""
+        found = {}
+        for a in plain:
+            kmh = self.entry_kmh(g, Path(a))
+            longer = [self.entry_kmh(g, Path(b)) for b in plain if b != a and b[: len(a)] == a]
+            mine = {w.section: n for n, w in enumerate(a)}
+            elsewhere = any(
+                w.section in mine and (n != mine[w.section] or b[:n] != a[:n]) for b in plain for n, w in enumerate(b)
+            )
+            if kmh is not None and longer and not elsewhere and not any(v is not None and v <= kmh for v in longer):
+                found[a] = kmh
         return found
 
     def _wanted(self, g: Signal) -> list[Wanted]:
@@ -92,14 +111,23 @@ class Lengths:
         passed = {w.section for w in overlap.ways}
         return next(x.kmh for x in self._wanted(g) if x.over <= passed)
 
-    def _those(self, g: Signal, wanted: list[Wanted], steps: frozenset[tuple[str, str, str]]) -> list[tuple[Way, ...]]:
+    def _those(
+        self,
+        g: Signal,
+        wanted: list[Wanted],
+        steps: frozenset[tuple[str, str, str]] = frozenset(),
+        short: Mapping[tuple[Way, ...], float] | None = None,
+    ) -> list[tuple[Way, ...]]:
         """The alternatives, each as long as the entry says that is the first to fit it."""
+
+        def counts(ways: tuple[Way, ...]) -> Wanted:
+            passed = {w.section for w in ways}
+            return next(y for y in wanted if y.over <= passed)
+
         found = []
         for x in wanted:
-            for ways in self._reach(g, x.metres, steps):
-                passed = {w.section for w in ways}
-                if _agrees(ways) and next(y for y in wanted if y.over <= passed) is x:
-                    found.append(ways)
+            ends = frozenset(a for a in short or () if counts(a) is x)
+            found += [ways for ways in self._reach(g, x.metres, steps, ends) if _agrees(ways) and counts(ways) is x]
         return found
 
     def overlap_release(self, g: Signal) -> int:
@@ -128,7 +156,9 @@ class Lengths:
         base = 50.0 if kmh <= 40 else 100.0 if kmh <= 60 else 200.0
         return base * max(0.0, 1.0 + (0.10 if falling > 0 else 0.05) * falling)
 
-    def _reach(self, g: Signal, metres: float, steps: frozenset[tuple[str, str, str]]) -> Iterator[tuple[Way, ...]]:
+    def _reach(
+        self, g: Signal, metres: float, steps: frozenset[tuple[str, str, str]], ends: frozenset[tuple[Way, ...]]
+    ) -> Iterator[tuple[Way, ...]]:
         barred = self._barred(g)
 
         def go(ways: tuple[Way, ...], gone: float) -> Iterator[tuple[Way, ...]]:
@@ -137,7 +167,7 @@ class Lengths:
                 return
             ahead = self.r.track.beyond(last.section, last.exit)
             enough = gone >= metres or (metres == float("inf") and (last.exit, ahead) in self.r.main_into)
-            if ahead is None or (enough and (last.section, last.exit, ahead) not in steps):
+            if ahead is None or (enough and ((last.section, last.exit, ahead) not in steps or ways in ends)):
                 yield ways
             elif all(w.section != ahead for w in ways):
                 for w in self.r.track.from_end(ahead, last.exit):

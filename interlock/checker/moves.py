@@ -84,6 +84,14 @@ class World(Protection):
     def w_overran(self, h: Signal, s: str) -> Formula:
         return leaf(f"over.{h.name}.{s}")
 
+    def w_slow(self, s: str, kmh: int) -> Formula:
+        """The train in a section was called at no more than a speed."""
+        return leaf(f"slow.{kmh}.{s}")
+
+    def w_fast(self, c: Calling, kmh: int) -> Formula:
+        """Whoever accepts the signal may have been shown that more is permitted."""
+        return leaf(f"fast.{kmh}.{c.name}")
+
     def w_was_called(self, s: str) -> Formula:
         return leaf(f"called.{s}")
 

@@ -288,6 +288,9 @@ class Topology:
         those = [g for g in self.w_signals() if g.node not in self.r.drawn.boundaries or g.node in come]
         return [c for g in those for c in g.callings]
 
+    def w_train_callings(self) -> list[Calling]:
+        return [c for c in self.w_all_callings() if not c.shunt]
+
     def w_to_shunt(self, c: Calling) -> Formula:
         return fact(c.shunt)
 
@@ -338,6 +341,10 @@ class Topology:
     def w_callings_into(self, s: str, j: str) -> list[Calling]:
         return [c for g in self.w_entering(s, j) for c in g.callings]
 
+    def w_trains_into(self, s: str, j: str) -> list[Calling]:
+        """What a main signal there shows to trains."""
+        return [c for c in self.w_callings_into(s, j) if not c.shunt and c in self.w_train_callings()]
+
     def w_calls_over(self, s: str, j: str) -> list[Calling]:
         """What a signal at an end of a section can show to what leaves it there."""
         return self.w_callings_into(self.r.track.beyond(s, j) or "", j)
@@ -355,6 +362,10 @@ class Topology:
     def w_unprotected(self, s: str, j: str) -> Formula:
         """No main signal governs leaving a section there."""
         return fact((j, self.r.track.beyond(s, j)) not in self.r.main_into)
+
+    def w_unprotected_into(self, s: str, j: str) -> Formula:
+        """No main signal governs entry into a section there."""
+        return fact((j, s) not in self.r.main_into)
 
     def w_for_trains_only(self, s: str, j: str) -> Formula:
         """At a signal and at a boundary a shunting movement goes on only when it is called."""

@@ -77,3 +77,16 @@ def overlap_shorter(layout: Layout, table: InterlockingTable) -> Iterator[Mutant
         same = [x for x in table.routes if x.overlap is not None and x.overlap.ways == r.overlap.ways and x is not r]
         if not same:
             yield r.id, lower(layout, replace(table, routes=tuple(less if x is r else x for x in table.routes)))
+
+
+def overlap_inside(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A route holds the short overlap inside its own, at the speed for which its own is made."""
+    for r in table.routes:
+        for x in table.routes:
+            own, other = r.overlap, x.overlap
+            if own is None or other is None or (x.traversals, x.kind) != (r.traversals, r.kind):
+                continue
+            if len(other.ways) < len(own.ways) and own.ways[: len(other.ways)] == other.ways:
+                less = replace(r, overlap=other, points=x.points)
+                routes = tuple(less if y is r else y for y in table.routes)
+                yield f"{r.id} with {other.option}", lower(layout, replace(table, routes=routes))

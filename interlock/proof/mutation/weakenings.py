@@ -30,6 +30,7 @@ from interlock.proof.mutation.ways import (
     Mutant,
     nothing_beyond,
     other_direction,
+    overlap_inside,
     overlap_shorter,
     past_the_board,
     shorter,
@@ -487,6 +488,7 @@ KINDS: tuple[Kind, ...] = (
     Kind("overlap-not-checked", "proceed although the overlap is not in order", without("CO", "overlap lies")),
     Kind("overlap-not-held", "the overlap is given up at once", without("V", "held")),
     Kind("overlap-shorter", "an overlap without its last section", overlap_shorter),
+    Kind("overlap-inside", "the short overlap inside a longer one is held for a fast train", overlap_inside),
     Kind(
         "overlap-timed-early",
         "the overlap's time runs before the train is wholly in",
