@@ -73,7 +73,7 @@ class Called:
         wrong += self._ground(t, path, trusts, lacking)
         wrong += self._zones(t, path)
         if trusts:
-            wrong += self._overlap(t, end)
+            wrong += self._overlap(t, end, w.drivers.told(signal, shown))
             wrong += self._aspects(t, path, end, signal, shown)
         for what in wrong:
             name = self.track.signals[signal]
@@ -153,11 +153,12 @@ class Called:
         clear = self.world.reports.clear[x]
         return all(count[x] and not (trusts and past.get(clear)) for past, count in self.world.reports.past)
 
-    def _overlap(self, t: Train, end: int) -> list[str]:
-        """What stands in the overlap of the signal at the end, and which points of it were not detected."""
+    def _overlap(self, t: Train, end: int, told: float) -> list[str]:
+        """What stands in the overlap of the signal at the end, for the speed that he is told, and which points of it
+        were not detected."""
         if end == NONE:
             return []
-        metres = self.world.drivers.overlap(end).metres
+        metres = self.world.drivers.overlap(end, told).metres
         endless = isinf(metres)
         s, sight, d, found = self.track.stretches, self.world.sight, self.track.begins[end], []
         while metres > 0.0 and d != NONE and not s[d].outside and d not in found:
@@ -189,7 +190,7 @@ class Called:
             if not any(shown.get(x) for x in after[:2]):
                 wrong.append(f"by clear, though {self.track.signals[end]} is at stop")
         told = [kmh for kmh, names in w.drivers.speeds if shown.get(names[signal])]
-        made = w.drivers.overlap(end).kmh if end != NONE else None
+        made = w.drivers.overlap(end, w.drivers.told(signal, shown)).kmh if end != NONE else None
         if made is not None and (not told or max(told) > made):
             wrong.append(f"at {max(told, default='any')} km/h to an overlap for {made} km/h")
         for d in path:

@@ -81,17 +81,30 @@ class Drivers:
         ]
         self._view = (self.fastest * self._reaction + self.fastest**2 / (2 * rules.braking_ms2)) * 1.1 + 30.0
 
-    def overlap(self, signal: int) -> Ground:
-        """The overlap of a signal, as its points lie: what counts of those that may be stated."""
+    def overlap(self, signal: int, called: float = inf) -> Ground:
+        """The overlap of a signal, as its points lie: what counts of those that may be stated.  Inside it a shorter
+        one may be stated for trains that were called at no more than some km/h; `called`: how this one was."""
         stated = self._overlaps[signal]
         if len(stated) == 1:
             return stated[0]
-        s, d, gone, over = self.track.stretches, self.track.begins[signal], 0.0, set[int]()
+        s, d, gone = self.track.stretches, self.track.begins[signal], 0.0
+        begins: list[tuple[float, int]] = []
         while d != NONE and gone <= max(x.metres for x in stated) and not s[d].outside:
-            over.add(s[d].section)
+            begins.append((gone, s[d].section))
             gone += s[d].metres
             d = self.sight.follows(s[d])
-        return next(x for x in stated if x.over <= over)
+
+        def counts(over: set[int]) -> Ground:
+            return next(x for x in stated if x.over <= over)
+
+        whole = counts({section for _, section in begins})
+        short = [x for x in stated if x.kmh is not None and called <= x.kmh and x.metres < whole.metres]
+        short = [x for x in short if counts({section for at, section in begins if at < x.metres}) is x]
+        return min((whole, *short), key=lambda x: x.metres)
+
+    def told(self, signal: int, shown: Mapping[str, int]) -> float:
+        """The speed (km/h) that a signal's indicators permit; without one any."""
+        return max((kmh for kmh, names in self.speeds if shown.get(names[signal])), default=inf)
 
     def proceed(self, t: Train, signal: int, shown: Mapping[str, int]) -> bool | None:
         """What a driver reads: None stop, False to trains (an identifier light: nothing is meant for them here), True
@@ -221,6 +234,11 @@ class Drivers:
         driver.accepted, driver.reacts, driver.overruns = True, -1.0, 0.0
         if t.speed == 0.0 or not shunting:
             driver.shunting = shunting
+        if not shown.get(self.lit[view.target][5]):  # what the signal before has told him goes on
+            told = self.told(view.target, shown)
+            driver.reads_kmh = told if driver.read != view.target else max(driver.reads_kmh, told)
+        elif driver.read != view.target:
+            driver.reads_kmh = driver.called_kmh
         if driver.read != view.target:
             driver.read = view.target
             self.called.over(t, view.target, shown)
@@ -256,7 +274,7 @@ class Drivers:
     def _fails(self, t: Train) -> None:
         """A driver fails to stop, within the overlap; not while points of it turn (A-OVERRUN, A-SWING)."""
         view = t.view
-        metres = min(self.overlap(view.target).metres, 400.0)
+        metres = min(self.overlap(view.target, t.driver.called_kmh).metres, 400.0)
         near = metres and view.gap < 60.0 and self._rng.random() < self._world.faults.overrun * 0.1
         if near and self.sight.rails_lie(t, view.gap + metres):
             t.driver.overruns = t.handling.margin + metres * self._rng.uniform(0.05, 0.95)
@@ -346,6 +364,7 @@ class Drivers:
         driver = t.driver
         if driver.accepted or driver.committed:
             self.movements += driver.accepted
+            driver.called_kmh = driver.reads_kmh
             driver.expects, driver.called, driver.overruns = driver.accepted and driver.announced, True, 0.0
         else:
             if not driver.overruns:

@@ -133,13 +133,15 @@ class Watch:
                 self.tell(world.clock, f"ahead {name} {t.number}", text)
 
     def _ahead(self, world: Scene, t: Train, machine: int) -> bool:
-        """Whether a called train meets the machine's points before the next signal that it obeys."""
+        """Whether a called train meets the machine's points before the next signal that it obeys; one that has overrun
+        a signal, before it stands."""
         s = self.track.stretches
         d, gone = t.body[-1], -t.head
-        while gone < AHEAD_M:
+        reach = t.driver.overruns if t.driver.stuck else AHEAD_M
+        while gone < reach:
             gone += s[d].metres
             if s[d].machine == machine:
-                return True
+                return not t.driver.stuck or gone <= reach
             on = s[d].on
             ends = s[d].facing
             if ends is not None:

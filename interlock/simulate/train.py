@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from math import inf
 
 from interlock.simulate.track import NONE, Track
 
@@ -45,6 +46,10 @@ class Driver:
     """So did the one after it, or what announces it."""
     read: int = NONE
     """The signal that he has last accepted by its lamps."""
+    reads_kmh: float = inf
+    """The highest speed that the signal ahead has permitted since he accepted it."""
+    called_kmh: float = inf
+    """The speed that the signal passed last permitted; any, where it told none."""
     reads: float = 0.0
     """Seconds for which proceed has been shown, with nothing between him and the signal."""
     reacts: float = -1.0
@@ -128,6 +133,7 @@ class Train:
 
     def turned(self, track: Track) -> None:
         """It changes ends."""
+        self.driver.called_kmh = inf
         last = track.stretches[self.body[-1]].metres
         first = track.stretches[self.body[0]].metres
         self.body = [d ^ 1 for d in reversed(self.body)]
