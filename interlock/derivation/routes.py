@@ -341,7 +341,7 @@ def _overlaps(layout: Layout, f: _Found, name: str, sink: Sink) -> list[tuple[in
         sink.add(
             "IL4008",
             f"{called('route', name)} finds no overlap beyond {f.exit}: wanted is {_wanted(layout, f.exit)}"
-            f"{_hindered(layout, f, options)}",
+            f"{_hindered(layout, f, [ways for ways in options if ways not in apart])}",
             None,
             f"shorten it: `overlaps: {{{f.exit}: {{length: ...}}}}`; 0 for none",
             about=Element("signals", f.signal.id),

@@ -58,7 +58,8 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL2023": (_W, "channels that are not pinned yet"),
     "IL2018": (_W, "an allowance that allows nothing"),
     "IL2025": (_E, "a signal that cannot show an identifier light"),
-    "IL2026": (_E, "an overlap inside a longer one of the same signal"),
+    "IL2026": (_E, "an overlap inside a longer one of the same signal, not told apart from it"),
+    "IL2027": (_E, "a length of an overlap for which no way is left"),
     "IL2024": (_W, "a name or a switch that fits several routes"),
     # 3: topology and geometry
     "IL3001": (_E, "an element is wired to itself"),

@@ -58,6 +58,17 @@ def inside_others(layout: Layout, signal: SignalId) -> list[tuple[Ways, Ways]]:
     return [(a, b) for a in plain for b in plain if b[: len(a)] == a and len(b) > len(a)]
 
 
+def covered(layout: Layout, signal: SignalId) -> list[tuple[Ways, Ways]]:
+    """Alternatives as long as the signal's own length that are held no farther than another entry says, where that one
+    fits every way; and what is held instead."""
+    paths = overlap_paths(layout, signal)
+    counts = [own_way(layout, signal, p) for p in paths]
+    if not counts or counts[0] is None or any(w is not counts[0] for w in counts):
+        return []
+    own = _search(layout, signal, layout.overlap_of[signal], frozenset(), ())
+    return [(a, b) for a in own if _agrees(layout, a) for b in paths if len(b) < len(a) and a[: len(b)] == b]
+
+
 @of_layout
 def told_apart(layout: Layout, signal: SignalId) -> dict[Ways, int]:
     """Alternatives of a signal's overlap that lie inside longer ones and are held alone for trains that were called at

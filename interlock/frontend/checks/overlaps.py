@@ -1,6 +1,6 @@
 """Alternatives of overlaps that are stated and do not exist, or lie inside others, and overlaps of which none is left.
 
-IL1014, IL2026.
+IL1014, IL2026, IL2027.
 """
 
 from __future__ import annotations
@@ -11,7 +11,8 @@ from dataclasses import replace
 from interlock.frontend.context import Context
 from interlock.model.elements import OverlapWay, SignalId
 from interlock.model.layout import Layout
-from interlock.model.overlap import inside_others, overlap_paths, own_way
+from interlock.model.overlap import covered, entry_speed, inside_others, overlap_paths, own_way
+from interlock.model.traversal import Traversal
 
 
 def check_overlaps(ctx: Context, layout: Layout) -> None:
@@ -20,6 +21,8 @@ def check_overlaps(ctx: Context, layout: Layout) -> None:
     for g in ctx.file.overlaps:
         own = [w for w in layout.overlap_ways if w.signal == g]
         inside = _inside(ctx, layout, SignalId(g), own)
+        if own:
+            _covered(ctx, layout, SignalId(g))
         for i, way in enumerate(own):
             if not any(way is x for x in used) and i not in inside:
                 ctx.add(
@@ -50,12 +53,55 @@ def _inside(ctx: Context, layout: Layout, g: SignalId, own: Sequence[OverlapWay]
         ctx.add(
             "IL2026",
             f"the overlap of {g} of {metres:g} m over {', '.join(dict.fromkeys(t.section for t in short))} lies inside "
-            f"a longer one of the same signal, which goes on over {onward}: it cannot be held, or limit a speed, by "
-            "itself",
+            f"a longer one of the same signal, which goes on over {onward}, and is not told apart from it: "
+            f"{_not_apart(layout, g, short)}",
             ctx.at("overlaps", g, "ways", places[0]) if places else ctx.at_key("overlaps", g),
-            f"to have the longer one alone, give {g} its length and speed; to have the short one alone, {only}",
+            f"to have both, {_to_have_both(layout, g, short)}; to have the longer one alone, give {g} its length and "
+            f"speed; to have the short one alone, {only}",
         )
     return found
+
+
+def _covered(ctx: Context, layout: Layout, g: SignalId) -> None:
+    """Report a length of a signal's overlap for which nothing is left, since a shorter entry of `ways` counts (IL2027)."""
+    for long, short in covered(layout, g)[:1]:
+        way = own_way(layout, g, short)
+        assert way is not None
+        onward = long[len(short)].section
+        ctx.add(
+            "IL2027",
+            f"the overlap of {g} of {layout.overlap_of[g]:g} m would never be held: {way.length:g} m count wherever it "
+            f"leads over {', '.join(way.over)}",
+            ctx.at_key("overlaps", g),
+            f"to have a short one inside a long one, state the long one in `ways`, over the section into which it goes "
+            f"on: `ways: [{{over: [{onward}], length: {layout.overlap_of[g]:g}}}]`, and the short one as the length and "
+            f"`entry_speed` of {g}",
+        )
+
+
+def _longer(layout: Layout, g: SignalId, short: tuple[Traversal, ...]) -> list[int]:
+    """The speeds (km/h) for which the alternatives are made inside which one lies, as far as they are for any."""
+    speeds = (entry_speed(layout, g, b) for a, b in inside_others(layout, g) if a == short)
+    return [v for v in speeds if v is not None]
+
+
+def _not_apart(layout: Layout, g: SignalId, short: tuple[Traversal, ...]) -> str:
+    """Why nobody knows, of a train that overruns the signal, for which of the two it was called."""
+    kmh = entry_speed(layout, g, short)
+    if kmh is None:
+        return "it has no `entry_speed`, by which drivers are told of it"
+    if any(v <= kmh for v in _longer(layout, g, short)):
+        return f"it is made for {kmh} km/h, the longer one for no more"
+    return "another overlap of the signal comes to its sections on another way, on which fewer metres may lead to its end"
+
+
+def _to_have_both(layout: Layout, g: SignalId, short: tuple[Traversal, ...]) -> str:
+    speeds = _longer(layout, g, short)
+    kmh = entry_speed(layout, g, short)
+    if kmh is None or any(v <= kmh for v in speeds):
+        below = f" below {min(speeds)}" if speeds else ""
+        return f"give the short one an `entry_speed`{below}"
+    return "bar the other one (`not_over`)"
 
 
 def _bars(ctx: Context, layout: Layout, g: SignalId) -> None:
