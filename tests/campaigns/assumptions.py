@@ -17,6 +17,7 @@ from tests.layouts import built
 OVERRUN = "../tests/layouts_for_tests/overrun"
 TOKEN = "../tests/layouts_for_tests/token"
 SWING = "../tests/layouts_for_tests/swing"
+INSIDE = "../tests/layouts_for_tests/overlap_inside"
 # assumption, layout, claim that fails without it
 CASES = (
     ("A-OBEY", "fig2_3_split", "T-COLLISION"),
@@ -33,6 +34,7 @@ CASES = (
     ("A-REVERSE", "fig2_3_split", "T-COLLISION"),
     ("A-LATE-OUTPUT", "fig2_2", "T-POINT-MOVES"),
     ("A-STAND", OVERRUN, "T-COLLISION"),
+    ("A-SLOW", INSIDE, "T-COLLISION"),
     ("A-SWING", SWING, "T-POINT-MOVES"),
     ("A-NEIGHBOUR", TOKEN, "T-LINE"),
     ("A-AGREED", TOKEN, "T-LINE"),
