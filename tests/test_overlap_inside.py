@@ -87,6 +87,30 @@ def test_it_is_proved_and_the_second_checker_asks_for_the_same() -> None:
             agree(loaded(TEXT.replace(old, new)), *system[1:], specification.shipped())
 
 
+CLEAR_ABOVE = ("profile: de\n", "profile: de\nprinciples: {slow_below_kmh: 60}\n")
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new"),
+    [
+        ("plant", "accepted(c) and not fast(c, v) and not shows_more(c, v)", "accepted(c)"),
+        ("plant", " and not shows_more(c, v)))", "))"),
+        ("plant", " and not stops_short(h, s, j)", ""),
+        ("plant", "(unprotected_into(s, j) or overruns_in(s, j))", "unprotected_into(s, j)"),
+        ("plant", "slow(s, v) and not gone(s) and not turns(s)", "slow(s, v) and not turns(s)"),
+        ("plant", 'says: "not slow(s, v)"', 'says: "true"'),
+        ("claims", "-> longer_ready(p, o) or (some l in slow_lamps", "-> (some l in slow_lamps"),
+        ("claims", "not too_slow_for_clear(p, o) or longer_ready(p, o)", "not too_slow_for_clear(p, o)"),
+    ],
+)
+def test_a_specification_that_says_something_else_is_noticed(file: str, old: str, new: str) -> None:
+    texts = {n: (specification.FOLDER / f"{n}.yaml").read_text("utf-8") for n in ("claims", "plant", "told")}
+    assert old in texts[file]
+    texts[file] = texts[file].replace(old, new)
+    with pytest.raises(Rejected):
+        agree(*told(TEXT.replace(*CLEAR_ABOVE)), specification.read(texts["claims"], texts["plant"], texts["told"]))
+
+
 def test_a_layout_without_them_assumes_nothing_of_speeds() -> None:
     layout, _ = made(TEXT.replace(SHORT, "{length: 60, entry_speed: 40}"))
     assert measured(layout).apart == {} and "A-SLOW" not in assumed_of(layout)

@@ -79,7 +79,7 @@ class Lengths:
         return found
 
     def short(self, g: Signal) -> dict[Path, float]:
-        """The alternatives of a signal's overlap that lie inside longer ones and count by themselves: for which speed."""
+        """The alternatives of a signal's overlap that lie inside longer ones and count by themselves: the speed."""
         return {Path(ways): v for ways, v in self._short(g, self._those(g, self._wanted(g))).items()}
 
     def _short(self, g: Signal, plain: list[tuple[Way, ...]]) -> dict[tuple[Way, ...], float]:

@@ -63,7 +63,7 @@ def _inside(ctx: Context, layout: Layout, g: SignalId, own: Sequence[OverlapWay]
 
 
 def _covered(ctx: Context, layout: Layout, g: SignalId) -> None:
-    """Report a length of a signal's overlap for which nothing is left, since a shorter entry of `ways` counts (IL2027)."""
+    """Report a length of an overlap for which nothing is left, since a shorter entry of `ways` counts (IL2027)."""
     for long, short in covered(layout, g)[:1]:
         way = own_way(layout, g, short)
         assert way is not None
@@ -73,8 +73,8 @@ def _covered(ctx: Context, layout: Layout, g: SignalId) -> None:
             f"the overlap of {g} of {layout.overlap_of[g]:g} m would never be held: {way.length:g} m count wherever it "
             f"leads over {', '.join(way.over)}",
             ctx.at_key("overlaps", g),
-            f"to have a short one inside a long one, state the long one in `ways`, over the section into which it goes "
-            f"on: `ways: [{{over: [{onward}], length: {layout.overlap_of[g]:g}}}]`, and the short one as the length and "
+            "to have a short one inside a long one, state the long one in `ways`, over the section into which it goes "
+            f"on, `ways: [{{over: [{onward}], length: {layout.overlap_of[g]:g}}}]`, and the short one as length and "
             f"`entry_speed` of {g}",
         )
 
@@ -92,7 +92,7 @@ def _not_apart(layout: Layout, g: SignalId, short: tuple[Traversal, ...]) -> str
         return "it has no `entry_speed`, by which drivers are told of it"
     if any(v <= kmh for v in _longer(layout, g, short)):
         return f"it is made for {kmh} km/h, the longer one for no more"
-    return "another overlap of the signal comes to its sections on another way, on which fewer metres may lead to its end"
+    return "another overlap of the signal comes to its sections on another way, which may have fewer metres"
 
 
 def _to_have_both(layout: Layout, g: SignalId, short: tuple[Traversal, ...]) -> str:

@@ -91,9 +91,8 @@ def _into(b: Making, s: SectionId, kmh: int) -> Iterator[Expr]:
         g = b.topo.main_into.get((j, s))
         on = FALSE if rear is None else slow(rear, kmh)
         if g is not None:  # it has accepted the signal, or overruns one
-            overruns = b.entries.overrun_over(s, j)
             seen = conj((accepted(g), neg(fast(g, kmh)), neg(shows_more(b, g, kmh)))) if _called_by(b, g) else FALSE
-            on = disj((conj((overruns, on)), conj((neg(overruns), seen))))
+            on = disj((conj((b.entries.overrun_over(s, j), on)), seen))
         yield conj((comes, neg(b.entries.shunts_in(s, j)), on))
 
 
