@@ -148,31 +148,6 @@ def test_bars_that_leave_no_overlap_are_refused() -> None:
     ]
 
 
-WITHIN = Path("tests/diagnostics/IL2026.yaml").read_text("utf-8")
-OF_X = "{length: 60, entry_speed: 40, ways: [{over: [T], length: 150}]}"
-
-
-@pytest.mark.parametrize(
-    ("overlap", "codes", "held"),
-    [
-        (OF_X, {"IL2026"}, []),
-        ("{length: 150, ways: [{over: [T], length: 150}, {over: [a2], length: 60, entry_speed: 40}]}", {"IL2026"}, []),
-        ("{length: 60, entry_speed: 40}", set(), [(["a2"], 40)]),
-        ("{length: 140, entry_speed: 40}", set(), [(["a2", "T"], 40), (["a2", "T"], 40)]),
-        ("{length: 140, ways: [{over: [b1], length: 300}]}", set(), [(["a2", "T", "b1"], None), (["a2", "T"], None)]),
-    ],
-)
-def test_an_overlap_inside_a_longer_one_is_refused(
-    overlap: str, codes: set[str], held: list[tuple[list[str], int | None]]
-) -> None:
-    sink = Sink()
-    layout, _ = load_text("within.yaml", WITHIN.replace(OF_X, overlap), sink)
-    assert {d.code for d in sink.diagnostics if d.severity is Severity.ERROR} == codes
-    x = SignalId("X")
-    found = [] if layout is None else overlap_paths(layout, x)
-    assert [([t.section for t in w], entry_speed(layout, x, w)) for w in found if layout is not None] == held
-
-
 def test_the_clear_aspect_is_claimed_of_slow_overlaps_too() -> None:
     layout, table = made(TEXT)
     next_ = next(r.aspect for r in table.routes if r.exit == "X3" and r.speed.kmh is None)

@@ -268,7 +268,7 @@ class ZoneSpec(_Part):
 
 
 class OverlapWaySpec(_Part):
-    """Alternatives of an overlap that lead over some sections, with values of their own."""
+    """Alternatives of an overlap over some sections, with values of their own; a short one may lie inside them (R4)."""
 
     over: list[Name] = key("all of these sections; of several entries that fit, the first counts", least=1)
     length: Metres | None = key("their length in metres; without it, what `entry_speed` and `falling` say", None)
