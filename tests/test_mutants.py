@@ -77,6 +77,7 @@ ON = {
     "opens-under-train": DEVICES,
     **dict.fromkeys((k.name for k in KINDS if k.name.startswith("overlap-")), OVERLAPS),
     "overlap-flank-not-held": OVERLAP_FLANK,
+    "overlap-inside": "../tests/layouts_for_tests/overlap_inside",
 }
 
 

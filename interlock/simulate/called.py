@@ -8,8 +8,8 @@ was wrong in the inputs of the last two scans counts.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from math import isinf
+from collections.abc import Callable, Mapping, Sequence
+from math import inf, isinf
 from typing import TYPE_CHECKING
 
 from interlock.model.portable import portable
@@ -21,6 +21,11 @@ if TYPE_CHECKING:
 
 LONGEST = 60
 """Stretches of a path at most, so that a loop ends."""
+
+
+def told_kmh(speeds: Sequence[tuple[int, Sequence[str]]], signal: int, shown: Mapping[str, int]) -> float:
+    """The speed (km/h) that a signal's indicators permit; without one any.  `speeds`: outputs by speed, by signal."""
+    return max((kmh for kmh, names in speeds if shown.get(names[signal])), default=inf)
 
 
 class Called:
@@ -73,7 +78,7 @@ class Called:
         wrong += self._ground(t, path, trusts, lacking)
         wrong += self._zones(t, path)
         if trusts:
-            wrong += self._overlap(t, end, w.drivers.told(signal, shown))
+            wrong += self._overlap(t, end, told_kmh(w.drivers.speeds, signal, shown))
             wrong += self._aspects(t, path, end, signal, shown)
         for what in wrong:
             name = self.track.signals[signal]
@@ -190,7 +195,7 @@ class Called:
             if not any(shown.get(x) for x in after[:2]):
                 wrong.append(f"by clear, though {self.track.signals[end]} is at stop")
         told = [kmh for kmh, names in w.drivers.speeds if shown.get(names[signal])]
-        made = w.drivers.overlap(end, w.drivers.told(signal, shown)).kmh if end != NONE else None
+        made = w.drivers.overlap(end, told_kmh(w.drivers.speeds, signal, shown)).kmh if end != NONE else None
         if made is not None and (not told or max(told) > made):
             wrong.append(f"at {max(told, default='any')} km/h to an overlap for {made} km/h")
         for d in path:

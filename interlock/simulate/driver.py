@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from interlock.model.portable import portable
 from interlock.model.principles import Caution
-from interlock.simulate.called import Called
+from interlock.simulate.called import Called, told_kmh
 from interlock.simulate.sight import Sight
 from interlock.simulate.track import NONE
 from interlock.simulate.train import Train
@@ -101,10 +101,6 @@ class Drivers:
         short = [x for x in stated if x.kmh is not None and called <= x.kmh and x.metres < whole.metres]
         short = [x for x in short if counts({section for at, section in begins if at < x.metres}) is x]
         return min((whole, *short), key=lambda x: x.metres)
-
-    def told(self, signal: int, shown: Mapping[str, int]) -> float:
-        """The speed (km/h) that a signal's indicators permit; without one any."""
-        return max((kmh for kmh, names in self.speeds if shown.get(names[signal])), default=inf)
 
     def proceed(self, t: Train, signal: int, shown: Mapping[str, int]) -> bool | None:
         """What a driver reads: None stop, False to trains (an identifier light: nothing is meant for them here), True
@@ -235,7 +231,7 @@ class Drivers:
         if t.speed == 0.0 or not shunting:
             driver.shunting = shunting
         if not shown.get(self.lit[view.target][5]):  # what the signal before has told him goes on
-            told = self.told(view.target, shown)
+            told = told_kmh(self.speeds, view.target, shown)
             driver.reads_kmh = told if driver.read != view.target else max(driver.reads_kmh, told)
         elif driver.read != view.target:
             driver.reads_kmh = driver.called_kmh

@@ -1,0 +1,153 @@
+"""Overlaps (R4): from the signal to the first joint at or beyond their length, and for which speed each is made."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+from interlock.checker.drawing import Unread
+from interlock.checker.railway import Path, Railway, Signal
+from interlock.checker.track import Way
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What is asked of the alternatives of an overlap over some sections; `kmh`: it is made for that speed."""
+
+    over: frozenset[str]
+    metres: float
+    kmh: float | None
+
+
+class Overlaps:
+    """Of one railway."""
+
+    def __init__(self, railway: Railway) -> None:
+        self.r, self._d = railway, railway.drawn
+
+    @cached_property
+    def overlaps(self) -> dict[str, list[Path]]:
+        """For each signal with an overlap its alternatives: those over fewest reversed points first."""
+        found = {}
+        for g in self.r.signals.values():
+            wanted = self._wanted(g)
+            if not g.main or g.node in self.r.drawn.boundaries or wanted[-1].metres <= 0:
+                continue
+            plain = self._those(g, wanted)
+            # where a shorter alternative joins a longer one, it goes on as far: nobody knows how a train came there;
+            # but for one inside a longer one that counts for trains that were shown no more than its speed
+            steps = frozenset((a.section, a.exit, b.section) for ways in plain for a, b in pairwise(ways))
+            those = self._those(g, wanted, steps, self._short(g, plain))
+            those.sort(key=lambda ws: (_reversed(ws), [(w.section, w.number) for w in ws]))
+            if those:
+                found[g.name] = [Path(ways) for ways in those]
+        return found
+
+    def short(self, g: Signal) -> dict[Path, float]:
+        """The alternatives of a signal's overlap that lie inside longer ones and count by themselves: the speed."""
+        return {Path(ways): v for ways, v in self._short(g, self._those(g, self._wanted(g))).items()}
+
+    def _short(self, g: Signal, plain: list[tuple[Way, ...]]) -> dict[tuple[Way, ...], float]:
+        """A short one is for less than every longer one, and whoever comes to its sections has come along it."""
+        found = {}
+        for a in plain:
+            kmh = self.entry_kmh(g, Path(a))
+            longer = [self.entry_kmh(g, Path(b)) for b in plain if b != a and b[: len(a)] == a]
+            mine = {w.section: n for n, w in enumerate(a)}
+            elsewhere = any(
+                w.section in mine and (n != mine[w.section] or b[:n] != a[:n]) for b in plain for n, w in enumerate(b)
+            )
+            if kmh is not None and longer and not elsewhere and not any(v is not None and v <= kmh for v in longer):
+                found[a] = kmh
+        return found
+
+    def _wanted(self, g: Signal) -> list[Wanted]:
+        """What is asked of the alternatives of a signal's overlap: the first that fits counts, the last fits all."""
+        told = (self.r.body.get("overlaps") or {}).get(g.name)
+        own = (
+            []
+            if told is None
+            else [Wanted(frozenset(x["over"]), self._metres(x), _entry(x)) for x in told.get("ways") or ()]
+        )
+        return [*own, Wanted(frozenset(), self._metres(told), _entry(told or {}))]
+
+    def entry_kmh(self, g: Signal, overlap: Path) -> float | None:
+        """The speed for which an alternative of a signal's overlap is made."""
+        passed = {w.section for w in overlap.ways}
+        return next(x.kmh for x in self._wanted(g) if x.over <= passed)
+
+    def _those(
+        self,
+        g: Signal,
+        wanted: list[Wanted],
+        steps: frozenset[tuple[str, str, str]] = frozenset(),
+        short: Mapping[tuple[Way, ...], float] | None = None,
+    ) -> list[tuple[Way, ...]]:
+        """The alternatives, each as long as the entry says that is the first to fit it."""
+
+        def counts(ways: tuple[Way, ...]) -> Wanted:
+            passed = {w.section for w in ways}
+            return next(y for y in wanted if y.over <= passed)
+
+        found = []
+        for x in wanted:
+            ends = frozenset(a for a in short or () if counts(a) is x)
+            found += [ways for ways in self._reach(g, x.metres, steps, ends) if _agrees(ways) and counts(ways) is x]
+        return found
+
+    def _metres(self, told: dict[str, str] | None) -> float:
+        """As stated; or as German examples have it: 50, 100 or 200 m to 40, 60 km/h or above, 10 % more for each
+        permille falling, 5 % less for each rising."""
+        if told is None:
+            return self._d.rule("overlap_m")
+        if told.get("successive") in ("yes", "true"):
+            return float("inf")
+        if "length" in told:
+            return float(told["length"])
+        kmh, falling = float(told.get("speed") or told["entry_speed"]), float(told.get("falling", 0))
+        base = 50.0 if kmh <= 40 else 100.0 if kmh <= 60 else 200.0
+        return base * max(0.0, 1.0 + (0.10 if falling > 0 else 0.05) * falling)
+
+    def _reach(
+        self, g: Signal, metres: float, steps: frozenset[tuple[str, str, str]], ends: frozenset[tuple[Way, ...]]
+    ) -> Iterator[tuple[Way, ...]]:
+        barred = self._barred(g)
+
+        def go(ways: tuple[Way, ...], gone: float) -> Iterator[tuple[Way, ...]]:
+            last = ways[-1]
+            if barred & {last.section, *last.edges}:
+                return
+            ahead = self.r.track.beyond(last.section, last.exit)
+            enough = gone >= metres or (metres == float("inf") and (last.exit, ahead) in self.r.main_into)
+            if ahead is None or (enough and ((last.section, last.exit, ahead) not in steps or ways in ends)):
+                yield ways
+            elif all(w.section != ahead for w in ways):
+                for w in self.r.track.from_end(ahead, last.exit):
+                    yield from go((*ways, w), gone + w.length)
+
+        for w in self.r.track.from_end(g.into, g.node):
+            yield from go((w,), w.length)
+
+    def _barred(self, g: Signal) -> frozenset[str]:
+        """Sections, and ends of points and the like, over which no alternative of the overlap shall lead."""
+        told = ((self.r.body.get("overlaps") or {}).get(g.name) or {}).get("not_over") or ()
+        for x in told:
+            if x not in self._d.edges and x not in self.r.track.sections:
+                raise Unread(f"the overlap of {g.name}: {x} is no section and no end")
+        return frozenset(told)
+
+
+def _entry(told: dict[str, str]) -> float | None:
+    return float(told["entry_speed"]) if "entry_speed" in told else None
+
+
+def _agrees(ways: tuple[Way, ...]) -> bool:
+    """No machine is wanted both ways."""
+    wanted: dict[str, str] = {}
+    return all(wanted.setdefault(d.machine, d.position) == d.position for w in ways for _, d in w.points)
+
+
+def _reversed(ways: tuple[Way, ...]) -> int:
+    return sum(d.position == "R" for w in ways for _, d in w.points)
