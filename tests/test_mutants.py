@@ -169,6 +169,7 @@ ALONE = {
     "entrance-left-by": ("../tests/layouts_for_tests/no_calling_on", "S-EXCLUDED"),
     "call-on-unasked": ("../tests/layouts_for_tests/trap_beyond", "S-CALL-ON"),
     "speed-not-shown": ("../tests/layouts_for_tests/speeds", "S-SPEED"),
+    "swing-misread": ("../tests/layouts_for_tests/trap_beyond", "S-REQUEST"),
     "added-let-go": (ADDED, "S-DECLARED"),
     "added-to-called-on-forgotten": ("../tests/layouts_for_tests/called_on", "S-DECLARED"),
     "added-not-clear": ("../tests/layouts_for_tests/clear_beyond", "S-DEMANDED"),

@@ -17,6 +17,7 @@ from interlock.checker.reading import loaded
 from interlock.checker.specification import FOLDER, Specification
 from interlock.checker.told import Telling
 from interlock.checker.written import written
+from interlock.logic.lower.index import OverlapIndex
 from interlock.logic.plant import ASSUMPTIONS
 from interlock.model.principles import KNOBS, PROFILES
 from interlock.proof.claims import CLAIMS
@@ -55,6 +56,18 @@ def test_a_layout_with_automatic_routes_has_switches_for_these_and_for_no_others
     _, system, text = told(both)
     with pytest.raises(Rejected, match="S-REQUEST"):
         agree(loaded(one), system, text, specification.shipped())
+
+
+def test_an_overlap_swings_at_its_own_number_and_not_at_any_that_names_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    source = Path("tests/layouts_for_tests/trap_beyond.yaml").read_text("utf-8")
+    right = OverlapIndex.swing_number
+    monkeypatch.setattr(OverlapIndex, "swing_number", lambda self, g: right(self, g) + 1)
+    told.cache_clear()
+    try:
+        with pytest.raises(Rejected, match="S-REQUEST"):
+            agree(*told(source), specification.shipped())
+    finally:
+        told.cache_clear()
 
 
 def test_so_does_one_where_an_overlap_leads_towards_a_boundary_at_which_trains_only_come_in() -> None:

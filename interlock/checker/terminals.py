@@ -349,6 +349,18 @@ class Terminals(Lamps):
             quiet.append(some((self.w_nothing_asked(q), no(self.w_waits_for_number(q)))))
         return some(found)
 
+    def w_swinging(self) -> list[Signal]:
+        """The signals with an overlap that may swing, in the order of their names."""
+        return sorted((g for g in self.r.signals.values() if f"VS_{g.safe}" in self.state), key=lambda g: g.name)
+
+    def w_swings(self, g: Signal) -> Formula:
+        """The overlap of a signal is on its way from one alternative to another."""
+        return leaf(f"VS_{g.safe}")
+
+    def w_asked_to_swing(self, g: Signal) -> Formula:
+        """The numbers of overlaps that swing come after those of all routes."""
+        return self.w_asked(len(self.w_routes()) + 1 + self.w_swinging().index(g))
+
     def w_nothing_asked(self, q: str) -> Formula:
         return leaf(f"{q}=0")
 

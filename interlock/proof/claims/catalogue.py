@@ -91,8 +91,9 @@ CLAIMS: dict[str, str] = {
     "signal speak, and a distant signal shows either clear or caution.",
     "S-AGAIN": "A signal that closed while its route stayed set opens again only after it was asked for again.",
     "S-REQUEST": "A route is set only in the scan in which its number comes after 0, or while its switch for automatic "
-    "working is on; a number that is held asks once.  What is locked past a signal that a route passes is set with "
-    "that route alone.  A signal is open only for a route that is set, or for the movement that passes it.",
+    "working is on, and an overlap swings only when its number comes so; a number that is held asks once.  What is "
+    "locked past a signal that a route passes is set with that route alone.  A signal is open only for a route that is "
+    "set, or for the movement that passes it.",
     "S-CANCELLED": "A cancelled signal shows stop in the same scan.",
     "S-SET": "A section is locked for a movement only when inputs are valid, it is not blocked or locked, and it is "
     "steadily clear; for calling on, and where a shunting movement ends, it need be neither clear nor unlocked.",
@@ -377,6 +378,13 @@ def _requests(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for x, fresh in f.sym.requests.fresh.items():
         yield "S-REQUEST", x, iff(after(var(fresh)), conj((valid, eq(x, 0))))
         yield "S-REQUEST", f"{x} seen", iff(after(var(f.sym.requests.seen[x])), neg(after(var(fresh))))
+    for sig, number in f.sym.overlaps.swing_request.items():
+        swings = var(f.sym.overlaps.swings[sig])
+        yield (
+            "S-REQUEST",
+            f"{sig} swings",
+            implies(conj((after(swings), neg(swings))), f.sym.requests.asked(number)),
+        )
     for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.track.functions(h.id)):
         shown = implies(after(f.sym.aspects.signal(g, shunt)), after(f.sym.routes.opened(g, shunt)))
         yield "S-REQUEST", f"{_who(g, shunt)} shown", shown

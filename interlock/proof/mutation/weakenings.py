@@ -249,6 +249,16 @@ def _swung_at_once(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]
         yield g, _with(c, old, replace(old, terms=(first, *old.terms[1:])))
 
 
+def _swings_at_another_number(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    c = lower(layout, table)
+    ask = c.symbols.requests.asked
+    for g, number in c.symbols.overlaps.swing_request.items():
+        for old in (e for e in c.equations if e.name.family is names.SWINGS_TO):
+            terms = tuple(replace(t, expr=ask(number + 1)) if t.expr is ask(number) else t for t in old.terms)
+            if terms != old.terms:
+                yield f"{g}: {old.name}", _with(c, old, replace(old, terms=terms))
+
+
 def _outputs(change: Callable[[Controller], Iterator[tuple[str, str, Expr]]]) -> Make:
     """One output shows something else."""
 
@@ -494,6 +504,8 @@ KINDS: tuple[Kind, ...] = (
         "the overlap's time runs before the train is wholly in",
         without("OTI", "wholly in", "rear released", "was used"),
     ),
+    Kind("swing-unasked", "an overlap swings although nobody asks for it", without(SWINGS, "requested")),
+    Kind("swing-misread", "an overlap swings at a number that names nothing", _swings_at_another_number),
     Kind("swing-before-train", "an overlap swings while a train is close", without(SWINGS, "no train close")),
     Kind(
         "swing-into-held",
