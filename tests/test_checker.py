@@ -5,13 +5,16 @@ from __future__ import annotations
 import hashlib
 import re
 import shutil
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 import yaml
 
+from interlock.app.init import yard
 from interlock.checker.check import agree, check, report
-from interlock.checker.formula import _clauses
+from interlock.checker.claims import unsaid
+from interlock.checker.formula import Formula, _clauses, clauses, every, leaf, no, some
 from interlock.checker.reading import loaded
 from interlock.checker.specification import shipped
 from interlock.checker.written import written
@@ -398,6 +401,61 @@ def test_a_key_that_stands_twice_is_read_by_nobody(text: str) -> None:
     reading, in layouts and in the specification."""
     with pytest.raises(yaml.YAMLError, match="stands twice"):
         loaded(text)
+
+
+@pytest.fixture
+def few(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """As in a yard of many tracks: what shows proceed over both arms of its diamonds makes too many clauses."""
+    monkeypatch.setattr("interlock.checker.formula.CLAUSES", 150)
+    monkeypatch.setattr("interlock.checker.claims.CLAUSES", 150)
+    _clauses.cache_clear()
+    yield
+    _clauses.cache_clear()
+
+
+def test_a_formula_that_both_have_is_not_taken_apart(few: None) -> None:
+    body, system, text = told(yard(8))
+    over = [x for id_, _, x in written(system).claims if id_ == "S-HOSTILE"]
+    assert any(clauses(x) == {frozenset({x})} for x in over), "one is too large"
+    assert "as specified" in agree(body, system, text, shipped()).compared[1]
+
+
+@pytest.mark.parametrize(("most", "why"), [(4000, ""), (150, "too large to tell")])
+def test_a_signal_that_is_left_out_at_a_diamond_is_missed(monkeypatch: pytest.MonkeyPatch, most: int, why: str) -> None:
+    """Whether the formula can be taken apart or not."""
+    monkeypatch.setattr("interlock.checker.formula.CLAUSES", most)
+    monkeypatch.setattr("interlock.checker.claims.CLAUSES", most)
+    _clauses.cache_clear()
+    body, system, text = told(yard(8))
+    shown = "(& (| YP_SE5 YY_SE5) at.Ef2n.N at.Ef2.N at.EM1.R)"
+    forged = [x.replace(shown, "F") if x.startswith("claim S-HOSTILE ") else x for x in system.splitlines()]
+    assert shown in system
+    with pytest.raises(Rejected, match=f"the claim S-HOSTILE lacks what the specification asks.*{why}"):
+        agree(body, "\n".join(forged), text, shipped())
+    _clauses.cache_clear()
+
+
+A, B, C, D = map(leaf, "abcd")
+SAID: dict[str, tuple[set[Formula], set[Formula], int]] = {
+    "the same": ({some((A, B))}, {some((A, B))}, 0),
+    "in another nesting": ({some((A, every((B, C))))}, {some((A, B)), some((C, A))}, 0),
+    "more": ({some((A, B))}, {A}, 0),
+    "less": ({A}, {some((A, B))}, 1),
+    "less of two": ({A, B}, {A, some((B, C))}, 1),
+    "what only a formula says that both have": (
+        {some((A, every((B, C)))), some((A, B, D))},
+        {some((A, every((B, C))))},
+        0,
+    ),
+    "nothing": ({A}, set(), 1),
+    "what cannot be": ({A, B}, {every(()), no(every(()))}, 0),
+}
+
+
+@pytest.mark.parametrize("which", SAID)
+def test_what_is_said_here_and_not_there(which: str) -> None:
+    wanted, found, many = SAID[which]
+    assert len(unsaid(wanted, found)) == many
 
 
 def test_a_formula_that_is_too_large_to_compare_is_refused_as_that(monkeypatch: pytest.MonkeyPatch) -> None:

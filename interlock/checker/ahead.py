@@ -61,11 +61,17 @@ class Ahead(Topology):
     def w_before_overlapped(self) -> list[str]:
         return [s for s in self.r.track.sections if self.w_overlapped_from(s)]
 
+    @cached_property
+    def _steps(self) -> frozenset[tuple[str, str, str]]:
+        """The signal of an overlap, and a section and its end over which the overlap goes on into the neighbour."""
+        steps = ((o.signal.name, a, b) for o in self.overlaps for a, b in pairwise(o.path.ways))
+        return frozenset(
+            (g, a.section, a.exit) for g, a, b in steps if b.section == self.r.track.beyond(a.section, a.exit)
+        )
+
     def _leads(self, h: Signal, s: str, j: str) -> bool:
         """An overlap goes on from a section over its end."""
-        ahead = self.r.track.beyond(s, j)
-        steps = (x for o in self.overlaps if o.signal == h for x in pairwise(o.path.ways))
-        return any(a.section == s and a.exit == j and b.section == ahead for a, b in steps)
+        return (h.name, s, j) in self._steps
 
     def w_within_overlap(self, h: Signal, s: str, j: str) -> Formula:
         return fact(self._leads(h, s, j))

@@ -38,12 +38,12 @@ def _said(name: str) -> str:
 
 def _names(text: Scan, w: Written) -> None:
     """What the text computes, nobody else defines; what it is given, nobody defines at all."""
-    free = [*text.inputs, *text.timers]
+    free, state = [*text.inputs, *text.timers], frozenset(w.state)
     for name in free:
-        taken = name in w.definitions or name in w.state or f"{name}{PRIME}" in w.definitions
+        taken = name in w.definitions or name in state or f"{name}{PRIME}" in w.definitions
         need(not taken, f"the written system defines {name}, which is an input or timer of the text")
     for name in (*text.outputs, *text.initial):
-        need(name in w.state, f"{name} of the text is no state of the written system")
+        need(name in state, f"{name} of the text is no state of the written system")
         need(f"{name}{PRIME}" in text.definitions, f"the text never computes {name}")
 
 
@@ -80,10 +80,10 @@ def _initial(text: Scan, w: Written) -> None:
     """The text's start is an initial state: what is said there of the controller is true of it."""
     for x in w.initial:
         about = set(names(x))
-        if about <= set(text.initial):
+        if about <= text.initial.keys():
             need(value(x, text.initial) is True, f"the text starts otherwise than written: {min(about)}")
         else:  # each condition is of the controller or of the world, so that neither narrows the other
-            need(not about & set(text.initial), f"an initial condition ties {min(about)} to the world")
+            need(about.isdisjoint(text.initial), f"an initial condition ties {min(about)} to the world")
 
 
 def _kept(text: Scan, w: Written) -> None:
@@ -105,7 +105,7 @@ def _kept(text: Scan, w: Written) -> None:
     for name, wanted in start.items():
         kept = known.get(name + PRIME) is wanted
         need(kept, f"{name} may change before the restart delay is over, but has one value as written")
-    tied = [x for x in w.initial if set(names(x)) <= set(text.initial) and (x[1] if x[0] == "!" else x)[0] != "v"]
+    tied = [x for x in w.initial if set(names(x)) <= text.initial.keys() and (x[1] if x[0] == "!" else x)[0] != "v"]
     shown = {same(leaf(y), _before(text.definitions[y + PRIME])) for y in text.outputs}
     need(all(x in shown for x in tied), "an initial condition of the controller is kept by no scan")
 

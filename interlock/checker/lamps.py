@@ -45,7 +45,7 @@ class Lamps(Ahead):
 
     def w_may_identify(self, g: Signal) -> Formula:
         """The layout gives it an identifier light."""
-        return fact(g in self._told_so("identifier", ("yes", "true")))
+        return fact(self.r.body["signals"][g.name].get("identifier") in ("yes", "true"))
 
     def w_passed_by(self, c: Calling, p: Path) -> list[Signal]:
         """The signal at the end of a train's path, if it may be passed at identifier light."""
@@ -132,6 +132,10 @@ class Lamps(Ahead):
 
     def w_opening(self) -> list[Signal]:
         """The signals from which some route leads, so that they have lamps at all; each has one for stop."""
+        return self._opening
+
+    @cached_property
+    def _opening(self) -> list[Signal]:
         for g in self.w_signals():
             dark = self.lamps(g, (*MAIN, *CALL_ON, *WHITE, *IDENTIFIER)) and f"YS_{g.safe}" not in self.state
             need(not dark, f"signal {g.name} has lamps, and none for stop")

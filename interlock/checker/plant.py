@@ -38,7 +38,7 @@ def compare(world: World, spec: Specification, wanted: Mapping[str, Formula], w:
         same = _alike(wanted[name], theirs[name], wanted)
         need(same, f"{name} is specified as {words(wanted[name])}; as written it is {words(theirs[name])}")
     known = {c for s in spec.initial for x in instances({**s, "must": s["says"]}, world) for c in clauses(x)}
-    told = [x for x in w.initial if not set(names(x)) & set(text.initial)]
+    told = [x for x in w.initial if text.initial.keys().isdisjoint(names(x))]
     for x in told:
         need(not missing(clauses(x), known), f"the initial states are narrower than specified: {words(x)}")
     return f"{len(wanted)} events and next values of the world, {len(told)} initial conditions as specified"

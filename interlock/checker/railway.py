@@ -104,6 +104,7 @@ class Run:
         return Path(tuple(w for p in self.parts for w in p.ways))
 
 
+@lru_cache(1 << 16)
 def safe(name: str) -> str:
     """A layout's name as part of a variable: what the page of the language says under "Names in PLC text"."""
     text = re.sub("[-/ ]", "_", name)

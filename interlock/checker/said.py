@@ -80,17 +80,21 @@ class Supposed:
     def _settle(self) -> bool:
         """Whether some part of a conjunction that is false is the one."""
         for x in list(self.loose):
-            parts = {y: self.value(y) for y in x[1]}
-            if False in parts.values():
-                self.loose.remove(x)
-                continue
-            open_ = [y for y, v in parts.items() if v is None]
-            if not open_:
-                raise _Contradiction
-            if len(open_) == 1:
+            open_: list[Formula] = []
+            for y in x[1]:
+                part = self.value(y)
+                if part is None:
+                    open_.append(y)
+                if part is False or len(open_) > 1:
+                    break
+            else:
+                if not open_:
+                    raise _Contradiction
                 self.loose.remove(x)
                 self._hold(open_[0], False)
                 return True
+            if part is False:
+                self.loose.remove(x)
         return False
 
     def value(self, x: Formula) -> bool | None:

@@ -117,10 +117,25 @@ class Protection(Added):
     def w_over_arm_two(self, d: Diamond) -> list[Way]:
         return self._over_arm(d, 1)
 
+    def _by_whom(self, ways: Iterable[Way]) -> dict[Calling, Formula]:
+        """Who shows proceed over one of these ways, and when."""
+        found: dict[Calling, list[Formula]] = {}
+        for x in (x for w in ways for x in self._over.get(w, ())):
+            found.setdefault(x.by, []).append(x.so)
+        return {who: some(so) for who, so in found.items()}
+
     def _between(self, a: Iterable[Way], b: Iterable[Way]) -> list[tuple[Formula, Formula]]:
-        """Two callings that show proceed, the one over one of the ways of `a`, the other over one of `b`."""
-        first, second = ([x for w in ways for x in self._over.get(w, ())] for ways in (a, b))
-        return [(x.so, y.so) for x in first for y in second if x.by != y.by]
+        """Two callings that show proceed, the one over one of the ways of `a`, the other over one of `b`.
+
+        They are not told pair by pair, whose number is the product of theirs: all that have ways of `a` alone are
+        against all of `b`, and whoever has ways of both against all others of `b`.
+        """
+        one, other = self._by_whom(a), self._by_whom(b)
+        found = [(some(x for who, x in one.items() if who not in other), some(other.values()))]
+        for who, x in one.items():
+            if who in other:
+                found.append((x, some(y for they, y in other.items() if they != who)))
+        return found
 
     def w_hostile_at_diamonds(self) -> list[tuple[Formula, Formula]]:
         those = self.r.drawn.diamonds.values()

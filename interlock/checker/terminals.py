@@ -212,6 +212,10 @@ class Terminals(Lamps):
 
     def w_identifier_routes(self) -> list[int]:
         """Those that are set with a route past their signal, and light its identifier."""
+        return self._identifier_routes
+
+    @cached_property
+    def _identifier_routes(self) -> list[int]:
         lit = {r for g in self.w_opening() if self.w_may_identify(g) == TRUE for r in self._routes_by(g, IDENTIFIER)}
         return sorted(lit - {r for g in self.w_opening() for r in self._routes_by(g, (*MAIN, *CALL_ON, *WHITE))})
 
@@ -246,7 +250,15 @@ class Terminals(Lamps):
         return [g for b in self._beyond(r) for g in self.w_signal_of_route(b)]
 
     def w_signal_of_route(self, r: int) -> list[Signal]:
-        return [g for g in self.w_opening() if r in self.w_routes_from(g)]
+        return self._signals_of_routes.get(r, [])
+
+    @cached_property
+    def _signals_of_routes(self) -> dict[int, list[Signal]]:
+        found: dict[int, list[Signal]] = {}
+        for g in self.w_opening():
+            for r in self.w_routes_from(g):
+                found.setdefault(r, []).append(g)
+        return found
 
     def w_asked_for(self, r: int) -> Formula:
         """A route is asked for by its number, or by that of one with which it is set."""

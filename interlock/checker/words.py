@@ -384,6 +384,10 @@ class Topology:
 
     def w_turning_ways(self) -> list[Way]:
         """Where a train that came in at an end may turn back, as if it had come in at another: once for each pair."""
+        return self._turning_ways
+
+    @cached_property
+    def _turning_ways(self) -> list[Way]:
         found: dict[tuple[str, str, str], Way] = {}
         for s in self.w_single_sections():
             for w in self.r.track.ways[s]:
