@@ -48,8 +48,8 @@ class MachineReading:
         return p.machine not in self._layout.machines.device and not self.is_derailer(p.machine)
 
     def is_derailer(self, m: MachineId) -> bool:
-        """Whether a machine is a derailer."""
-        return any(p.derailer for p in self._layout.machines.ends.get(m, ()))
+        """Whether a machine is a derailer, and works no points."""
+        return self._layout.machines.is_derailer(m)
 
     def derailers(self, r: RouteRow) -> str:
         """The derailers of a route, on or off."""

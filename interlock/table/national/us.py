@@ -166,6 +166,6 @@ def switch_table(layout: Layout, table: InterlockingTable) -> Sheet:
 
 def _kind_of(layout: Layout, m: MachineId) -> str:
     ends = layout.machines.ends[m]
-    if any(p.derailer for p in ends):
+    if layout.machines.is_derailer(m):
         return "derail"
     return "hand-worked, keyed" if any(p.work is Work.HAND for p in ends) else "switch"
