@@ -1,4 +1,4 @@
-"""Published interlocking tables of fifteen stations and lines, row by row; each proved and verified.
+"""Published interlocking tables of nineteen stations and lines, row by row; each proved and verified.
 
 python -m tests.campaigns.published [-o proofs/stations.md]
 
