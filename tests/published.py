@@ -40,8 +40,15 @@ STATIONS = (
     "munkerod",
     "swtbahnfull",
     "daidoji",
+    "dongjiao",
+    "ulanka",
+    "enohara",
+    "milton",
 )
-COLUMNS = ("route", "ends", "past", "decides", "points", "overlap", "clear", "locked", "hostile", "delay")
+COLUMNS = (
+    *("route", "ends", "past", "decides", "points", "flank", "driven"),
+    *("overlap", "clear", "foul", "locked", "hostile", "delay"),
+)
 ROLES = {Role.PATH: "", Role.DEVICE: "", Role.FLANK: " (flank)", Role.ADDED: " (added)", Role.OVERLAP: " (overlap)"}
 
 
@@ -124,9 +131,9 @@ class Station:
         """The positions of a row: `41 43R` are 41 N and 43 R; some words stand for others."""
         reads = self.about.get("reads", {})
         words = [w for cell in ("points", "crossings") for w in row.get(cell, "").split()]
-        return {self._position(x) for w in words for x in reads.get(w, w).split()}
+        return {self.position(x) for w in words for x in reads.get(w, w).split()}
 
-    def _position(self, word: str) -> str:
+    def position(self, word: str) -> str:
         return self.called("points", word[:-1] if word[-1] in "RN" else word) + (" R" if word[-1] == "R" else " N")
 
     def words(self, row: Mapping[str, str], column: str) -> set[str]:
@@ -233,8 +240,9 @@ def _row(s: Station, name: str) -> Iterator[Difference]:
     theirs = s.points(row)
     for d in _both(name, "points", theirs, set(roles)):
         yield Difference(name, d.column, d.side, d.item + (roles[d.item] if d.side == "derived" else ""))
+    beside = () if "foul" in s.columns else r.foul
     pieces = {
-        "clear": {str(c.section) for c in (*r.sections, *r.foul, *(r.demanded_clear or ()))},
+        "clear": {str(c.section) for c in (*r.sections, *beside, *(r.demanded_clear or ()))},
         "locked": set(map(str, r.section_ids)),
     }
     for column, mine in pieces.items():
@@ -258,6 +266,23 @@ def _more(s: Station, name: str) -> Iterator[Difference]:
         yield from _both(name, "decides", set(row["decides"].split()), chosen)
     if "overlap" in s.columns:
         yield from _both(name, "overlap", set(row["overlap"].split()), s.overlaps(name))
+    yield from _beside(s, name)
+
+
+def _beside(s: Station, name: str) -> Iterator[Difference]:
+    """What Chinese tables tell apart: protecting [ ] and driven points { }, and sections beside the path, each with the
+    position of a point in which it is asked for: `25DG:23/25` (<23/25>25DG)."""
+    row, r = s.published[name], s.derived[name]
+    mine = {
+        "flank": {f"{p.machine} {p.position}" for p in r.points if p.role is Role.FLANK},
+        "driven": {f"{p.machine} {p.position}" for p in r.driven},
+    }
+    for column, those in mine.items():
+        if column in s.columns:
+            yield from _both(name, column, {s.position(w) for w in row[column].split()}, those)
+    if "foul" in s.columns:
+        told = {f"{f.section}:{f.when[0]}{'R' * (f.when[1] == 'R')}" if f.when else str(f.section) for f in r.foul}
+        yield from _both(name, "foul", set(row["foul"].split()), told)
 
 
 UNTOLD = "-"

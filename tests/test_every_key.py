@@ -260,6 +260,7 @@ RESTRICTS: dict[str, Case] = {
     "derailer.outer": Case(DEVICES, TURNED, PLANT),
     "derailer.inner": Case(DEVICES, TURNED, PLANT),
     "derailer.legs": put(SHORT, "outer: sid.start}", "outer: sid.start, legs: 5}", "claim T-FOUL lacks"),
+    "derailer.machine": put(DEVICES, "outer: sid.start}", "outer: sid.start, machine: 9}", "ST_Gs1|Gs1"),
     "derailer.supervision": put(DEVICES, "outer: sid.start}", "outer: sid.start, supervision: 20}", PRESET),
     "device.over": forgot(DEVICES, "LC1: {over: [g4]}", "LC1: {over: [g5]}", PLANT),
     "device.supervision": forgot(DEVICES, "LC1: {over: [g4]}", "LC1: {over: [g4], supervision: 8}", "."),

@@ -347,3 +347,18 @@ def test_a_printed_sheet_has_no_empty_column_and_names_those_left_out() -> None:
     sslz = sheets("flank_lab")["de_sslz"]
     assert "Überwachte Ssp" in sslz.printed().empty and "T Zs3" in sslz.left_out
     assert len(next(csv.reader(io.StringIO(sheet_csv(sslz))))) == len(sslz.headings)  # a program finds every column
+
+
+@pytest.mark.parametrize(
+    ("profile", "form", "column"), [("uk", "uk_routes", "Route"), ("generic", "us_locking", "Entering signal")]
+)
+def test_signal_2_stands_before_signal_10(profile: str, form: str, column: str) -> None:
+    """Forms had S1, S10, S11 ... S2, as a computer sorts, and not as the signals are numbered."""
+    text = Path("tests/stations/milton.yaml").read_text("utf-8").replace("profile: uk", f"profile: {profile}")
+    made = grown(text)
+    assert made is not None
+    found = {s.key: s for s in national_sheets(made[0], made[1])}
+    entries = [re.sub(r"(?<=\d)[A-Z].*", "", r[column]) for r in told(found[form])]
+    assert list(dict.fromkeys(entries))[:4] == ["S1", "S2", "S3", "S4"] and entries[-3].startswith("S19")
+    points = told(found["uk_points" if profile == "uk" else "us_switches"])
+    assert [next(iter(r.values())) for r in points][:4] == ["3/34", "5/7", "8/32", "9/6"]

@@ -113,6 +113,29 @@ def test_past_the_last_signal_before_a_buffer_one_must_lead_back(tmp_path: Path)
     assert lints(tmp_path, one.replace("  S11:", "  M2: {from: P1b, into: P1}\n  S11:")) == []
 
 
+def test_a_slip_rail_that_its_machine_bars_is_warned_of(tmp_path: Path) -> None:
+    """A single slip with the machines of the points beside it: the straight way over it needs one of them in both
+    positions, and the routes from the down line to platforms 2 and 3 were lost in a note."""
+    text = Path("tests/stations/milton.yaml").read_text("utf-8")
+    assert lints(tmp_path, text) == []
+    head, _, rest = text.partition("crossings:\n")
+    slip = "single: 2a-1b, machines: [8/32, 3/34]"
+    rest = (
+        "slips:\n  S: {section: x34, arms: [[up.end, ue.start], [3.reverse, 8.reverse]], "
+        + slip
+        + "}\nsignals:"
+        + rest.partition("signals:")[2]
+    )
+    head = re.sub(r"  3[24]: .*\n", "", head).replace("reverse: X.2b, ", "").replace("reverse: 32.toe, ", "")
+    text = re.sub(r"  5-rh[12]: .*\n", "", head + rest)
+    (found,) = (d for d in checked(tmp_path, text).diagnostics if d.code == "IL4020")
+    assert "from S5 to S7: machine 8/32 is needed in both" in found.message and found.also[0].note == "S5 to S1"
+    allowed = text.replace("allow:", "allow:\n  - {lint: IL4020, at: [S5], reason: not run}")
+    assert lints(tmp_path, allowed) == []
+    own = text.replace("[8/32, 3/34]", "[32, 3/34]")
+    assert lints(tmp_path, own) == [] and "IL4005" in {d.code for d in checked(tmp_path, own).diagnostics}
+
+
 def test_a_platform_that_trains_cannot_leave(tmp_path: Path) -> None:
     text = Path("layouts/terminus.yaml").read_text("utf-8")
     assert lints(tmp_path, text.replace("  S12: {from: P2, into: T3}\n", "")) == [("IL4017", "B2"), ("IL7004", "P2")]

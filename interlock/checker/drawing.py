@@ -313,4 +313,4 @@ class _Drawer:
         rails = self._edge(f"{d}.off", d, off, 1.0, s)
         self.drawn.buffers.add(off)
         self.drawn.off_rails.add(off)
-        self.drawn.points[d] = Point(d, d, s, outer, rails, inner, 1.0)
+        self.drawn.points[d] = Point(d, str(v.get("machine") or d), s, outer, rails, inner, 1.0)

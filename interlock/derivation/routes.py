@@ -140,8 +140,8 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
     ahead: list[_Found] = []  # to signals that can be passed, whether or not a route may end there
     fits = [0] * len(layout.excluded)
     for g in layout.signals:
-        kept = 0
-        dropped: dict[str, list[Ways]] = {}
+        reached: set[str] = set()
+        dropped: list[_Dropped] = []
         for kind in RouteKind:
             passed = g.id in layout.identifiers
             of = {RouteKind.MAIN: g.main, RouteKind.SHUNT: g.shunt, RouteKind.CALL_ON: g.call_on}
@@ -153,28 +153,19 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
                 berth = kind is RouteKind.SHUNT and len(ways) > 1 and ways[-1].section in topo.berths
                 why = name if exit_kind is None else obstacle(layout, ways, ways[:-1] if berth else ways)
                 if exit_kind is None or why is not None:
-                    dropped.setdefault(why or name, []).append(ways)
+                    dropped.append(_Dropped(why or name, "" if exit_kind is None else name, ways))
                     continue
                 path = _Found(g, kind, name, exit_kind, ways)
                 out = [i for i, x in enumerate(layout.excluded) if _excludes(x, path)]
-                kept += 1
+                reached.add(name)
                 if kind in (RouteKind.MAIN, RouteKind.IDENTIFIER) and name in layout.identifiers:
                     ahead.append(path)
                 if not out:
                     found.append(path)
                 for i in out:
                     fits[i] += 1
-        for why, those in dropped.items():
-            over = [f"{g.id} over {', '.join(t.section for t in ways) or 'nothing'}" for ways in dict.fromkeys(those)]
-            for text in over:
-                sink.add(
-                    "IL4005",
-                    f"no route from {text}: {why}",
-                    about=Element("signals", g.id),
-                    cause=why,
-                    note=text,
-                )
-        if not kept and g.id not in layout.boards:
+        _tell_dropped(layout, g.id, dropped, reached, sink)
+        if not reached and g.id not in layout.boards:
             sink.add(
                 "IL4003",
                 f"no route leads from {called('signal', g.id)}",
@@ -189,6 +180,30 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
             fix = "remove it, or correct its ends"
             sink.add("IL2012", f"the exclusion ({x.reason}) fits no route", None, fix, about=Element("exclude", i))
     return _numbered(layout, found, sink)
+
+
+@dataclass(frozen=True)
+class _Dropped:
+    """A path that cannot be run, and why; `exit`: where it would have ended, empty where it ends nowhere."""
+
+    why: str
+    exit: str
+    ways: Ways
+
+
+def _tell_dropped(layout: Layout, g: SignalId, dropped: Sequence[_Dropped], reached: set[str], sink: Sink) -> None:
+    """IL4005 of every path of a signal that was left out; IL4020 where one machine is wanted in both positions, and no
+    other way leads there."""
+    about = Element("signals", g)
+    for d in dict.fromkeys(dropped):
+        over = ", ".join(t.section for t in d.ways) or "nothing"
+        if d.exit and d.exit not in reached and machine_positions(layout, d.ways) is None:
+            text = f"no route leads from {g} to {d.exit}: {d.why}, over {over}"
+            fix = "give one of the ends that it works a machine of its own, or exchange `normal` and `reverse` of one"
+            sink.add("IL4020", text, None, fix, about=about, cause=d.why, note=f"{g} to {d.exit}")
+        else:
+            text = f"{g} over {over}"
+            sink.add("IL4005", f"no route from {text}: {d.why}", about=about, cause=d.why, note=text)
 
 
 def _past(

@@ -110,6 +110,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL4017": (_W, "vehicles that only the end of their track keeps from points"),
     "IL4018": (_E, "a route to whose signal no train can come"),
     "IL4019": (_E, "a section that is demanded clear, and cannot be for that route"),
+    "IL4020": (_W, "a way that one machine bars, wanted in both positions"),
     "IL4012": (_I, "an addition that adds nothing"),
     "IL4010": (_I, "a flank with substitute protection"),
     "IL4009": (_W, "an overlap that was to swing and cannot"),
@@ -157,8 +158,8 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL7011": (_W, "a point that another route may keep from moving"),
 }
 
-LINTS: tuple[str, ...] = ("IL3012", "IL4017", *(code for code in CODES if code.startswith("IL7")))
-"""The warnings of usual practice, which `allow` can take away; of unused sections and unprotected spurs, too."""
+LINTS: tuple[str, ...] = ("IL3012", "IL4017", "IL4020", *(code for code in CODES if code.startswith("IL7")))
+"""The warnings that `allow` can take away: of usual practice, unused sections, unprotected spurs and barred ways."""
 
 
 def severity_of(code: str) -> Severity:

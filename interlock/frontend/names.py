@@ -59,9 +59,10 @@ def check_names(ctx: Context, sections: dict[str, Span]) -> None:
     declared = _declared(ctx)
     elements = [d for d in declared if d[0] != "track"] + [("section", n, s) for n, s in sections.items()]
     machines: dict[str, Span] = {}
-    for name, p in ctx.file.points.items():
-        if p.machine:
-            machines.setdefault(p.machine, ctx.at("points", name, "machine"))
+    for part, those in (("points", ctx.file.points), ("derailers", ctx.file.derailers)):
+        for name, spec in those.items():
+            if spec.machine:
+                machines.setdefault(spec.machine, ctx.at(part, name, "machine"))
     for name, slip in ctx.file.slips.items():
         for m in slip.machines or (f"{name}a", f"{name}b"):
             machines.setdefault(m, ctx.at_key("slips", name))

@@ -49,7 +49,7 @@ def build_derailer(w: Wirer, name: str, d: DerailerSpec) -> None:
     rails = w.edge(f"{name}.off", node, off, 1.0, d.section)
     w.out.buffers.append(Buffer(off, BufferKind.DERAIL))
     w.out.points.append(
-        Point(PointId(name), MachineId(name), node, outer, rails, inner, 1.0, Work.MOTOR, derailer=True)
+        Point(PointId(name), MachineId(d.machine or name), node, outer, rails, inner, 1.0, Work.MOTOR, derailer=True)
     )
 
 

@@ -125,6 +125,7 @@ class DerailerSpec(_Part):
         "the side on which vehicles stand that must not run off; without it, what names this end", None
     )
     inner: End | None = key("the side that it protects; without it, what names this end", None)
+    machine: Name | None = key("the machine, where one works points, too; without it, a machine of its own name", None)
     legs: Length | None = key("metres of track to either side; without it, the principle `leg_m`", None)
     xy: XY | None = place()
     supervision: Seconds | None = key(SUPERVISION, None)

@@ -42,6 +42,10 @@ class Machines(Collection[MachineId]):
     def __contains__(self, machine: object) -> bool:
         return machine in self.sections
 
+    def is_derailer(self, machine: MachineId) -> bool:
+        """Whether a machine works a derailer alone; one that works points, too, is told as points."""
+        return all(p.derailer for p in self.ends.get(machine, ())) and machine in self.ends
+
     def word(self, machine: MachineId, position: Position) -> str:
         """The position in the engineer's words."""
         normal = position is Position.NORMAL
@@ -49,6 +53,6 @@ class Machines(Collection[MachineId]):
             return "open" if normal else "closed"
         if machine in self.by_hand:
             return "locked by its key" if normal else "released by its key"
-        if any(p.derailer for p in self.ends[machine]):
+        if self.is_derailer(machine):
             return "on" if normal else "off"
         return "normal" if normal else "reverse"

@@ -6,12 +6,12 @@ the diagonal of M^T.M counts the routes over a section.
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 
 from interlock.model.elements import SectionId
 from interlock.table.printed import Printed
 from interlock.table.rows import InterlockingTable
+from interlock.table.runs import natural
 
 
 @dataclass(frozen=True)
@@ -37,24 +37,18 @@ def _products(rows: tuple[tuple[int, ...], ...]) -> tuple[tuple[int, ...], ...]:
     return tuple(tuple((a & b).bit_count() for b in bits) for a in bits)
 
 
-def _natural(name: str) -> tuple[tuple[int, int, str], ...]:
-    """Sort key in which q2 comes before q10."""
-    parts = re.findall(r"\d+|\D+", name)
-    return tuple((0, int(p), "") if p.isdigit() else (1, 0, p) for p in parts)
-
-
 def matrix(table: InterlockingTable, named_only: bool = False) -> Matrix:
     """M over all ways from entry to exit, or over the routes that the layout names.
 
     Overlaps are no part of M: the routes over one way, which differ in nothing else, have one row.
     """
-    sections = tuple(sorted({s for r in table.routes for s in r.section_ids}, key=_natural))
+    sections = tuple(sorted({s for r in table.routes for s in r.section_ids}, key=natural))
     picked: list[tuple[str, set[SectionId]]] = []
     for way in Printed(table).all:
         for n in [n for r in way.rows for n in r.names] if named_only else [way.id]:
             picked.append((n, set(way.rows[0].section_ids)))
     if named_only:
-        picked.sort(key=lambda x: _natural(x[0]))
+        picked.sort(key=lambda x: natural(x[0]))
     return Matrix(
         tuple(n for n, _ in picked), sections, tuple(tuple(int(s in used) for s in sections) for _, used in picked)
     )

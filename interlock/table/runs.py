@@ -1,4 +1,4 @@
-"""Names in a row: `S1 to S9` for nine names that differ in one number.
+"""Names in a row: `S1 to S9` for nine names that differ in one number, and in which order they are printed.
 
 A cell of a large yard has hundreds of names, which nobody reads and no sheet of paper holds.  A run stands for every
 name between its ends, and is written only where all of them are meant: whoever reads it needs no list of what there is.
@@ -15,6 +15,12 @@ TO = " to "
 _NUMBER = re.compile(r"(?<![0-9])(?:0|[1-9][0-9]{0,8})(?![0-9])")
 MEANING = ("S1 to S9", "every name from the first to the last, which differ in this one number: S1, S2, S3 and so on")
 """A run and what it means, for a legend."""
+
+
+def natural(name: str) -> tuple[tuple[int, int, str], ...]:
+    """Sort key in which S2 comes before S10, as things are numbered on the ground."""
+    parts = re.findall(r"\d+|\D+", name)
+    return tuple((0, int(p), "") if p.isdigit() else (1, 0, p) for p in parts)
 
 
 def legend(rows: Iterable[Sequence[str]]) -> tuple[tuple[str, str], ...]:

@@ -109,7 +109,7 @@ def equipment_csv(layout: Layout, a: Allocation) -> str:
     kinds["stop board"] = sum(g in layout.stops for g in layout.boards)
     kinds["limit-of-shunt board"] = sum(g not in layout.stops for g in layout.boards)
     hand = {p.machine for p in layout.points if p.work is Work.HAND}
-    derailers = {p.machine for p in layout.points if p.derailer}
+    derailers = {m for m in layout.machines.ends if layout.machines.is_derailer(m)}
     motors = [m for m in layout.machines.ends if m not in hand]
     kinds["call-on lamp"] = sum(g.call_on for g in layout.signals)
     kinds["identifier light"] = len(layout.identifiers)

@@ -3,6 +3,7 @@ IL3014, IL3026."""
 
 from __future__ import annotations
 
+from interlock.diag import Span
 from interlock.frontend.context import Context
 from interlock.frontend.parts import one_motor, points_of
 from interlock.model.layout import Layout
@@ -25,8 +26,8 @@ def check_machines(ctx: Context, layout: Layout) -> None:
             ctx.add(
                 "IL3014",
                 f"the machine {machine} works {len(ends)} ends: {', '.join(p.id for p in ends)}",
-                ctx.at("points", ends[-1].id, "machine"),
-                "a machine works one end, the two of a crossover, or all blades of one slip",
+                _written(ctx, ends[-1].id),
+                "a machine works one end, the two of a crossover, points with a derailer, or all blades of one slip",
             )
         for p in ends:
             if str(machine) in named and str(machine) != str(p.id):
@@ -35,5 +36,10 @@ def check_machines(ctx: Context, layout: Layout) -> None:
                     where = ctx.at("slips", swapped, "machines")
                     fix = "`blades: near` names them the other way round, by the ends at which their blades lie"
                 else:
-                    where, fix = ctx.at("points", p.id, "machine"), "give the pair a name of its own, for instance 201"
+                    where, fix = _written(ctx, p.id), "give the pair a name of its own, for instance 201"
                 ctx.add("IL2002", f"the machine of {p.id} bears the name of the point {machine}", where, fix)
+
+
+def _written(ctx: Context, point: str) -> Span:
+    """Where the machine of a point or derailer is written."""
+    return ctx.at("derailers" if point in ctx.file.derailers else "points", point, "machine")

@@ -22,6 +22,7 @@ from interlock.table.rows import (
     Role,
     RouteRow,
 )
+from interlock.table.runs import natural
 
 ON_PATH = (Role.PATH, Role.OVERLAP)
 
@@ -48,8 +49,8 @@ class MachineReading:
         return p.machine not in self._layout.machines.device and not self.is_derailer(p.machine)
 
     def is_derailer(self, m: MachineId) -> bool:
-        """Whether a machine is a derailer."""
-        return any(p.derailer for p in self._layout.machines.ends.get(m, ()))
+        """Whether a machine is a derailer, and works no points."""
+        return self._layout.machines.is_derailer(m)
 
     def derailers(self, r: RouteRow) -> str:
         """The derailers of a route, on or off."""
@@ -208,7 +209,7 @@ class Reading:
 
     def stops(self, r: RouteRow) -> list[str]:
         """The signals that protect the flank of a route at stop."""
-        return sorted({p.name for c in r.flank for p in c.providers if p.kind is ProviderKind.SIGNAL})
+        return sorted({p.name for c in r.flank for p in c.providers if p.kind is ProviderKind.SIGNAL}, key=natural)
 
     def opposing(self, r: RouteRow) -> list[Opposing]:
         """The opposing routes that stay in the way of a route although, or after, the points are free.

@@ -8,6 +8,7 @@ from typing import Generic, TypeVar
 
 from interlock.table.printed import PrintedRoute, joined, parts
 from interlock.table.rows import RouteRow
+from interlock.table.runs import natural
 
 R = TypeVar("R")
 Cell = str | tuple[str, ...]
@@ -110,9 +111,10 @@ def by_way(
     ways: Iterable[PrintedRoute],
     mark: Callable[[PrintedRoute, RouteRow], str] = PrintedRoute.mark,
 ) -> tuple[tuple[Heading, ...], tuple[tuple[str, ...], ...]]:
-    """Headings, and a row for each way with its overlaps."""
+    """Headings, and a row for each way with its overlaps, in the order in which signals are numbered."""
     columns = tuple(fields)
-    return tuple(f.heading for f in columns), route_rows(ways, lambda _, r: tuple(f.text(r) for f in columns), mark)
+    listed = sorted(ways, key=lambda w: natural(w.rows[0].entry))
+    return tuple(f.heading for f in columns), route_rows(listed, lambda _, r: tuple(f.text(r) for f in columns), mark)
 
 
 def route_rows(

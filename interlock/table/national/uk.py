@@ -17,6 +17,7 @@ from interlock.table.national.reading import ON_PATH, Opposing, Reading
 from interlock.table.national.sheet import Field, Heading, Sheet, by_way, filled
 from interlock.table.printed import PrintedRoute
 from interlock.table.rows import HostileClass, InterlockingTable, PointDemand, Role, RouteKind, RouteRow, Shows
+from interlock.table.runs import natural
 
 SOURCE = "after the columns of the IRSE examination's control tables, as its study forum describes them"
 CLASS = {RouteKind.MAIN: "M", RouteKind.SHUNT: "S", RouteKind.CALL_ON: "C", RouteKind.IDENTIFIER: "part"}
@@ -238,7 +239,7 @@ def points_table(layout: Layout, table: InterlockingTable) -> Sheet:
             lambda m: ", ".join(layout.machines.sections[m]),
         ),
     )
-    headings, rows = filled(fields, sorted(layout.machines.ends))
+    headings, rows = filled(fields, sorted(layout.machines.ends, key=natural))
     title = Heading("Control table: points", "控制表：道岔", "Kontrolltabelle: Weichen")
     return Sheet(
         "uk_points",

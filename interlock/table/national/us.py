@@ -11,7 +11,7 @@ from interlock.model.times import supervision_s
 from interlock.table.national.reading import Reading
 from interlock.table.national.sheet import Field, Heading, Sheet, by_way, filled
 from interlock.table.rows import ExitKind, InterlockingTable, Role, RouteKind, RouteRow, Shows
-from interlock.table.runs import in_runs, legend
+from interlock.table.runs import in_runs, legend, natural
 
 SOURCE = "after usual American practice; no worked example was at hand, and no standard was read"
 _KINDS = {RouteKind.MAIN: "train", RouteKind.SHUNT: "shunt", RouteKind.CALL_ON: "call-on", RouteKind.IDENTIFIER: "part"}
@@ -29,7 +29,7 @@ def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
 
 def _conflicting(x: Reading, r: RouteRow) -> tuple[str, ...]:
     entries = {x.table.route[h].entry for h in r.hostile.routes}
-    return tuple(in_runs(sorted(entries - {r.entry})))
+    return tuple(in_runs(sorted(entries - {r.entry}, key=natural)))
 
 
 def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
@@ -159,13 +159,13 @@ def switch_table(layout: Layout, table: InterlockingTable) -> Sheet:
         Field(Heading("Reverse, protecting", "反位防护", "− Flankenschutz"), lambda m: by(m, reverse, True)),
         Field(Heading("Supervision (s)", "监视 (s)", "Überwachung (s)"), lambda m: f"{supervision_s(layout, m):g}"),
     )
-    headings, rows = filled(fields, sorted(layout.machines.ends))
+    headings, rows = filled(fields, sorted(layout.machines.ends, key=natural))
     title = Heading("Switch table", "道岔表", "Weichentabelle")
     return Sheet("us_switches", "en", title, headings, rows, False, SOURCE, ("type of machine", "lock rods"))
 
 
 def _kind_of(layout: Layout, m: MachineId) -> str:
     ends = layout.machines.ends[m]
-    if any(p.derailer for p in ends):
+    if layout.machines.is_derailer(m):
         return "derail"
     return "hand-worked, keyed" if any(p.work is Work.HAND for p in ends) else "switch"

@@ -1,0 +1,80 @@
+"""A derailer that one machine works together with points: on while they lie normal, off while they lie reverse."""
+
+from __future__ import annotations
+
+from interlock.checker import specification
+from interlock.checker.check import agree
+from interlock.diag import Sink
+from interlock.frontend import load_text
+from interlock.logic.lower import lower
+from interlock.model.elements import MachineId, Position
+from interlock.proof.engines.limits import Limits
+from interlock.proof.prover import prove
+from interlock.proof.system.transition import System
+from interlock.table.national.reading import Reading
+from tests.layouts import grown
+from tests.written import told
+
+SPUR = """interlock: 1
+name: spur
+boundaries:
+  W: {approach: wa 300}
+  E: {approach: ea 300}
+buffers: [B]
+tracks:
+  west: [W, q1 100]
+  east: [q3 100, E]
+  side: [s1 100, B]
+points:
+  3: {section: q2, toe: west.end, normal: east.start, reverse: Vk1.inner, machine: 3/Vk1}
+derailers:
+  Vk1: {section: q2, outer: side.start, machine: 3/Vk1}
+signals:
+  L: {from: W, into: q1}
+  L1: {from: q1, into: q2, kind: combined}
+  S: {from: E, into: q3}
+  S1: {from: q3, into: q2}
+  S2: {from: s1, into: q2, kind: combined}
+"""
+
+
+def test_it_is_proved_and_the_second_checker_reads_it_so() -> None:
+    made = grown(SPUR)
+    assert made is not None and not made[2].has_errors
+    layout, table, _ = made
+    assert list(layout.machines.ends) == ["3/Vk1"]
+    assert prove(System(layout, lower(layout, table)), Limits(search_s=0)).proved
+    assert agree(*told(SPUR), specification.shipped()).left == ()
+    over = {str(p.position) for r in table.routes if r.entry == "S2" for p in r.points}
+    past = {str(p.position) for r in table.routes if r.entry == "S1" for p in r.points}
+    assert (over, past) == ({"R"}, {"N"})
+
+
+def test_a_layout_whose_derailer_has_a_machine_of_its_own_is_another() -> None:
+    assert agree(*told(SPUR), specification.shipped()).left == ()
+    apart = SPUR.replace("side.start, machine: 3/Vk1}", "side.start}")
+    made = grown(apart)
+    assert made is not None and list(made[0].machines.ends) == ["3/Vk1", "Vk1"]
+
+
+def test_forms_and_lists_tell_it_as_points() -> None:
+    """Its machine stood in no column of points: what has a derailer was taken for nothing else."""
+    made = grown(SPUR)
+    assert made is not None
+    layout, table, _ = made
+    reading = Reading(layout, table).machines
+    r = next(r for r in table.routes if r.entry == "S1")
+    assert reading.points(r, Position.NORMAL) == "3/Vk1" and reading.derailers(r) == ""
+    assert layout.machines.word(MachineId("3/Vk1"), Position.REVERSE) == "reverse"
+
+
+def test_a_machine_that_works_three_ends_is_told_where_it_is_written() -> None:
+    sink = Sink()
+    text = SPUR.replace("outer: side.start", "outer: P.normal").replace("points:", "  two: [s2 100, C]\npoints:")
+    text = text.replace("[B]", "[B, C]").replace(
+        "derailers:", "  P: {section: q2, toe: side.start, reverse: two.start, machine: 3/Vk1}\nderailers:"
+    )
+    load_text("a.yaml", text, sink)
+    found = next(d for d in sink.diagnostics if d.code == "IL3014")
+    line = text.splitlines()[found.span.line - 1]
+    assert line[found.span.column - 1 :].startswith("3/Vk1") and "Vk1: {" in line
