@@ -173,7 +173,9 @@ def test_a_signal_that_closes_says_what_has_closed_it(at_work: tuple[Desk, Any])
 def test_points_that_nobody_has_commanded_are_supervised_too(ready: Ready) -> None:
     """After a restart nothing is commanded, and the controller supervises what it commands: what loses its detection
     then would be told of only when a route over it is refused."""
-    with panel(ready) as (_, browser), browser() as b:
+    with panel(ready) as (desk, browser), browser() as b:
+        published: list[set[str]] = []
+        desk.publish = lambda cycle, alarms: published.append(set(alarms))
         b.ask("speed", times=10)
         b.until(lambda: b.rest["sys"]["valid"])
         assert b.state["m:P4"][:2] == ["N", ""]  # never commanded
@@ -185,6 +187,7 @@ def test_points_that_nobody_has_commanded_are_supervised_too(ready: Ready) -> No
         b.ask("fail", kind="machine", name="P4", on=False)
         b.until(lambda: b.state["m:P4"][0] == "N" and not b.rest["alarms"][1][4])
         assert not b.state["m:P4"][3]
+        assert {"start"} in published and {"start", "idle P4"} in published and "idle P4" not in published[-1]
 
 
 def test_trains_are_put_driven_turned_and_divided(at_work: tuple[Desk, Any]) -> None:
