@@ -471,6 +471,21 @@ def test_nothing_moves_under_the_mouse(chromium: Any, tmp_path: Path, at: str, s
         still("#power.good")
 
 
+def test_two_alarms_are_read_whole_on_a_small_desktop(chromium: Any, tmp_path: Path) -> None:
+    """Each is as long as alarms are, and the box of trains is there: none is cut."""
+    with worked(chromium, quick(tmp_path)) as (desk, page):
+        assert desk.field is not None
+        page.set_viewport_size({"width": 1280, "height": 760})
+        desk.field.stock.stand("s2", desk.browsers.still["stands"]["s2"][0], 50.0, "stands")
+        page.wait_for_selector("#trains li")
+        for _ in range(2):
+            desk._once("the controller starts: every section stays locked until it is released")
+        page.wait_for_selector("#alarms li:nth-child(3)")
+        assert page.evaluate("""() => { const b = document.getElementById("alarms").getBoundingClientRect();
+            return [...document.querySelectorAll("#alarms li:nth-child(-n+2)")].map(e => e.getBoundingClientRect())
+                .filter(r => r.bottom > b.bottom || r.top < b.top).length; }""") == 0
+
+
 WHEN = """([box, word, act]) => new Promise(done => new MutationObserver((_, o) => {
     if (!document.querySelector(box).textContent.includes(word)) return;
     o.disconnect();

@@ -177,9 +177,9 @@ function log(e, old) {
 
 const wrong = new Rows($("alarms"), () => {
   const b = button("Acknowledge", () => b.does());
-  return element("li", "", element("b", ""), b, element("span", ""));
+  return element("li", "", b, element("b", ""), element("span", ""));
 }, (row, [key, text, where, since, active, who]) => {
-  const [head, b, words] = row.children;
+  const [b, head, words] = row.children;
   head.textContent = head.title = [clock(since), active ? "" : "over", who ? `seen by ${who}` : ""].filter(Boolean).join(", ");
   words.textContent = text;
   row.className = `${active ? "active" : ""} ${who ? "" : "new"}`;
