@@ -84,7 +84,7 @@ class Registers:
         """A row for each register, discrete input and request."""
         rows = self._rows()
         for k, (name, half) in enumerate(zip(_DIGEST, self.digest, strict=True), len(_HEAD)):
-            text = f"always {half}: with another value it is the table of another layout that is needed"
+            text = f"always {half}: what reads otherwise belongs to another layout, and so to another table"
             rows.insert(k, ("input register", str(k), name, text))
         return rows
 
