@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
+import resource
 import signal
 import subprocess
 import sys
@@ -38,9 +39,22 @@ def process(*args: str) -> subprocess.CompletedProcess[str]:
 
 def test_help_names_every_verb_and_the_first_command() -> None:
     done = process("--help")
-    assert done.returncode == 0 and "interlock compile layouts/mine11.yaml" in done.stdout
+    assert done.returncode == 0 and "interlock init -o NAME.yaml" in done.stdout
     for verb in VERBS:
         assert f"  {verb} " in done.stdout
+
+
+def test_where_there_is_no_room_what_was_there_stays(tmp_path: Path) -> None:
+    """A plan that does not fit leaves the one of before, and nothing half-written."""
+    plan = tmp_path / "plan.svg"
+    args = (sys.executable, "-m", "interlock", "draw", "layouts/fig2_2.yaml", "-o", str(plan))
+    small = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000))  # noqa: E731
+    full = subprocess.run(args, capture_output=True, text=True, check=False, preexec_fn=small)
+    assert full.returncode == 1 and "File too large" in full.stderr and not list(tmp_path.iterdir())
+    assert subprocess.run(args, capture_output=True, check=False).returncode == 0
+    before = plan.read_bytes()
+    full = subprocess.run(args, capture_output=True, text=True, check=False, preexec_fn=small)
+    assert full.returncode == 1 and plan.read_bytes() == before and list(tmp_path.iterdir()) == [plan]
 
 
 def test_nothing_said_is_lost_at_the_end(tmp_path: Path) -> None:
@@ -172,7 +186,8 @@ def test_a_folder_that_is_not_ours_is_left_alone(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "text"), [("notes.txt", "what I noticed"), ("st/old.st", "(* mine *)"), ("manifest.json", '{"name": "mine"}')]
+    ("name", "text"),
+    [("notes.txt", "what I noticed"), ("st/old.st", "(* mine *)"), ("manifest.json", '{"name": "mine"}')],
 )
 def test_what_somebody_keeps_among_the_outputs_is_left_alone(tmp_path: Path, name: str, text: str) -> None:
     """A folder is replaced as a whole: not one with a file in it that interlock has not written."""

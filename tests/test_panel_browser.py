@@ -481,9 +481,12 @@ def test_two_alarms_are_read_whole_on_a_small_desktop(chromium: Any, tmp_path: P
         for _ in range(2):
             desk._once("the controller starts: every section stays locked until it is released")
         page.wait_for_selector("#alarms li:nth-child(3)")
-        assert page.evaluate("""() => { const b = document.getElementById("alarms").getBoundingClientRect();
+        assert (
+            page.evaluate("""() => { const b = document.getElementById("alarms").getBoundingClientRect();
             return [...document.querySelectorAll("#alarms li:nth-child(-n+2)")].map(e => e.getBoundingClientRect())
-                .filter(r => r.bottom > b.bottom || r.top < b.top).length; }""") == 0
+                .filter(r => r.bottom > b.bottom || r.top < b.top).length; }""")
+            == 0
+        )
 
 
 WHEN = """([box, word, act]) => new Promise(done => new MutationObserver((_, o) => {

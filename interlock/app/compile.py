@@ -5,6 +5,7 @@ Nothing here prints.  PLC text is written only when everything is proved, or mar
 
 from __future__ import annotations
 
+import errno
 import json
 import time
 from collections.abc import Sequence
@@ -155,6 +156,8 @@ def finish(checked: Checked, files: dict[str, bytes]) -> dict[str, bytes]:
     )
 
 
+NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+"""What a system says where nothing more can be stored."""
 ELSEWHERE = "move away what is yours, or choose another folder with -o"
 """What to do where a folder is not replaced."""
 
@@ -217,7 +220,8 @@ def _delivered(target: Path, files: dict[str, bytes], span: Span | None) -> list
         write_folder(target, files)
     except OSError as error:
         text = f"{target}: {error.strerror}"
-        return [Diagnostic("IL5004", Severity.ERROR, text, span, "check the folder and its permissions")]
+        fix = "make room there" if error.errno in NO_ROOM else "check the folder and its permissions"
+        return [Diagnostic("IL5004", Severity.ERROR, text, span, fix)]
     return []
 
 

@@ -220,7 +220,7 @@ def _run(
     "--operator-modbus",
     "operator_modbus",
     metavar="[HOST:]PORT",
-    help="The operator's place on Modbus TCP: words of routes, outputs and alarms; without a host on this computer only.",
+    help="The operator's place on Modbus TCP: words of routes, outputs, alarms; without a host on this computer only.",
 )
 @click.option(
     "--operator-requests",
