@@ -257,6 +257,14 @@ def test_explain() -> None:
     assert json.loads(run("explain", "IL4001", "--format", "json").output)[0]["severity"] == "error"
 
 
+def test_pages_are_read_where_the_wheel_is() -> None:
+    """What a message sends somebody to is there: a wheel has no folder docs that anybody finds."""
+    listed = {line.split()[0] for line in run("explain").output.splitlines()}
+    assert {"panel", "dispatch", "language", "plc", "record", "library", "shift"} <= listed
+    assert run("explain", "dispatch").output == Path("interlock/docs/dispatch.md").read_text("utf-8")
+    assert "`interlock explain dispatch` has its keys" in run("blocks", "layouts/fig2_2.yaml").output
+
+
 def test_explain_knows_diagnostics_rules_claims_assumptions_and_principles() -> None:
     known = {line.split()[0] for line in run("explain").output.splitlines()}
     assert {*CODES, *CLAIMS, *ASSUMPTIONS, *KNOBS, "R1", "R18"} <= known

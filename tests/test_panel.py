@@ -9,6 +9,7 @@ import signal
 import socket
 import threading
 from collections.abc import Iterator
+from datetime import datetime
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -25,6 +26,7 @@ from interlock.cli.panel import opened
 from interlock.field.alone import InUse
 from interlock.panel.clock import MOST_S, Clock
 from interlock.panel.desk import Desk
+from interlock.panel.event import Event
 from interlock.panel.journal import page, trace
 from interlock.panel.operating import Person
 from interlock.panel.recorder import Recorder
@@ -464,6 +466,36 @@ def test_a_shift_is_recorded_printed_and_played(ready: Ready, tmp_path: Path, mo
     assert done.exit_code == 1 and "something was changed" in done.output
     with pytest.raises(ValueError, match="something was changed"):
         Recorder(path, ready)
+
+
+def test_nothing_is_left_out_of_a_night_or_where_the_clock_is_set_back(
+    ready: Ready, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def recorded(name: str, hours: list[float]) -> Path:
+        """One event at each hour after midnight, and the end a minute after the last."""
+        now = [datetime(2026, 3, 3).timestamp() + 3600 * hours[0]]
+        monkeypatch.setattr("interlock.panel.recorder.time.time", lambda: now[0])
+        recorder = Recorder(tmp_path / name, ready)
+        for k, hour in enumerate(hours):
+            now[0] = datetime(2026, 3, 3).timestamp() + 3600 * hour
+            recorder.event(Event("note", f"event {k}"))
+        now[0] += 60
+        recorder.close()
+        return tmp_path / name
+
+    def played(log: Path, *more: str) -> tuple[int, str]:
+        made = tmp_path / "page.html"
+        done = CliRunner().invoke(cli, ["play", str(log), *more, "-o", str(made)])
+        return done.exit_code, made.read_text("utf-8") if done.exit_code == 0 else done.output
+
+    back = recorded("back.log", [8.0, 9.0, 7.0, 7.5])
+    for more in ([], ["--journal"]):
+        text = played(back, *more)[1]
+        assert all(f"event {k}" in text for k in range(4)) and "was set back by 7200 s" in text
+    night = recorded("night.log", [22.0, 23.5, 26.0, 29.0])
+    text = played(night, "--journal", "--from", "23:00", "--to", "02:30")[1]
+    assert [k for k in range(4) if f"event {k}" in text] == [1, 2] and "set back" not in text
+    assert played(night, "--from", "23:40", "--to", "23:00") == (1, "error: --to 23:00 is before --from 23:40\n")
 
 
 def test_two_panels_do_not_write_one_record(ready: Ready, tmp_path: Path) -> None:
