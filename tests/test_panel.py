@@ -9,6 +9,7 @@ import signal
 import socket
 import threading
 from collections.abc import Iterator
+from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
 from random import Random
@@ -32,7 +33,7 @@ from interlock.panel.operating import Person
 from interlock.panel.recorder import Recorder
 from interlock.panel.server import FILES, Access, application, listening, serve
 from interlock.panel.simulated import SimulatedField
-from interlock.record.log import read_file
+from interlock.record.log import Log, read_file
 from tests.layouts import SHIPPED
 from tests.panels import panel, proved, quick, unproved
 
@@ -496,6 +497,21 @@ def test_nothing_is_left_out_of_a_night_or_where_the_clock_is_set_back(
     text = played(night, "--journal", "--from", "23:00", "--to", "02:30")[1]
     assert [k for k in range(4) if f"event {k}" in text] == [1, 2] and "set back" not in text
     assert played(night, "--from", "23:40", "--to", "23:00") == (1, "error: --to 23:00 is before --from 23:40\n")
+
+
+def test_a_record_of_something_else_is_not_gone_on_with(ready: Ready, tmp_path: Path) -> None:
+    """What is recorded from now on would be told with the plan, and under the digest, of something else."""
+    of_a_shift, of_before = tmp_path / "shift.log", tmp_path / "before.log"
+    with Log.create(of_a_shift) as log:
+        log.add(0, "begin", what="shift", layout="heishan")
+    with pytest.raises(ValueError, match=r"shift\.log is no record of a panel: choose another file"):
+        Recorder(of_a_shift, ready)
+    assert ready.table is not None
+    changed = replace(ready, table=replace(ready.table, layout_digest="another"))
+    Recorder(of_before, changed).close()
+    with pytest.raises(ValueError, match="heishan as it was before its layout was changed: choose another file"):
+        Recorder(of_before, ready)
+    assert len(read_file(of_a_shift).events) == 1 and len(read_file(of_before).events) == 2
 
 
 def test_two_panels_do_not_write_one_record(ready: Ready, tmp_path: Path) -> None:

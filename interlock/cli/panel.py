@@ -70,6 +70,8 @@ def run_panel(
     _say({"panel": at + (f"#token={access.operate}" if access.operate else "")}, form)
     if access.look:
         _say({"to look": f"{at}#token={access.look}"}, form)
+    if ipaddress.ip_address(host).is_unspecified:
+        _say({"from elsewhere": f"write the name of this computer instead of {host}"}, form)
     _say({"record": str(record)}, form)
     for ending in (signal.SIGTERM, signal.SIGHUP):
         signal.signal(ending, _end)

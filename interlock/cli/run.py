@@ -44,6 +44,8 @@ def _links(ready: Ready, given: tuple[str, ...]) -> dict[str, Link]:
             raise click.UsageError(f"{text}: write SUBSTATION=HOST:PORT[/DEVICE]; substations: {', '.join(stations)}")
         if not (0 < int(port) < 65536 and int(device or 1) < 256):
             raise click.UsageError(f"{text}: a port is between 1 and 65535, a device between 0 and 255")
+        if station in links:
+            raise click.UsageError(f"{text}: --modbus says twice where {station} is")
         places.append(f"{host}:{port}/{device or 1}")
         links[station] = ModbusLink(ready.allocation, station, host, int(port), int(device or 1))
     missing = sorted(set(stations) - set(links))

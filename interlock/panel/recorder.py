@@ -72,7 +72,7 @@ class Recorder:
         self._left: Log | None = None
         """Where writing had to stop."""
         try:
-            self._open(str(ready.layout.name))
+            self._open(str(ready.layout.name), ready.table.layout_digest)
         except (OSError, ValueError):
             self._let_go()
             raise
@@ -86,15 +86,24 @@ class Recorder:
             views=views(ready),
         )
 
-    def _open(self, layout: str) -> None:
-        """Begin the log, or go on with it."""
+    def _open(self, layout: str, digest: str) -> None:
+        """Begin the log, or go on with it: one of another kind, or of the layout as it was, would be told wrongly."""
         if not self.path.exists():
             self._log = Log.create(self.path)
             return
         self._log, found = Log.resume(self.path)
-        first = found.events[0] if found.events else {}
-        if first.get("layout") not in (None, layout):
-            raise ValueError(f"{self.path} is the record of {first.get('layout')}")
+        first = found.events[0] if found.events else None
+        if first is not None:
+            wrong = ""
+            if "views" not in first:
+                wrong = f"{self.path} is no record of a panel"
+            elif first.get("layout") != layout:
+                wrong = f"{self.path} is the record of {first.get('layout')}"
+            elif first.get("digest") != digest:
+                wrong = f"{self.path} is the record of {layout} as it was before its layout was changed"
+            if wrong:
+                self._log.close()
+                raise ValueError(f"{wrong}: choose another file")
         self.releases = sum(e["kind"] == "release" for e in found.events)
 
     def _let_go(self) -> None:
