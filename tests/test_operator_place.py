@@ -279,19 +279,29 @@ def test_without_a_panel_alarms_are_said_and_reach_the_registers(ready: Ready) -
     assert list(typed.after(Cycle(lies, {}, True, ()))) == [] and told[1:] == [{"alarm": text, "stands": False}]
 
 
-def test_a_port_that_is_taken_is_told() -> None:
+def test_a_port_that_is_taken_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with served() as (place, _):
         second = OperatorPlace(place.registers, *place.place)
-        with pytest.raises(OSError):
+        with pytest.raises(OSError, match="Address already in use"):
             second.start()
         second.stop()
+        more = ["--panel", "--port", "0", "--operator-modbus", str(place.place[1])]
+        layout = Path("layouts/fig2_2.yaml").resolve()
+        monkeypatch.chdir(tmp_path)
+        done = CliRunner().invoke(cli, ["run", str(layout), *more])
+        assert done.exit_code == 2 and "Address already in use" in done.output
+        assert not list(tmp_path.iterdir()), "a run that cannot begin leaves no record"
 
 
 def test_the_table_of_registers_is_written(tmp_path: Path) -> None:
     file = tmp_path / "fig2_2.csv"
     done = CliRunner().invoke(cli, ["export", "layouts/fig2_2.yaml", "--registers", "-o", str(file)])
     assert done.exit_code == 0, done.output
-    rows = list(csv.DictReader(file.open(encoding="utf-8")))
+    *rows, mark = list(csv.DictReader(file.open(encoding="utf-8")))
+    assert mark["Kind"] == "note" and mark["Meaning"].startswith("written by interlock, sha256 ")
+    assert CliRunner().invoke(cli, ["export", "layouts/fig2_2.yaml", "--registers", "-o", str(file)]).exit_code == 0
+    file.write_text(file.read_text("utf-8").replace("YX_R1", "YX_R9"), "utf-8")
+    assert CliRunner().invoke(cli, ["export", "layouts/fig2_2.yaml", "--registers", "-o", str(file)]).exit_code == 1
     at = {(r["Kind"], r["Name"]): r["Address"] for r in rows}
     assert at["input register", "YX_R1"] == str(FIRST) and at["holding register", "REQUEST"] == "0"
     assert at["request", "set X2-C"] == "1 3" and ("discrete input", "YP_X2") in at

@@ -301,9 +301,10 @@ def test_tokens_origins_and_rubbish(ready: Ready) -> None:
             assert b.rest["hello"]["operates"]
         with browser(token="see") as b:
             assert not b.rest["hello"]["operates"]
-        for hello in ({"token": "wrong"}, {"token": ""}, {"name": 3}):
+        no_token, another = "this panel asks for a token", "this token is none of this panel's"
+        for hello, why in (({"token": "wrong"}, another), ({"token": ""}, no_token), ({"name": 3}, no_token)):
             with browser(**hello) as b:
-                assert "still" not in b.rest
+                assert "still" not in b.rest and b.refused == why
                 with pytest.raises(WebSocketDisconnect):
                     b.hear()
         with pytest.raises(WebSocketDisconnect), browser(headers={"origin": "http://elsewhere.example"}, token="work"):

@@ -226,6 +226,12 @@ def test_by_keys_alone(chromium: Any, server: Server) -> None:
         fresh(page)
         page.keyboard.press("Enter")
         is_(page, "#signal-XI7", "stop")
+        for typed, said in (("XI7 XB", "none leads from XI7 to XB"), ("12:W>", "write 12:W>E for the way of a train")):
+            page.fill("#typed", typed)
+            page.press("#typed", "Enter")
+            page.wait_for_selector(f"#said:has-text('{said}')")
+        assert page.inner_text("#of") == "signal XI7", "what was typed first is chosen, and not what does not fit"
+        page.keyboard.press("Escape")
         page.locator("#signal-XI7").focus()
         before = page.locator("#plan svg").get_attribute("viewBox")
         page.keyboard.press("+")

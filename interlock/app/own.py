@@ -14,8 +14,8 @@ import stat
 from pathlib import Path
 
 MARK = b"written by interlock, sha256 "
-LINE = re.compile(rb"(?:<!-- |# )?" + MARK + rb"([0-9a-f]{64})(?: -->)?\n\Z")
-FRAMES = {".aig": (b"", b"\n"), ".pins": (b"# ", b"\n")}
+LINE = re.compile(rb"(?:<!-- |# |note,,,\")?" + MARK + rb"([0-9a-f]{64})(?: -->|\")?\n\Z")
+FRAMES = {".aig": (b"", b"\n"), ".pins": (b"# ", b"\n"), ".csv": (b'note,,,"', b'"\n')}
 """What stands around the mark, by ending; elsewhere (SVG, HTML) it is a comment."""
 
 

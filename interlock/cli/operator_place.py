@@ -34,7 +34,9 @@ def answering(ready: Ready, at: tuple[str, int] | None, ask: Ask | None) -> Iter
     try:
         place.start()
     except OSError as error:
-        raise click.UsageError(f"the operator's place cannot listen on {at[0]} port {at[1]}: {error}") from None
+        raise click.UsageError(
+            f"the operator's place cannot listen on {at[0]} port {at[1]}: {error.strerror or error}"
+        ) from None
     try:
         yield place
     finally:

@@ -13,6 +13,7 @@ import asyncio
 import contextvars
 import csv
 import io
+import socket
 import threading
 import time
 from collections.abc import Callable, Iterable, Sequence
@@ -152,6 +153,10 @@ class _Image:
     at: float = float("-inf")
 
 
+def _family(place: tuple[str, int]) -> socket.AddressFamily:
+    return socket.getaddrinfo(*place, type=socket.SOCK_STREAM)[0][0]
+
+
 class OperatorPlace:
     """A server in a thread of its own; `publish` after each cycle, `ask` is told of requests (None: none are taken)."""
 
@@ -173,6 +178,7 @@ class OperatorPlace:
 
     def start(self) -> None:
         """Begin to answer.  Raises OSError where that cannot be."""
+        socket.create_server(self.place, family=_family(self.place)).close()  # says why not, where that cannot be
         self._thread.start()
         self._ready.wait(10.0)
         if self._failed:
