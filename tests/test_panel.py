@@ -530,6 +530,29 @@ def test_two_panels_do_not_write_one_record(ready: Ready, tmp_path: Path) -> Non
     assert read_file(path).ended
 
 
+def test_a_record_that_is_moved_away_is_an_alarm_and_begins_anew(
+    ready: Ready, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What goes to a file that nobody can find any more is lost; the new one can be printed and played."""
+    now = [100.0]
+    monkeypatch.setattr("interlock.panel.recorder.time.monotonic", lambda: now[0])
+    recorder = Recorder(tmp_path / "shift.log", ready)
+    recorder.cycle(None)
+    (tmp_path / "shift.log").rename(tmp_path / "old.log")
+    now[0] += 2
+    recorder.cycle(None)
+    assert "shift.log was moved away or removed" in recorder.lost
+    recorder.event(Event("note", "seen meanwhile"))
+    now[0] += 2
+    recorder.cycle(None)
+    recorder.close()
+    assert recorder.lost == "" and not read_file(tmp_path / "old.log").ended
+    found = read_file(tmp_path / "shift.log")
+    assert [e["kind"] for e in found.events] == ["begin", "picture", "gap", "note", "end"]
+    assert "seen meanwhile" in page(found) and "set back" not in page(found)
+    assert json.loads(trace(found))["states"]
+
+
 def test_where_nothing_can_be_written_the_panel_works_on_and_nothing_is_lost(
     ready: Ready, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

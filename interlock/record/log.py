@@ -179,6 +179,13 @@ class Log:
             raise
         self.size += size
 
+    def lies_at(self, path: Path) -> bool:
+        """Whether this log is the file of that name, which may have been moved or removed."""
+        try:
+            return os.path.samestat(os.stat(path), os.fstat(self._handle))
+        except OSError:
+            return False
+
     def close(self) -> None:
         """Let go of the file."""
         os.close(self._handle)
