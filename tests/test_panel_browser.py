@@ -477,6 +477,25 @@ def test_nothing_moves_under_the_mouse(chromium: Any, tmp_path: Path, at: str, s
         still("#power.good")
 
 
+@pytest.mark.parametrize("name", ["depot", "crossing_line"])
+def test_bridges_and_roads_are_clicked_where_they_lie(chromium: Any, name: str) -> None:
+    """In the middle of the frame, where the track runs through it, and of the road."""
+    with (
+        serving(unproved(Path(f"layouts/{name}.yaml").read_text("utf-8"))) as (desk, url),
+        closing_pages(chromium) as b,
+    ):
+        page, wrong = opened(b, url)
+        for machine, one in desk.browsers.still["machines"].items():
+            if one["device"]:
+                for k in range(page.locator(f"#device-{machine} .reach").count()):
+                    click(page, f":nth-match(#device-{machine} .reach, {k + 1})")
+                    page.wait_for_selector(f"#of:has-text('{machine}')")
+                    page.keyboard.press("Escape")
+                    page.wait_for_selector("#of:has-text('Nothing chosen')")
+                assert page.locator(f"#device-{machine} .reach").count() > 0
+        assert wrong == []
+
+
 def test_two_alarms_are_read_whole_on_a_small_desktop(chromium: Any, tmp_path: Path) -> None:
     """Each is as long as alarms are, and the box of trains is there: none is cut."""
     with worked(chromium, quick(tmp_path)) as (desk, page):

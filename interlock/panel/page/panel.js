@@ -180,7 +180,7 @@ const wrong = new Rows($("alarms"), () => {
   return element("li", "", b, element("b", ""), element("span", ""));
 }, (row, [key, text, where, since, active, who]) => {
   const [b, head, words] = row.children;
-  head.textContent = head.title = [clock(since), active ? "" : "over", who ? `seen by ${who}` : ""].filter(Boolean).join(", ");
+  head.textContent = head.title = `${[clock(since), active ? "" : "over", who ? `seen by ${who}` : ""].filter(Boolean).join(", ")}:`;
   words.textContent = text;
   row.className = `${active ? "active" : ""} ${who ? "" : "new"}`;
   row.onclick = () => { if (where.length) plan.mark("shown", where); };
@@ -316,6 +316,7 @@ $("line").addEventListener("submit", e => {
   e.preventDefault();
   const order = $("typed").value.trim();
   if (/^[^:>]+:[^:>]+(>[^:>]+)+$/.test(order)) { $("typed").value = ""; ask({do: "voyage", name: order}); return; }
+  if (still.voyages.includes(order)) { $("typed").value = ""; ask({do: "voyage", name: order}); return; }
   const stands = /^([^@\s]+)@(.+)$/.exec(order);
   if (stands) { $("typed").value = ""; ask({do: "train", name: stands[1], section: stands[2].trim()}); return; }
   if (/[:>@]/.test(order)) { say("Not clear", [["write 12:W>E for the way of a train, 12@q4 for where it stands", []]]); return; }
