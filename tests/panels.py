@@ -60,6 +60,7 @@ class Browser:
             return m
         self.state |= m.get("c", {})
         self.events += m.get("events", [])
+        self.refused = m.get("refused", "")
         self.rest |= {k: v for k, v in m.items() if k in ("sys", "alarms", "reminders", "trains", "still", "hello")}
         return m
 

@@ -199,6 +199,21 @@ def test_the_command_keeps_answers_where_it_is_told(tmp_path: Path) -> None:
     assert CliRunner().invoke(command, ["layouts/fig2_2.yaml", "--cache", str(tmp_path / "file")]).exit_code == 2
 
 
+def test_a_folder_that_keeps_nothing_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "file").touch()
+    assert Cache(tmp_path / "file" / "kept").useless() == "Not a directory"
+    assert Cache(tmp_path / "kept").useless() == "" and Cache().useless() == ""
+
+    def homeless() -> Path:
+        raise RuntimeError("Could not determine home directory.")
+
+    monkeypatch.delenv("XDG_CONFIG_HOME", raising=False)
+    monkeypatch.setattr(Path, "home", homeless)
+    told = CliRunner().invoke(command, ["layouts/fig2_2.yaml", "--cache", str(tmp_path / "kept")])
+    assert told.exit_code == 0 and "nothing is kept: no key of your own" in told.output
+    assert not any((tmp_path / "kept").iterdir())
+
+
 def test_the_key_is_the_users_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Made at first use, for this user alone, beside no answer; another user's answers are not believed, and with a key
     that others can read nothing is kept or believed."""

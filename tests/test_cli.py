@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
+import resource
 import signal
 import subprocess
 import sys
@@ -38,9 +39,22 @@ def process(*args: str) -> subprocess.CompletedProcess[str]:
 
 def test_help_names_every_verb_and_the_first_command() -> None:
     done = process("--help")
-    assert done.returncode == 0 and "interlock compile layouts/mine11.yaml" in done.stdout
+    assert done.returncode == 0 and "interlock init -o NAME.yaml" in done.stdout
     for verb in VERBS:
         assert f"  {verb} " in done.stdout
+
+
+def test_where_there_is_no_room_what_was_there_stays(tmp_path: Path) -> None:
+    """A plan that does not fit leaves the one of before, and nothing half-written."""
+    plan = tmp_path / "plan.svg"
+    args = (sys.executable, "-m", "interlock", "draw", "layouts/fig2_2.yaml", "-o", str(plan))
+    small = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000))  # noqa: E731
+    full = subprocess.run(args, capture_output=True, text=True, check=False, preexec_fn=small)
+    assert full.returncode == 1 and "File too large" in full.stderr and not list(tmp_path.iterdir())
+    assert subprocess.run(args, capture_output=True, check=False).returncode == 0
+    before = plan.read_bytes()
+    full = subprocess.run(args, capture_output=True, text=True, check=False, preexec_fn=small)
+    assert full.returncode == 1 and plan.read_bytes() == before and list(tmp_path.iterdir()) == [plan]
 
 
 def test_nothing_said_is_lost_at_the_end(tmp_path: Path) -> None:
@@ -171,6 +185,46 @@ def test_a_folder_that_is_not_ours_is_left_alone(tmp_path: Path) -> None:
     assert [p.name for p in precious.iterdir()] == ["thesis.txt"]
 
 
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [("notes.txt", "what I noticed"), ("st/old.st", "(* mine *)"), ("manifest.json", '{"name": "mine"}')],
+)
+def test_what_somebody_keeps_among_the_outputs_is_left_alone(tmp_path: Path, name: str, text: str) -> None:
+    """A folder is replaced as a whole: not one with a file in it that interlock has not written."""
+    assert run("compile", "layouts/fig2_2.yaml", "-o", str(tmp_path)).exit_code == 0
+    mine = tmp_path / "fig2_2" / name
+    mine.write_text(text)
+    done = run("compile", "layouts/fig2_2.yaml", "-o", str(tmp_path))
+    assert done.exit_code == 1 and "IL5004" in done.output and mine.read_text() == text
+    assert "is not replaced: interlock has not written" in done.output
+
+
+def test_a_certificate_leaves_alone_what_somebody_keeps_beside_it(tmp_path: Path) -> None:
+    outputs, proofs = tmp_path / "generated", tmp_path / "proofs"
+    assert run("compile", "layouts/fig2_2.yaml", "-o", str(outputs)).exit_code == 0
+    mine = proofs / "fig2_2" / "remarks.txt"
+    mine.parent.mkdir(parents=True)
+    mine.write_text("checked by two")
+    done = run("certify", "layouts/fig2_2.yaml", "--outputs", str(outputs), "-o", str(proofs))
+    assert done.exit_code == 1 and "remarks.txt" in done.output and mine.read_text() == "checked by two"
+
+
+def test_a_file_where_the_folder_should_be_is_told(tmp_path: Path) -> None:
+    (tmp_path / "fig2_2").write_text("a note")
+    done = run("compile", "layouts/fig2_2.yaml", "-o", str(tmp_path))
+    assert done.exit_code == 1 and "IL5004" in done.output and (tmp_path / "fig2_2").read_text() == "a note"
+
+
+def test_check_asks_for_the_texts_that_are_there_and_compile_says_which_are_gone(tmp_path: Path) -> None:
+    args = ("compile", "layouts/fig2_2.yaml", "-o", str(tmp_path))
+    assert run(*args, "--dialect", "scl300").exit_code == 0
+    done = run(*args, "--check")
+    assert done.exit_code == 0, done.output
+    done = run(*args)
+    assert done.exit_code == 0 and "IL5012" in done.output and "scl300" in done.output
+    assert not (tmp_path / "fig2_2/st/scl300").exists() and "IL5012" not in run(*args).output
+
+
 def test_two_layouts_of_one_name_do_not_overwrite_each_other(tmp_path: Path) -> None:
     twin = tmp_path / "twin.yaml"
     twin.write_text(Path("layouts/fig2_2.yaml").read_text("utf-8"), encoding="utf-8")
@@ -201,6 +255,14 @@ def test_explain() -> None:
     done = run("explain", "IL9999")
     assert done.exit_code == 1
     assert json.loads(run("explain", "IL4001", "--format", "json").output)[0]["severity"] == "error"
+
+
+def test_pages_are_read_where_the_wheel_is() -> None:
+    """What a message sends somebody to is there: a wheel has no folder docs that anybody finds."""
+    listed = {line.split()[0] for line in run("explain").output.splitlines()}
+    assert {"panel", "dispatch", "language", "plc", "record", "library", "shift"} <= listed
+    assert run("explain", "dispatch").output == Path("interlock/docs/dispatch.md").read_text("utf-8")
+    assert "`interlock explain dispatch` has its keys" in run("blocks", "layouts/fig2_2.yaml").output
 
 
 def test_explain_knows_diagnostics_rules_claims_assumptions_and_principles() -> None:

@@ -36,6 +36,7 @@ ELSEWHERE = {
     "IL5008",
     "IL5009",
     "IL5010",
+    "IL5012",
     *(c for c in CODES if c.startswith("IL6")),  # test_dispatch_language, test_record
 }
 

@@ -424,6 +424,8 @@ def test_the_command_runs_proves_and_stops(ready: Ready) -> None:
     try:
         path = ready.proved.checked.path
         args = ["run", path, "--modbus", f"west=127.0.0.1:{west.port}", "--modbus", f"east=127.0.0.1:{east.port}"]
+        twice = CliRunner().invoke(cli, [*args, "--modbus", f"west=127.0.0.1:{east.port}", "--cycles", "1"])
+        assert twice.exit_code == 2 and "--modbus says twice where west is" in twice.output
         typed = "\n" * 30 + "release\nset X7-X1\nrubbish\n"  # a line a cycle
         done = CliRunner().invoke(cli, [*args, "--cycles", "50", "--cycle", "40"], input=typed)
         assert done.exit_code == 0, done.output

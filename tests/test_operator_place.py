@@ -14,13 +14,29 @@ import pytest
 from click.testing import CliRunner
 from pymodbus.client import ModbusTcpClient
 
+from interlock.app.alarms import HAZARD, RECORD, TRAIN, Watch, listed, possible
 from interlock.app.run import Ready, prepare
 from interlock.cli.main import cli
-from interlock.field.operator_place import FIRST, NOT_KNOWN, REFUSED, TAKEN, Ask, OperatorPlace, registers
-from interlock.field.plc import Cycle
+from interlock.cli.run import _Typed
+from interlock.field.operator_place import (
+    FIRST,
+    NOT_COUNTED,
+    NOT_KNOWN,
+    REFUSED,
+    TAKEN,
+    Ask,
+    OperatorPlace,
+    Registers,
+    registers,
+)
+from interlock.field.plc import Cycle, Memory
+from interlock.logic.cabinet import allocate
+from interlock.logic.controller import Controller
+from interlock.model.elements import Position
+from interlock.model.layout import Layout
 from interlock.panel.desk import Desk
 from interlock.panel.operating import Person
-from tests.layouts import built
+from tests.layouts import SHIPPED, built
 
 WORDS = {1: 1, 2: 3, 3: 10_001, 4: 2}
 """What is said of the four routes."""
@@ -37,7 +53,7 @@ def free_port() -> int:
 def served(ask: Ask | None = None, clock: list[float] | None = None) -> Iterator[tuple[OperatorPlace, ModbusTcpClient]]:
     """The registers of fig2_2, and a client of them."""
     now = time.monotonic if clock is None else lambda: clock[0]
-    place = OperatorPlace(registers(built("fig2_2")[2]), "127.0.0.1", free_port(), ask, now)
+    place = OperatorPlace(place_of(*built("fig2_2")[::2]), "127.0.0.1", free_port(), ask, now)
     place.start()
     client = ModbusTcpClient("127.0.0.1", port=place.place[1], timeout=2, retries=0)
     try:
@@ -46,6 +62,11 @@ def served(ask: Ask | None = None, clock: list[float] | None = None) -> Iterator
     finally:
         client.close()
         place.stop()
+
+
+def place_of(layout: Layout, controller: Controller) -> Registers:
+    """The registers, alarms among them."""
+    return registers(controller, listed(possible(layout, controller, allocate(layout, controller))))
 
 
 def said(valid: bool = True) -> Cycle:
@@ -65,7 +86,7 @@ def test_a_client_reads_words_outputs_and_whether_the_controller_lives() -> None
     clock = [0.0]
     with served(clock=clock) as (place, client):
         assert words_of(client) == [0, 0, 0, 0] and head_of(client)["valid"] == 0  # before the first scan
-        place.publish(said())
+        place.publish(said(), ())
         assert words_of(client) == [1, 3, 10_001, 2]
         assert head_of(client) == {"form": 1, "cycle": 1, "valid": 1, "seen": 0, "answer": 0, "may ask": 0}
         bits = client.read_discrete_inputs(0, count=len(place.registers.bits)).bits
@@ -74,14 +95,14 @@ def test_a_client_reads_words_outputs_and_whether_the_controller_lives() -> None
         clock[0] = 2.1  # no scan for two seconds: what was said of routes is not so any more
         assert words_of(client) == [0, 0, 0, 0] and head_of(client)["valid"] == 0
         assert not any(client.read_discrete_inputs(0, count=16).bits)
-        place.publish(said())
-        place.publish(None)  # no power
+        place.publish(said(), ())
+        place.publish(None, ())  # no power
         assert words_of(client) == [0, 0, 0, 0] and head_of(client)["cycle"] == 2
 
 
 def test_nothing_can_be_written_unless_it_is_allowed() -> None:
     with served() as (place, client):
-        place.publish(said())
+        place.publish(said(), ())
         for answer in (
             client.write_registers(0, [1, 1, 1]),
             client.write_register(0, 1),
@@ -106,7 +127,7 @@ def test_a_request_is_told_once_with_who_asks_and_answered() -> None:
         mine = f"modbus 127.0.0.1:{client.socket.getsockname()[1]}"
         assert not client.write_registers(0, [7, 1, 3]).isError()
         assert head_of(client)["answer"] == REFUSED and told.empty()  # no valid scan yet
-        place.publish(said())
+        place.publish(said(), ())
         client.write_registers(0, [7, 1, 3])  # the same number again is no new request
         assert told.empty()
         client.write_registers(0, [8, 1, 3])
@@ -123,7 +144,7 @@ def test_a_request_is_told_once_with_who_asks_and_answered() -> None:
             assert head_of(client)["answer"] == NOT_KNOWN
         assert told.empty() and client.write_coil(0, True).isError()
         assert client.mask_write_register(address=0, and_mask=0, or_mask=99).isError()
-        place.publish(said(valid=False))
+        place.publish(said(valid=False), ())
         client.write_registers(0, [14, 1, 3])
         assert head_of(client)["answer"] == REFUSED and told.empty()
 
@@ -134,14 +155,14 @@ def ready() -> Ready:
 
 
 def test_at_the_panel_a_request_goes_through_its_queue_and_is_noted(ready: Ready) -> None:
-    assert ready.controller is not None
+    assert ready.layout is not None and ready.controller is not None
     desk = Desk(ready)
 
     def ask(who: str, what: str, name: str, reply: object) -> None:
         assert callable(reply)
         desk.ask(Person(who, True), {"do": what, "signal": name}, lambda answer: reply(answer["ok"]))
 
-    place = OperatorPlace(registers(ready.controller), "127.0.0.1", free_port(), ask)
+    place = OperatorPlace(place_of(ready.layout, ready.controller), "127.0.0.1", free_port(), ask)
     desk.publish = place.publish
     place.start()
     desk.start()
@@ -164,19 +185,123 @@ def test_at_the_panel_a_request_goes_through_its_queue_and_is_noted(ready: Ready
         desk.stop()
 
 
-def test_a_port_that_is_taken_is_told() -> None:
+OF_THE_DESK = {HAZARD, RECORD, TRAIN}
+"""Alarms that no scan tells: of the simulated railway, of the panel's record, of numbers of trains."""
+
+
+@pytest.mark.parametrize("name", ["flank_lab", "pit_bottom", "depot", "heishan"])
+def test_whatever_can_be_wrong_after_a_scan_is_listed_and_nothing_else(name: str) -> None:
+    """All goes wrong at once: what then stands is the list of what can."""
+    layout, _, controller = built(name)
+    cabinets = allocate(layout, controller)
+    watch = Watch(layout, controller, cabinets)
+    opened = {r.proceed: True for r in controller.symbols.routes}
+    watch.after(Cycle({}, {}, True, (), Memory(opened, {})), 2000)
+    state = {str(n): True for s in controller.state for n in [s.name]} | dict.fromkeys(opened, False)
+    state |= dict.fromkeys((*controller.symbols.machines.command.values(),), False)
+    state |= dict.fromkeys(controller.symbols.cancellation.cancelling.values(), False)
+    outputs = {str(o.name): True for o in controller.outputs}
+    lost = ("cycle: 1200 ms since the last one", *(f"{s}: does not answer" for s in cabinets.stations))
+    for _ in range(2):
+        closed = watch.after(Cycle({}, outputs, True, lost, Memory(state, {})), 600_000)
+    assert not closed  # told once, and standing since
+    found = {**watch.causes, **watch.past}
+    assert set(found) == {p.key for p in watch.possible} - OF_THE_DESK
+    watch.after(Cycle({}, {}, True, (), Memory(opened, {})), 100)
+    assert not watch.past  # its signals are open again, and no section is locked since the restart
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_every_alarm_has_a_bit_behind_all_that_was_there_before(name: str) -> None:
+    layout, _, controller = built(name)
+    place = place_of(layout, controller)
+    rows = [r for r in place.table() if r[0] == "discrete input"]
+    names = [r[2] for r in rows]
+    assert names[: len(controller.outputs)] == [o.name for o in controller.outputs] and len({*names}) == len(names)
+    alarms = possible(layout, controller, allocate(layout, controller))
+    assert rows[len(controller.outputs) :] == [
+        ("discrete input", str(k), p.variable, f"alarm: {p.text}")
+        for k, p in enumerate(alarms, len(controller.outputs))
+    ]
+    assert len({p.key for p in alarms}) == len(alarms) and {p.key for p in alarms} >= OF_THE_DESK
+
+
+def test_an_alarm_lights_its_bit_alone_and_is_counted() -> None:
+    clock = [0.0]
+    with served(clock=clock) as (place, client):
+
+        def lit() -> list[str]:
+            count = len(place.registers.bits) + len(place.registers.alarms)
+            bits = client.read_discrete_inputs(0, count=count).bits[len(place.registers.bits) : count]
+            return [key for (key, _, _), bit in zip(place.registers.alarms, bits, strict=True) if bit]
+
+        def counted() -> list[int]:
+            return list(client.read_input_registers(6, count=2).registers)
+
+        assert counted() == [NOT_COUNTED, 0]
+        keys = [key for key, _, _ in place.registers.alarms]
+        for k, key in enumerate(keys, 1):
+            place.publish(said(), (key,))
+            assert (lit(), counted()) == ([key], [1, k])
+        place.publish(said(), ("train 12", "train 14", "of a kind that nobody has listed"))
+        assert lit() == ["train"] and counted() == [3, len(keys) + 3]
+        place.publish(said(), ())
+        assert lit() == [] and counted() == [0, len(keys) + 3]
+        clock[0] = 2.1
+        assert counted() == [NOT_COUNTED, len(keys) + 3]
+        place.publish(None, ())
+        assert counted() == [NOT_COUNTED, len(keys) + 3]
+
+
+def test_a_table_is_told_from_that_of_another_layout() -> None:
+    with served() as (place, client):
+        read = tuple(client.read_input_registers(8, count=2).registers)
+        assert read == place.registers.digest
+        told = {r[2]: r[3] for r in place.registers.table()}
+        assert [told[n].partition(":")[0] for n in ("TABLE_HIGH", "TABLE_LOW")] == [f"always {x}" for x in read]
+    assert len({place_of(*built(n)[::2]).digest for n in ("fig2_1", "fig2_2", "mine11")}) == 3
+
+
+def test_without_a_panel_alarms_are_said_and_reach_the_registers(ready: Ready) -> None:
+    """Points that nobody has commanded lose their detection: said once, and once more when that is over."""
+    told: list[dict[str, object]] = []
+    typed = _Typed(ready, told.append)
+    assert ready.controller is not None
+    lies = {str(n): 1 for (_, x), n in ready.controller.symbols.machines.detected.items() if x is Position.NORMAL}
+    (first, *_) = ready.controller.symbols.machines.detected.items()
+    lost = {**lies, str(first[1]): 0}
+    for inputs, dt_ms in ((lies, 2000), (lost, 1000), (lost, 60_000), (lost, 100)):
+        typed.ask(None, dt_ms)
+        stand = list(typed.after(Cycle(inputs, {}, True, ())))
+    key, text = f"idle {first[0][0]}", f"{first[0][0]} is not detected, and was not commanded"
+    assert stand == [key] and told == [{"alarm": text, "stands": True}]
+    typed.ask(None, 100)
+    assert list(typed.after(Cycle(lies, {}, True, ()))) == [] and told[1:] == [{"alarm": text, "stands": False}]
+
+
+def test_a_port_that_is_taken_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with served() as (place, _):
         second = OperatorPlace(place.registers, *place.place)
-        with pytest.raises(OSError):
+        with pytest.raises(OSError, match="Address already in use"):
             second.start()
         second.stop()
+        more = ["--panel", "--port", "0", "--operator-modbus", str(place.place[1])]
+        layout = Path("layouts/fig2_2.yaml").resolve()
+        monkeypatch.chdir(tmp_path)
+        done = CliRunner().invoke(cli, ["run", str(layout), *more])
+        assert done.exit_code == 2 and "Address already in use" in done.output
+        assert not list(tmp_path.iterdir()), "a run that cannot begin leaves no record"
 
 
 def test_the_table_of_registers_is_written(tmp_path: Path) -> None:
     file = tmp_path / "fig2_2.csv"
     done = CliRunner().invoke(cli, ["export", "layouts/fig2_2.yaml", "--registers", "-o", str(file)])
     assert done.exit_code == 0, done.output
-    rows = list(csv.DictReader(file.open(encoding="utf-8")))
+    *rows, mark = list(csv.DictReader(file.open(encoding="utf-8")))
+    assert mark["Kind"] == "note" and mark["Meaning"].startswith("written by interlock, sha256 ")
+    assert CliRunner().invoke(cli, ["export", "layouts/fig2_2.yaml", "--registers", "-o", str(file)]).exit_code == 0
+    file.write_text(file.read_text("utf-8").replace("YX_R1", "YX_R9"), "utf-8")
+    assert CliRunner().invoke(cli, ["export", "layouts/fig2_2.yaml", "--registers", "-o", str(file)]).exit_code == 1
     at = {(r["Kind"], r["Name"]): r["Address"] for r in rows}
     assert at["input register", "YX_R1"] == str(FIRST) and at["holding register", "REQUEST"] == "0"
     assert at["request", "set X2-C"] == "1 3" and ("discrete input", "YP_X2") in at

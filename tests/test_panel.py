@@ -9,6 +9,8 @@ import signal
 import socket
 import threading
 from collections.abc import Iterator
+from dataclasses import replace
+from datetime import datetime
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -25,12 +27,13 @@ from interlock.cli.panel import opened
 from interlock.field.alone import InUse
 from interlock.panel.clock import MOST_S, Clock
 from interlock.panel.desk import Desk
+from interlock.panel.event import Event
 from interlock.panel.journal import page, trace
 from interlock.panel.operating import Person
 from interlock.panel.recorder import Recorder
 from interlock.panel.server import FILES, Access, application, listening, serve
 from interlock.panel.simulated import SimulatedField
-from interlock.record.log import read_file
+from interlock.record.log import Log, read_file
 from tests.layouts import SHIPPED
 from tests.panels import panel, proved, quick, unproved
 
@@ -173,7 +176,9 @@ def test_a_signal_that_closes_says_what_has_closed_it(at_work: tuple[Desk, Any])
 def test_points_that_nobody_has_commanded_are_supervised_too(ready: Ready) -> None:
     """After a restart nothing is commanded, and the controller supervises what it commands: what loses its detection
     then would be told of only when a route over it is refused."""
-    with panel(ready) as (_, browser), browser() as b:
+    with panel(ready) as (desk, browser), browser() as b:
+        published: list[set[str]] = []
+        desk.publish = lambda cycle, alarms: published.append(set(alarms))
         b.ask("speed", times=10)
         b.until(lambda: b.rest["sys"]["valid"])
         assert b.state["m:P4"][:2] == ["N", ""]  # never commanded
@@ -185,6 +190,7 @@ def test_points_that_nobody_has_commanded_are_supervised_too(ready: Ready) -> No
         b.ask("fail", kind="machine", name="P4", on=False)
         b.until(lambda: b.state["m:P4"][0] == "N" and not b.rest["alarms"][1][4])
         assert not b.state["m:P4"][3]
+        assert {"start"} in published and {"start", "idle P4"} in published and "idle P4" not in published[-1]
 
 
 def test_trains_are_put_driven_turned_and_divided(at_work: tuple[Desk, Any]) -> None:
@@ -295,9 +301,10 @@ def test_tokens_origins_and_rubbish(ready: Ready) -> None:
             assert b.rest["hello"]["operates"]
         with browser(token="see") as b:
             assert not b.rest["hello"]["operates"]
-        for hello in ({"token": "wrong"}, {"token": ""}, {"name": 3}):
+        no_token, another = "this panel asks for a token", "this token is none of this panel's"
+        for hello, why in (({"token": "wrong"}, another), ({"token": ""}, no_token), ({"name": 3}, no_token)):
             with browser(**hello) as b:
-                assert "still" not in b.rest
+                assert "still" not in b.rest and b.refused == why
                 with pytest.raises(WebSocketDisconnect):
                     b.hear()
         with pytest.raises(WebSocketDisconnect), browser(headers={"origin": "http://elsewhere.example"}, token="work"):
@@ -463,6 +470,51 @@ def test_a_shift_is_recorded_printed_and_played(ready: Ready, tmp_path: Path, mo
         Recorder(path, ready)
 
 
+def test_nothing_is_left_out_of_a_night_or_where_the_clock_is_set_back(
+    ready: Ready, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def recorded(name: str, hours: list[float]) -> Path:
+        """One event at each hour after midnight, and the end a minute after the last."""
+        now = [datetime(2026, 3, 3).timestamp() + 3600 * hours[0]]
+        monkeypatch.setattr("interlock.panel.recorder.time.time", lambda: now[0])
+        recorder = Recorder(tmp_path / name, ready)
+        for k, hour in enumerate(hours):
+            now[0] = datetime(2026, 3, 3).timestamp() + 3600 * hour
+            recorder.event(Event("note", f"event {k}"))
+        now[0] += 60
+        recorder.close()
+        return tmp_path / name
+
+    def played(log: Path, *more: str) -> tuple[int, str]:
+        made = tmp_path / "page.html"
+        done = CliRunner().invoke(cli, ["play", str(log), *more, "-o", str(made)])
+        return done.exit_code, made.read_text("utf-8") if done.exit_code == 0 else done.output
+
+    back = recorded("back.log", [8.0, 9.0, 7.0, 7.5])
+    for more in ([], ["--journal"]):
+        text = played(back, *more)[1]
+        assert all(f"event {k}" in text for k in range(4)) and "was set back by 7200 s" in text
+    night = recorded("night.log", [22.0, 23.5, 26.0, 29.0])
+    text = played(night, "--journal", "--from", "23:00", "--to", "02:30")[1]
+    assert [k for k in range(4) if f"event {k}" in text] == [1, 2] and "set back" not in text
+    assert played(night, "--from", "23:40", "--to", "23:00") == (1, "error: --to 23:00 is before --from 23:40\n")
+
+
+def test_a_record_of_something_else_is_not_gone_on_with(ready: Ready, tmp_path: Path) -> None:
+    """What is recorded from now on would be told with the plan, and under the digest, of something else."""
+    of_a_shift, of_before = tmp_path / "shift.log", tmp_path / "before.log"
+    with Log.create(of_a_shift) as log:
+        log.add(0, "begin", what="shift", layout="heishan")
+    with pytest.raises(ValueError, match=r"shift\.log is no record of a panel: choose another file"):
+        Recorder(of_a_shift, ready)
+    assert ready.table is not None
+    changed = replace(ready, table=replace(ready.table, layout_digest="another"))
+    Recorder(of_before, changed).close()
+    with pytest.raises(ValueError, match="heishan as it was before its layout was changed: choose another file"):
+        Recorder(of_before, ready)
+    assert len(read_file(of_a_shift).events) == 1 and len(read_file(of_before).events) == 2
+
+
 def test_two_panels_do_not_write_one_record(ready: Ready, tmp_path: Path) -> None:
     """Their events would be between each other's, and the digests of neither would hold."""
     path = tmp_path / "one.log"
@@ -476,6 +528,29 @@ def test_two_panels_do_not_write_one_record(ready: Ready, tmp_path: Path) -> Non
     recorder.close()
     Recorder(path, ready).close()
     assert read_file(path).ended
+
+
+def test_a_record_that_is_moved_away_is_an_alarm_and_begins_anew(
+    ready: Ready, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What goes to a file that nobody can find any more is lost; the new one can be printed and played."""
+    now = [100.0]
+    monkeypatch.setattr("interlock.panel.recorder.time.monotonic", lambda: now[0])
+    recorder = Recorder(tmp_path / "shift.log", ready)
+    recorder.cycle(None)
+    (tmp_path / "shift.log").rename(tmp_path / "old.log")
+    now[0] += 2
+    recorder.cycle(None)
+    assert "shift.log was moved away or removed" in recorder.lost
+    recorder.event(Event("note", "seen meanwhile"))
+    now[0] += 2
+    recorder.cycle(None)
+    recorder.close()
+    assert recorder.lost == "" and not read_file(tmp_path / "old.log").ended
+    found = read_file(tmp_path / "shift.log")
+    assert [e["kind"] for e in found.events] == ["begin", "picture", "gap", "note", "end"]
+    assert "seen meanwhile" in page(found) and "set back" not in page(found)
+    assert json.loads(trace(found))["states"]
 
 
 def test_where_nothing_can_be_written_the_panel_works_on_and_nothing_is_lost(

@@ -226,6 +226,12 @@ def test_by_keys_alone(chromium: Any, server: Server) -> None:
         fresh(page)
         page.keyboard.press("Enter")
         is_(page, "#signal-XI7", "stop")
+        for typed, said in (("XI7 XB", "none leads from XI7 to XB"), ("12:W>", "write 12:W>E for the way of a train")):
+            page.fill("#typed", typed)
+            page.press("#typed", "Enter")
+            page.wait_for_selector(f"#said:has-text('{said}')")
+        assert page.inner_text("#of") == "signal XI7", "what was typed first is chosen, and not what does not fit"
+        page.keyboard.press("Escape")
         page.locator("#signal-XI7").focus()
         before = page.locator("#plan svg").get_attribute("viewBox")
         page.keyboard.press("+")
@@ -469,6 +475,43 @@ def test_nothing_moves_under_the_mouse(chromium: Any, tmp_path: Path, at: str, s
         still("#power.bad")
         desk.power = True
         still("#power.good")
+
+
+@pytest.mark.parametrize("name", ["depot", "crossing_line"])
+def test_bridges_and_roads_are_clicked_where_they_lie(chromium: Any, name: str) -> None:
+    """In the middle of the frame, where the track runs through it, and of the road."""
+    with (
+        serving(unproved(Path(f"layouts/{name}.yaml").read_text("utf-8"))) as (desk, url),
+        closing_pages(chromium) as b,
+    ):
+        page, wrong = opened(b, url)
+        for machine, one in desk.browsers.still["machines"].items():
+            if one["device"]:
+                for k in range(page.locator(f"#device-{machine} .reach").count()):
+                    click(page, f":nth-match(#device-{machine} .reach, {k + 1})")
+                    page.wait_for_selector(f"#of:has-text('{machine}')")
+                    page.keyboard.press("Escape")
+                    page.wait_for_selector("#of:has-text('Nothing chosen')")
+                assert page.locator(f"#device-{machine} .reach").count() > 0
+        assert wrong == []
+
+
+def test_two_alarms_are_read_whole_on_a_small_desktop(chromium: Any, tmp_path: Path) -> None:
+    """Each is as long as alarms are, and the box of trains is there: none is cut."""
+    with worked(chromium, quick(tmp_path)) as (desk, page):
+        assert desk.field is not None
+        page.set_viewport_size({"width": 1280, "height": 760})
+        desk.field.stock.stand("s2", desk.browsers.still["stands"]["s2"][0], 50.0, "stands")
+        page.wait_for_selector("#trains li")
+        for _ in range(2):
+            desk._once("the controller starts: every section stays locked until it is released")
+        page.wait_for_selector("#alarms li:nth-child(3)")
+        assert (
+            page.evaluate("""() => { const b = document.getElementById("alarms").getBoundingClientRect();
+            return [...document.querySelectorAll("#alarms li:nth-child(-n+2)")].map(e => e.getBoundingClientRect())
+                .filter(r => r.bottom > b.bottom || r.top < b.top).length; }""")
+            == 0
+        )
 
 
 WHEN = """([box, word, act]) => new Promise(done => new MutationObserver((_, o) => {

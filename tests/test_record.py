@@ -59,6 +59,21 @@ def test_a_log_that_was_killed_goes_on(tmp_path: Path) -> None:
     assert read_file(file).ended and len(read_file(file).events) == 4
 
 
+@pytest.mark.parametrize("before", [0, 2])
+def test_what_is_no_beginning_of_an_event_is_not_cut_away(tmp_path: Path, before: int) -> None:
+    """A file that somebody named by mistake was emptied; zeros are what a power cut leaves."""
+    file = tmp_path / "notes.txt"
+    for rest in (b"remember: look at P3", b'{"n":7,"t":3'):
+        file.write_bytes(b"".join(made(before)) + rest)
+        with pytest.raises(ValueError, match=f"notes.txt:{before + 1}: this is no event of a log"):
+            Log.resume(file)
+        assert file.read_bytes().endswith(rest)
+    file.write_bytes(b"".join(made(before)) + b'{"n":%d,"t' % before + bytes(9))
+    log, found = Log.resume(file)
+    log.close()
+    assert found.torn == 18 and len(read_file(file).events) == before
+
+
 def test_a_log_goes_on_where_there_was_no_room_without_being_read(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -132,6 +132,10 @@ def test_the_commands(tmp_path: Path) -> None:
     assert done.exit_code == 0 and "comes into" in (tmp_path / "a.html").read_text("utf-8")
     assert run(play, str(log), "--layout", "layouts/heishan.yaml", "--from", "soon").exit_code == 2
     assert run(play, str(log), "--layout", "layouts/mine11.yaml").exit_code == 1
+    back = run(play, str(log), "--layout", "layouts/heishan.yaml", "--from", "1:30", "--to", "1:00")
+    assert back.exit_code == 1 and "--to 1:00 is before --from 1:30" in back.output
+    assert run(play, str(log), "--layout", "layouts/heishan.yaml", "--journal").exit_code == 2
+    assert "name its layout with --layout" in run(play, str(log)).output
     log.write_bytes(w.log.replace(b'"t":', b'"t": ', 1))
     done = run(play, str(log), "--layout", "layouts/heishan.yaml")
     assert done.exit_code == 1 and "[IL6011]" in done.output

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from interlock.app.check import Checked, check_file
+from interlock.app.own import write_whole
 from interlock.emit.drawing import plan_svg
 from interlock.emit.report import player_html
 from interlock.logic.lower import lower
@@ -54,8 +55,8 @@ def write_stories(tried: Tried, folder: Path) -> list[Path]:
         assert story is not None
         trace = itf(tried.system, story, layout.digest, plan)
         page = folder / f"{layout.name}-{_file(p)}.html"
-        page.with_suffix(".itf.json").write_text(trace, "utf-8")
-        page.write_text(player_html(trace), "utf-8")
+        write_whole(page.with_suffix(".itf.json"), trace.encode())
+        write_whole(page, player_html(trace).encode())
         out.append(page)
     return out
 

@@ -8,12 +8,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from interlock.app.check import derive_file
-from interlock.app.compile import build_derived, finish
+from interlock.app.compile import ELSEWHERE, build_derived, finish
 from interlock.app.proved import Proved
 from interlock.app.texts import C99, written_for
 from interlock.diag import Diagnostic, Severity
 from interlock.emit.bundle import MANIFEST as OUTPUTS
-from interlock.emit.bundle import differences, is_bundle, write_folder
+from interlock.emit.bundle import differences, not_replaced, strangers, write_folder
 from interlock.logic.expr import interning
 from interlock.logic.lower import lower
 from interlock.proof.certificate.bundle import MANIFEST, NEEDED, PROOF, SYSTEM, manifest_text, proof_bytes, system_text
@@ -77,8 +77,8 @@ def _certified(path: str, outputs: Path, proofs: Path, check: bool, progress: Pr
     base = FactBase(system, strengthening(facts), claims(facts), start_claim(system))
     target = proofs / layout.name
     texts = {SYSTEM: system_text(base).encode()}
-    if not check and not is_bundle(target):
-        note = Diagnostic("IL5004", Severity.ERROR, f"{target} exists and was not made by interlock", span)
+    if not check and (found := strangers(target)):
+        note = Diagnostic("IL5004", Severity.ERROR, not_replaced(target, found), span, ELSEWHERE)
         return Certified(proved, notes=(note,))
     tied = {os.path.relpath(path, target): Path(path).read_bytes()}
     # the texts themselves, and the manifest, which ties every other output by its digest

@@ -5,6 +5,7 @@ Nothing here prints.  PLC text is written only when everything is proved, or mar
 
 from __future__ import annotations
 
+import errno
 import json
 import time
 from collections.abc import Sequence
@@ -18,8 +19,9 @@ from interlock.app.making import claims_json
 from interlock.app.prove import prove_derived
 from interlock.app.proved import Proved
 from interlock.app.target import target_notes
-from interlock.diag import Diagnostic, Severity, Sink
-from interlock.emit.bundle import differences, is_bundle, with_manifest, write_folder
+from interlock.app.texts import written_for
+from interlock.diag import Diagnostic, Severity, Sink, Span
+from interlock.emit.bundle import differences, not_replaced, strangers, with_manifest, write_folder
 from interlock.emit.drawing import place, plan_svg
 from interlock.emit.io import channels_csv, equipment_csv, names_csv, tags_xlsx, words_csv
 from interlock.emit.report import player_html, report_html
@@ -154,6 +156,12 @@ def finish(checked: Checked, files: dict[str, bytes]) -> dict[str, bytes]:
     )
 
 
+NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+"""What a system says where nothing more can be stored."""
+ELSEWHERE = "move away what is yours, or choose another folder with -o"
+"""What to do where a folder is not replaced."""
+
+
 def compile_file(
     path: str,
     out: Path,
@@ -165,7 +173,11 @@ def compile_file(
 ) -> Proved:
     """Write the outputs of a layout (or compare them with what is there)."""
     began = time.monotonic()
-    proved, files = build(path, unproved=unproved, limits=limits, progress=progress, dialects=dialects)
+    progress("deriving", 0, 0)
+    derived = derive_file(path)
+    there = written_for(out / derived.layout.name) if derived.layout is not None else ()
+    tools = dialects or (there if check else ())
+    proved, files = build_derived(derived, unproved=unproved, limits=limits, progress=progress, dialects=tools)
     layout = proved.checked.layout
     if not files or layout is None:
         return proved
@@ -174,33 +186,18 @@ def compile_file(
     span = proved.checked.source.at("name")
     notes = list(proved.notes)
     if check:
+        again = " ".join((f"interlock compile {path} -o {out}", *(f"--dialect {d}" for d in tools)))
         notes += [
-            Diagnostic("IL5003", Severity.ERROR, f"{target}: {d}", span, f"run `interlock compile {path} -o {out}`")
+            Diagnostic("IL5003", Severity.ERROR, f"{target}: {d}", span, f"run `{again}`")
             for d in differences(target, files)
         ]
-    elif not is_bundle(target):
-        notes.append(
-            Diagnostic(
-                "IL5004",
-                Severity.ERROR,
-                f"{target} exists and was not made by interlock",
-                span,
-                "choose another folder with -o, or move it away",
-            )
-        )
     else:
-        try:
-            write_folder(target, files)
-        except OSError as error:
-            notes.append(
-                Diagnostic(
-                    "IL5004",
-                    Severity.ERROR,
-                    f"{target}: {error.strerror}",
-                    span,
-                    "check the folder and its permissions",
-                )
-            )
+        notes += _delivered(target, files, span)
+        gone = [d for d in there if d not in tools]
+        if gone and (proved.green or unproved) and notes == list(proved.notes):
+            text = f"{target}: the text for {', '.join(gone)} that was there is not written any more"
+            fix = f"`{' '.join(f'--dialect {d}' for d in gone)}` writes it"
+            notes.append(Diagnostic("IL5012", Severity.INFO, text, span, fix))
     if not proved.green and not unproved and not check:
         notes.append(
             Diagnostic(
@@ -213,6 +210,19 @@ def compile_file(
         )
     seconds = time.monotonic() - began
     return replace(proved, files=tuple(sorted(files)), notes=tuple(notes), seconds=seconds)
+
+
+def _delivered(target: Path, files: dict[str, bytes], span: Span | None) -> list[Diagnostic]:
+    """Write a folder of outputs; why it is not written, if so."""
+    if found := strangers(target):
+        return [Diagnostic("IL5004", Severity.ERROR, not_replaced(target, found), span, ELSEWHERE)]
+    try:
+        write_folder(target, files)
+    except OSError as error:
+        text = f"{target}: {error.strerror}"
+        fix = "make room there" if error.errno in NO_ROOM else "check the folder and its permissions"
+        return [Diagnostic("IL5004", Severity.ERROR, text, span, fix)]
+    return []
 
 
 def names_twice(paths: Sequence[str]) -> tuple[Diagnostic, ...]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
 
+from interlock.app.own import write_whole
 from interlock.app.proved import Proved
 from interlock.diag import Diagnostic, Severity, Sink
 from interlock.emit.drawing import folded, place, plan_svg, sheets
@@ -65,7 +66,7 @@ def write_traces(proved: Proved, folder: Path) -> list[Path]:
         assert layout is not None
         folder.mkdir(parents=True, exist_ok=True)
         page = folder / f"{layout.name}-{claim}.html"
-        page.with_suffix(".itf.json").write_text(trace, "utf-8")
-        page.write_text(player_html(trace), "utf-8")
+        write_whole(page.with_suffix(".itf.json"), trace.encode())
+        write_whole(page, player_html(trace).encode())
         out.append(page)
     return out

@@ -1,4 +1,4 @@
-"""What a code means: of a diagnostic, a rule, a claim, an assumption, or a principle."""
+"""What a code means: of a diagnostic, a rule, a claim, an assumption, or a principle; and the pages by their names."""
 
 from __future__ import annotations
 
@@ -42,7 +42,14 @@ def topics() -> tuple[Topic, ...]:
         *(Topic(code, "claim", sentence) for code, sentence in CLAIMS.items()),
         *(Topic(code, "assumption", sentence) for code, sentence in ASSUMPTIONS.items()),
         *(Topic(code, "principle", told) for code, told in MEANING.items()),
+        *(Topic(p.name[:-3], "page", p.read_text("utf-8").split("\n")[0].removeprefix("# ")) for p in _pages()),
     )
+
+
+def _pages() -> list[resources.abc.Traversable]:
+    """The pages for whoever uses interlock, as they are installed with it."""
+    found = [p for p in _docs("").iterdir() if p.name.endswith(".md") and p.name not in ("house.md", "decisions.md")]
+    return sorted(found, key=lambda p: p.name)
 
 
 def topic(code: str) -> Topic | None:
@@ -62,6 +69,8 @@ def explain(code: str) -> str | None:
         return _docs(f"codes/{found.code}.md").read_text("utf-8")
     if found.kind == "rule":
         return _docs(f"rules/{found.code}.md").read_text("utf-8")
+    if found.kind == "page":
+        return _docs(f"{found.code}.md").read_text("utf-8")
     return f"# {found.code}, {_ARTICLE[found.kind]} {found.kind}\n\n{_page(found)}"
 
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from interlock.app.alarms import listed, possible
 from interlock.app.check import Checked, check_file
 from interlock.field.operator_place import registers
+from interlock.logic.cabinet import allocate
 from interlock.logic.expr import interning
 from interlock.logic.lower import lower
 from interlock.proof.certificate.aiger import aiger
@@ -17,7 +19,9 @@ def registers_file(path: str) -> tuple[Checked, bytes | None]:
     if not checked.ok or checked.layout is None or checked.table is None:
         return checked, None
     with interning():
-        return checked, registers(lower(checked.layout, checked.table)).csv().encode()
+        controller = lower(checked.layout, checked.table)
+        alarms = possible(checked.layout, controller, allocate(checked.layout, controller))
+        return checked, registers(controller, listed(alarms)).csv().encode()
 
 
 def aiger_file(path: str) -> tuple[Checked, bytes | None]:

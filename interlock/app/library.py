@@ -14,7 +14,7 @@ from pathlib import Path
 from interlock.app.check import Checked, audited, check_file, derived, second_opinion
 from interlock.diag import Diagnostic, Severity, Sink
 from interlock.diag.render import full
-from interlock.emit.bundle import is_bundle, write_folder
+from interlock.emit.bundle import not_replaced, strangers, write_folder
 from interlock.frontend import Source, load_text
 from interlock.frontend import load as load_file
 from interlock.logic.controller import Controller
@@ -62,8 +62,8 @@ class Compiled:
         if not self.proved:
             raise NotProved(f"{self.layout.name} is not proved")
         target = Path(folder) / self.layout.name
-        if not is_bundle(target):
-            raise FileExistsError(f"{target} exists and was not made by interlock")
+        if found := strangers(target):
+            raise FileExistsError(not_replaced(target, found))
         write_folder(target, self.files)
         return target
 

@@ -7,12 +7,15 @@ A file is ours if its last line says so with the SHA-256 of all before it.
 from __future__ import annotations
 
 import hashlib
+import os
 import re
+import secrets
+import stat
 from pathlib import Path
 
 MARK = b"written by interlock, sha256 "
-LINE = re.compile(rb"(?:<!-- |# )?" + MARK + rb"([0-9a-f]{64})(?: -->)?\n\Z")
-FRAMES = {".aig": (b"", b"\n"), ".pins": (b"# ", b"\n")}
+LINE = re.compile(rb"(?:<!-- |# |note,,,\")?" + MARK + rb"([0-9a-f]{64})(?: -->|\")?\n\Z")
+FRAMES = {".aig": (b"", b"\n"), ".pins": (b"# ", b"\n"), ".csv": (b'note,,,"', b'"\n')}
 """What stands around the mark, by ending; elsewhere (SVG, HTML) it is a comment."""
 
 
@@ -44,5 +47,25 @@ def write_own(target: Path, data: bytes, source: Path, force: bool = False) -> i
     before, after = FRAMES.get(target.suffix, (b"<!-- ", b" -->\n"))
     body = data if data.endswith(b"\n") else data + b"\n"
     body += before + MARK + hashlib.sha256(body).hexdigest().encode() + after
-    target.write_bytes(body)
+    write_whole(target, body)
     return len(body)
+
+
+def write_whole(target: Path, data: bytes) -> None:
+    """Write a file whole, or leave what was there as it was.  Raises OSError.
+
+    What is no file (a pipe, a terminal) is written as it is, and a link leads to the file that is written.
+    """
+    if target.exists() and not target.is_file():
+        target.write_bytes(data)
+        return
+    target = target.resolve()
+    fresh = target.with_name(f".{target.name[:100]}.{secrets.token_hex(4)}")
+    try:
+        fresh.write_bytes(data)
+        if target.exists():
+            fresh.chmod(stat.S_IMODE(target.stat().st_mode))
+        os.replace(fresh, target)
+    except BaseException:
+        fresh.unlink(missing_ok=True)
+        raise

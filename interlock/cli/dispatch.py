@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 
 from interlock.app.dispatch import Dispatched, dispatch, replay_file
+from interlock.app.own import write_whole
 from interlock.app.replay import BadPlan, from_text, to_text
 from interlock.cli.common import (
     FINDINGS,
@@ -107,7 +108,7 @@ def command(
             if target.exists() and not force and not _is_plan(target):
                 failed(f"{plan} exists and is no completion plan; --force overwrites it", form)
                 sys.exit(FINDINGS)
-            target.write_text(to_text(found.plan), encoding="utf-8")
+            write_whole(target, to_text(found.plan).encode())
         except OSError as error:
             failed(told(error, target), form)
             sys.exit(FINDINGS)

@@ -16,7 +16,7 @@ from interlock.diag.suggest import did_you_mean
 @format_option
 def command(code: str | None, form: str) -> None:
     """Explain a diagnostic (IL4001), a rule (R5), a claim (T-COLLISION), an assumption (A-SCAN) or a principle
-    (release_delay_s); without a code, list all of them.
+    (release_delay_s), or show a page of the documents (panel); without a code, list all of them.
     """
     if code is None:
         found = topics()

@@ -9,6 +9,7 @@ from pathlib import Path
 import click
 
 from interlock.app.init import STARTER, line, yard
+from interlock.app.own import write_whole
 from interlock.cli.common import FINDINGS, OK, failed, force_option, format_option, put_json, told
 
 
@@ -43,7 +44,7 @@ def command(tracks: int | None, stations: int | None, output: str, force: bool, 
         if path.exists() and not force:  # a layout is there to be edited
             failed(f"{output} exists; --force overwrites it", form)
             sys.exit(FINDINGS)
-        path.write_text(text, encoding="utf-8")
+        write_whole(path, text.encode())
     except OSError as error:
         failed(told(error, path), form)
         sys.exit(FINDINGS)

@@ -81,7 +81,7 @@ class _Verbs(click.Group):
 def cli(ctx: click.Context) -> None:
     """From a track layout to a proved interlocking table, Structured Text and a Python runtime.
 
-    Start with: interlock compile layouts/mine11.yaml
+    Start with: interlock init -o NAME.yaml
     """
     if os.environ.get("NO_COLOR"):
         ctx.color = False

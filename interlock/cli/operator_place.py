@@ -7,6 +7,7 @@ from contextlib import contextmanager
 
 import click
 
+from interlock.app.alarms import listed, possible
 from interlock.app.run import Ready
 from interlock.field.operator_place import Ask, OperatorPlace, registers
 
@@ -27,12 +28,15 @@ def answering(ready: Ready, at: tuple[str, int] | None, ask: Ask | None) -> Iter
     if at is None:
         yield None
         return
-    assert ready.controller is not None
-    place = OperatorPlace(registers(ready.controller), *at, ask)
+    assert ready.layout is not None and ready.controller is not None and ready.allocation is not None
+    alarms = possible(ready.layout, ready.controller, ready.allocation)
+    place = OperatorPlace(registers(ready.controller, listed(alarms)), *at, ask)
     try:
         place.start()
     except OSError as error:
-        raise click.UsageError(f"the operator's place cannot listen on {at[0]} port {at[1]}: {error}") from None
+        raise click.UsageError(
+            f"the operator's place cannot listen on {at[0]} port {at[1]}: {error.strerror or error}"
+        ) from None
     try:
         yield place
     finally:

@@ -60,36 +60,43 @@ def run_panel(
     gc.enable()  # off in the short-lived commands; this one runs on
     assert ready.layout is not None
     record = record or Path(f"{ready.layout.name}-{datetime.now():%Y%m%d-%H%M%S}.log")
-    try:
-        recorder = Recorder(record, ready)
-    except (InUse, OSError, ValueError) as error:
-        raise click.UsageError(f"the record cannot be written: {told(error, record)}") from None
-    desk = Desk(ready, links, cycle_ms, recorder)
-    host, port = sock.getsockname()[:2]
-    at = f"http://{f'[{host}]' if ':' in host else host}:{port}/"
-    _say({"panel": at + (f"#token={access.operate}" if access.operate else "")}, form)
-    if access.look:
-        _say({"to look": f"{at}#token={access.look}"}, form)
-    _say({"record": str(record)}, form)
-    for ending in (signal.SIGTERM, signal.SIGHUP):
-        signal.signal(ending, _end)
     about = dict(DOES.values())
 
     def ask(who: str, what: str, name: str, reply: Reply) -> None:
         desk.ask(Person(who, True), {"do": what, about[what]: name}, lambda told: reply(bool(told["ok"])))
 
-    try:
-        with answering(ready, place, ask if requests else None) as server:
-            if server is not None:
-                desk.publish = server.publish
+    with answering(ready, place, ask if requests else None) as server:  # takes no request before the first scan
+        try:
+            recorder = Recorder(record, ready)
+        except (InUse, OSError, ValueError) as error:
+            raise click.UsageError(f"the record cannot be written: {told(error, record)}") from None
+        desk = Desk(ready, links, cycle_ms, recorder)
+        _welcome(sock, access, record, form)
+        for ending in (signal.SIGTERM, signal.SIGHUP):
+            signal.signal(ending, _end)
+        if server is not None:
+            desk.publish = server.publish
+        try:
             serve(desk, access, sock)
-    finally:
-        ms = round(desk.longest_s * 1000, 1)
-        _say({"stopped": "every output that could be reached is restrictive", "ms": ms, "of": cycle_ms}, form)
+        finally:
+            ms = round(desk.longest_s * 1000, 1)
+            _say({"stopped": "every output that could be reached is restrictive", "ms": ms, "of": cycle_ms}, form)
     if desk.broken:
         click.echo(f"error: the controller has stopped: {desk.broken}", err=True)
         sys.exit(70)
     raise KeyboardInterrupt  # nothing else ends it, even where the process was told to ignore the signal
+
+
+def _welcome(sock: socket.socket, access: Access, record: Path, form: str) -> None:
+    """Where the panel is, for whom, and where everything is recorded."""
+    host, port = sock.getsockname()[:2]
+    at = f"http://{f'[{host}]' if ':' in host else host}:{port}/"
+    _say({"panel": at + (f"#token={access.operate}" if access.operate else "")}, form)
+    if access.look:
+        _say({"to look": f"{at}#token={access.look}"}, form)
+    if ipaddress.ip_address(host).is_unspecified:
+        _say({"from elsewhere": f"write the name of this computer instead of {host}"}, form)
+    _say({"record": str(record)}, form)
 
 
 def _end(number: int, frame: object) -> None:

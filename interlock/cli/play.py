@@ -45,6 +45,8 @@ def command(
 
     TRACE may be the record of a panel, or with --layout that of a shift.
     """
+    if layout is not None and journal:
+        raise click.UsageError("--journal is of a panel's record; of a shift's: interlock record LOG --report FOLDER")
     name = trace.name.removesuffix(".json").removesuffix(".itf").removesuffix(".log")
     target = output or trace.with_name(name + ".html")
     try:
@@ -83,7 +85,12 @@ def _shift(data: bytes, log: Path, path: str, first: str, last: str, form: str) 
     if found.problem is not None:
         failed(f"{log}:{found.problem.line}: {found.problem.text}", form, "IL6011", "take it from where it came from")
         sys.exit(FINDINGS)
-    return of_shift(layout, found.events, _seconds(first, 0.0), _seconds(last, inf))
+    if found.events and "views" in found.events[0]:
+        raise NoShift(f"{log} is the record of a panel, which has its own plan: leave out --layout")
+    since, until = _seconds(first, 0.0), _seconds(last, inf)
+    if since > until:
+        raise NoShift(f"--to {last} is before --from {first}")
+    return of_shift(layout, found.events, since, until)
 
 
 def _panel(data: bytes, path: Path, first: str, last: str, journal: bool) -> str:

@@ -87,6 +87,8 @@ def command(
         jobs=jobs if len(layouts) == 1 else 1,
         cache=Cache(cache),
     )
+    if useless := limits.cache.useless():
+        click.echo(f"{cache}: nothing is kept: {useless}", err=True)
     foreign = limits.cache.foreign()
     if foreign:
         told = "answer is" if foreign == 1 else "answers are"

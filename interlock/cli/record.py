@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 
-from interlock.app.own import NotOurs, write_own
+from interlock.app.own import NotOurs, write_own, write_whole
 from interlock.cli.common import FINDINGS, OK, failed, force_option, format_option, put_json, told
 from interlock.record import Recorded, read_file
 from interlock.record.graph import graph_svg
@@ -121,7 +121,7 @@ def _write_csv(target: Path, text: str, force: bool) -> None:
     heading = text.partition("\n")[0]
     if target.exists() and not force and target.read_text("utf-8", "replace").partition("\n")[0] != heading:
         raise NotOurs(f"{target} exists and is not as interlock wrote it; --force overwrites it")
-    target.write_text(text, "utf-8")
+    write_whole(target, text.encode())
 
 
 def _summary(found: dict[str, Recorded], form: str) -> None:

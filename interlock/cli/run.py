@@ -9,7 +9,7 @@ import queue
 import signal
 import sys
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,6 +18,7 @@ from typing import Any
 import click
 from click.core import ParameterSource
 
+from interlock.app.alarms import TRAIN, Watch
 from interlock.app.run import BadCommand, Operator, Ready, prepare, refused, run
 from interlock.cli.common import exit_code, format_option, progress, proof_body, show_proof
 from interlock.cli.operator_place import answering, parsed
@@ -43,6 +44,8 @@ def _links(ready: Ready, given: tuple[str, ...]) -> dict[str, Link]:
             raise click.UsageError(f"{text}: write SUBSTATION=HOST:PORT[/DEVICE]; substations: {', '.join(stations)}")
         if not (0 < int(port) < 65536 and int(device or 1) < 256):
             raise click.UsageError(f"{text}: a port is between 1 and 65535, a device between 0 and 255")
+        if station in links:
+            raise click.UsageError(f"{text}: --modbus says twice where {station} is")
         places.append(f"{host}:{port}/{device or 1}")
         links[station] = ModbusLink(ready.allocation, station, host, int(port), int(device or 1))
     missing = sorted(set(stations) - set(links))
@@ -97,7 +100,10 @@ class _Typed:
     """Commands as they are typed or come over Modbus, one for a cycle."""
 
     def __init__(self, ready: Ready, say: Say) -> None:
+        assert ready.layout is not None and ready.controller is not None and ready.allocation is not None
         self._operator, self._say = Operator(ready), say
+        self._watch, self._dt_ms = Watch(ready.layout, ready.controller, ready.allocation), 0
+        self._stood: dict[str, str] = {}
         self._waiting: queue.SimpleQueue[tuple[str, str, Reply]] = queue.SimpleQueue()
 
     def listen(self) -> None:
@@ -112,6 +118,7 @@ class _Typed:
     def ask(self, last: Cycle | None, dt_ms: int) -> Mapping[str, int]:
         """The inputs of the next cycle."""
         waiting, operator, say = self._waiting, self._operator, self._say
+        self._dt_ms = dt_ms
         who, line, reply = ("", "", lambda taken: None) if waiting.empty() else waiting.get()
         if line := line.strip():
             if who:
@@ -129,6 +136,17 @@ class _Typed:
         for news in operator.news():
             say({"voyage": news})
         return found
+
+    def after(self, cycle: Cycle) -> Iterable[str]:
+        """The keys of the alarms that stand after a cycle; those that are new or over are said."""
+        self._watch.after(cycle, self._dt_ms)
+        stand = {key: text for key, (text, _) in {**self._watch.past, **self._watch.causes}.items()}
+        for key in [k for k in stand if k not in self._stood]:
+            self._say({"alarm": stand[key], "stands": True})
+        for key in [k for k in self._stood if k not in stand]:
+            self._say({"alarm": self._stood[key], "stands": False})
+        self._stood = stand
+        return (*stand, *(f"{TRAIN} {n}" for n in self._operator.numbers.alarms))
 
 
 def _run(
@@ -155,8 +173,9 @@ def _run(
             closing(run(ready, links, clock.cycle_ms, clock.cycles, typed.ask, poll=Beside())) as cycles_run,
         ):
             for result, took in cycles_run:
+                standing = typed.after(result)
                 if server is not None:
-                    server.publish(result)
+                    server.publish(result, standing)
                 longest = max(longest, took)
                 if (result.valid, result.lost) != said:
                     said = (result.valid, result.lost)
@@ -203,7 +222,7 @@ def _run(
     "--operator-modbus",
     "operator_modbus",
     metavar="[HOST:]PORT",
-    help="The operator's place on Modbus TCP: words of routes and outputs; without a host on this computer only.",
+    help="The operator's place on Modbus TCP: words of routes, outputs, alarms; without a host on this computer only.",
 )
 @click.option(
     "--operator-requests",
@@ -291,6 +310,8 @@ def _text(event: dict[str, Any]) -> None:
             click.echo(f"  {text}")
         case {"asked": line, "who": who}:
             click.echo(f"  {who} asks: {line}")
+        case {"alarm": text, "stands": stands}:
+            click.echo(f"  {'ALARM' if stands else 'over'}: {text}")
         case {"held": held}:
             click.echo(f"  held: {', '.join(f'{n}={v}' for n, v in held.items()) or 'nothing'}")
         case {"inputs": state, "lost": lost}:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import click
 
+from interlock.app.own import write_whole
 from interlock.cli.common import FINDINGS, NOT_PROVED, OK, Amount, failed, force_option, format_option, put_json
 from interlock.planning.displib import BadFile, read, write
 from interlock.planning.planner import Planned, schedule
@@ -40,7 +41,7 @@ def command(
         found = schedule(asked, seconds, workers, seed)
         wrong = _wrong(problem, found)
         if output is not None and found.plan is not None and not wrong:
-            output.write_text(write(found.plan), encoding="utf-8")
+            write_whole(output, write(found.plan).encode())
     except OSError as error:
         failed(f"{error.filename}: {error.strerror}", form)
         sys.exit(FINDINGS)

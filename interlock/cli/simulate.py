@@ -10,6 +10,7 @@ from pathlib import Path
 import click
 
 from interlock.app.horizon import Compared, compared
+from interlock.app.own import write_whole
 from interlock.app.setting import Setting, prepare
 from interlock.app.shifts import NoCluster, executing, many, mean
 from interlock.app.turns import NoHorizon
@@ -131,7 +132,7 @@ def _write(output: Path, setting: Setting, done: Sequence[Worked], force: bool) 
         target = output / f"{setting.layout.name}-{w.seed}.log"
         if target.exists() and not force and target.read_bytes() != w.log:
             raise FileExistsError(17, "there is another record; --force overwrites it", str(target))
-        target.write_bytes(w.log)
+        write_whole(target, w.log)
         files.append(str(target))
     return files
 

@@ -213,7 +213,7 @@ def beside(layout: str) -> str:
 def load(path: str, layout: Layout, sink: Sink, texts: dict[str, str]) -> Orders | None:
     """Read a dispatch file for a layout; None with every problem reported.  Its text is added to `texts`."""
     if not Path(path).exists():
-        fix = "write it beside the layout, or name another one; `docs/dispatch.md` has its keys"
+        fix = "write it beside the layout, or name another one; `interlock explain dispatch` has its keys"
         sink.add("IL1001", f"there is no dispatch file {path}", None, fix)
         return None
     text, _ = read(path, sink)

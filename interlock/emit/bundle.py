@@ -69,9 +69,31 @@ def write_folder(target: Path, files: Mapping[str, bytes]) -> None:
         raise
 
 
-def is_bundle(target: Path) -> bool:
-    """Whether a folder is one of ours (or not there), so that it may be replaced."""
-    return not target.exists() or (target / MANIFEST).is_file() or not any(target.iterdir())
+def strangers(target: Path) -> list[str]:
+    """What is in a folder that its manifest does not name: all of it where there is no manifest of ours.  A folder with
+    none may be replaced, as one that is not there; a file in its place is a stranger itself."""
+    if not target.exists():
+        return []
+    if not target.is_dir():
+        return [target.name]
+    there = {p.relative_to(target).as_posix() for p in target.rglob("*") if p.is_symlink() or not p.is_dir()}
+    return sorted(there - _named(target / MANIFEST))
+
+
+def _named(manifest: Path) -> set[str]:
+    """The files that a manifest of outputs or of a certificate names, and itself; none where it is something else."""
+    try:
+        body = json.loads(manifest.read_bytes())
+        ours = str(body["schema"]).startswith("interlock-")
+        return {MANIFEST, *body["files"]} if ours else set()
+    except (OSError, ValueError, TypeError, KeyError):
+        return set()
+
+
+def not_replaced(target: Path, found: list[str]) -> str:
+    """Why a folder with strangers in it is not replaced, in words."""
+    more = f" and {len(found) - 1} more" if len(found) > 1 else ""
+    return f"{target} is not replaced: interlock has not written {found[0]}{more}"
 
 
 def differences(target: Path, files: Mapping[str, bytes]) -> list[str]:

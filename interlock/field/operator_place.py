@@ -1,9 +1,10 @@
-"""The operator's place on Modbus TCP: what is said of routes, and every output, for a SCADA that reads registers.
+"""The operator's place on Modbus TCP: what is said of routes, outputs and alarms, for a SCADA that reads registers.
 
 Input registers and discrete inputs are read; requests are written into holding registers, if that is allowed at all:
 what and which, and a number that changes.  A request is told to whoever runs the controller, with who asks, and goes
 the way of every other command.  Modbus knows no user and no password: the address from which somebody asks is all
-there is.  Values that are older than `FRESH_S`, or of no scan, are told as unknown.  Needs the extra `field`.
+there is.  Values that are older than `FRESH_S`, or of no scan, are told as unknown.  Alarms stand behind the outputs.
+Needs the extra `field`.
 """
 
 from __future__ import annotations
@@ -12,10 +13,13 @@ import asyncio
 import contextvars
 import csv
 import io
+import socket
 import threading
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
+from hashlib import sha256
 from typing import Any
 
 from interlock.field.plc import Cycle
@@ -42,6 +46,9 @@ DOES = {SET: ("set", "route"), CANCEL: ("cancel", "signal"), SWING: ("swing", "s
 REQUEST = 3
 """Holding registers of a request: its number, what, which."""
 
+NOT_COUNTED = 65_535
+"""Said instead of how many alarms stand, where that is not known."""
+
 _HEAD = (
     ("form of these registers", "FORM"),
     ("cycles since the controller started, modulo 65536: it stands still when the controller does", "CYCLE"),
@@ -49,7 +56,11 @@ _HEAD = (
     ("number of the last request that was seen", "SEEN"),
     (f"what became of it: {'; '.join(f'{k} {v}' for k, v in ANSWERS.items())}", "ANSWER"),
     ("1 where requests may be written", "MAY_ASK"),
+    (f"how many alarms stand; {NOT_COUNTED}: not known", "ALARMS"),
+    ("alarms that have come since the run began, modulo 65536: one that came and went is counted, too", "CAME"),
 )
+_DIGEST = ("TABLE_HIGH", "TABLE_LOW")
+"""After these: what tells this table from that of another layout."""
 HEADINGS = ("Kind", "Address", "Name", "Meaning")
 Reply = Callable[[bool], None]
 Ask = Callable[[str, str, str, Reply], None]
@@ -67,15 +78,32 @@ class Registers:
     """Outputs and their meaning, in the order of their discrete inputs."""
     requests: dict[tuple[int, int], str]
     """What and which: the route or the signal."""
+    alarms: Sequence[tuple[str, str, str]]
+    """Key, variable and meaning of each alarm, in the order of their discrete inputs, behind those of `bits`."""
 
     def table(self) -> list[tuple[str, str, str, str]]:
         """A row for each register, discrete input and request."""
+        rows = self._rows()
+        for k, (name, half) in enumerate(zip(_DIGEST, self.digest, strict=True), len(_HEAD)):
+            text = f"always {half}: what reads otherwise belongs to another layout, and so to another table"
+            rows.insert(k, ("input register", str(k), name, text))
+        return rows
+
+    @cached_property
+    def digest(self) -> tuple[int, int]:
+        """Two registers that tell this table from others."""
+        said = sha256("\n".join(",".join(row[:3]) for row in self._rows()).encode()).digest()
+        return int.from_bytes(said[:2], "big"), int.from_bytes(said[2:4], "big")
+
+    def _rows(self) -> list[tuple[str, str, str, str]]:
         rows = [("input register", str(k), name, text) for k, (text, name) in enumerate(_HEAD)]
         for k, (_, name, route) in enumerate(self.words, FIRST):
             rows.append(
                 ("input register", str(k), name, f"word of route {route}: io/words.csv says what a value means")
             )
         rows += [("discrete input", str(k), name, note) for k, (name, note) in enumerate(self.bits)]
+        for k, (_, name, text) in enumerate(self.alarms, len(self.bits)):
+            rows.append(("discrete input", str(k), name, f"alarm: {text}"))
         asked = (
             (
                 0,
@@ -97,8 +125,8 @@ class Registers:
         return out.getvalue()
 
 
-def registers(controller: Controller) -> Registers:
-    """The registers of a controller; outputs with a wire stand among the others."""
+def registers(controller: Controller, alarms: Sequence[tuple[str, str, str]]) -> Registers:
+    """The registers of a controller; outputs with a wire stand among the others.  `alarms`: key, variable, meaning."""
     symbols, words = controller.symbols, controller.words
     routes = {r.number: str(r.id) for r in symbols.routes}
     requests = {(SET, n): name for n, name in sorted(routes.items())}
@@ -108,6 +136,7 @@ def registers(controller: Controller) -> Registers:
         [(n, str(words.routes[n]), routes[n]) for n in sorted(words.routes)],
         [(str(o.name), o.note) for o in controller.outputs],
         requests,
+        alarms,
     )
 
 
@@ -119,7 +148,13 @@ class _Image:
     valid: bool = False
     words: tuple[int, ...] = ()
     bits: tuple[bool, ...] = ()
+    alarms: int = NOT_COUNTED
+    came: int = 0
     at: float = float("-inf")
+
+
+def _family(place: tuple[str, int]) -> socket.AddressFamily:
+    return socket.getaddrinfo(*place, type=socket.SOCK_STREAM)[0][0]
 
 
 class OperatorPlace:
@@ -135,6 +170,7 @@ class OperatorPlace:
     ) -> None:
         self.registers, self.place, self.asks, self._now = registers, (host, port), ask, now
         self._image = _Image()
+        self._stood: frozenset[str] = frozenset()
         self._request = (0, 0)  # the number of the last request, and what became of it
         self._ready = threading.Event()
         self._failed = ""
@@ -142,6 +178,7 @@ class OperatorPlace:
 
     def start(self) -> None:
         """Begin to answer.  Raises OSError where that cannot be."""
+        socket.create_server(self.place, family=_family(self.place)).close()  # says why not, where that cannot be
         self._thread.start()
         self._ready.wait(10.0)
         if self._failed:
@@ -153,19 +190,29 @@ class OperatorPlace:
             self._loop.call_soon_threadsafe(self._end.set)
             self._thread.join(5.0)
 
-    def publish(self, cycle: Cycle | None) -> None:
-        """What a scan has said; None: the controller has no power."""
+    def publish(self, cycle: Cycle | None, alarms: Iterable[str]) -> None:
+        """What a scan has said, and the keys of the alarms that stand, each with its bit or with that of its first word
+        (`train 12`: `train`); None: the controller has no power."""
+        last = self._image
         if cycle is None:
-            self._image = _Image(self._image.cycle)
+            self._image, self._stood = _Image(last.cycle, came=last.came), frozenset()
             return
+        stand = frozenset(alarms)
+        lit = stand | {key.partition(" ")[0] for key in stand}
         words = cycle.words()
         self._image = _Image(
-            (self._image.cycle + 1) % 65536,
+            (last.cycle + 1) % 65536,
             cycle.valid,
             tuple(words.get(n, UNKNOWN) for n, _, _ in self.registers.words),
-            tuple(bool(cycle.outputs.get(name)) for name, _ in self.registers.bits),
+            (
+                *(bool(cycle.outputs.get(name)) for name, _ in self.registers.bits),
+                *(key in lit for key, _, _ in self.registers.alarms),
+            ),
+            min(len(stand), NOT_COUNTED - 1),
+            (last.came + len(stand - self._stood)) % 65536,
             self._now(),
         )
+        self._stood = stand
 
     # --- the thread --------------------------------------------------------------------------------
 
@@ -193,7 +240,8 @@ class OperatorPlace:
                 return Handler(self, self.trace_packet, self.trace_pdu, self.trace_connect)  # type: ignore[no-untyped-call]
 
         self._loop, self._end = asyncio.get_running_loop(), asyncio.Event()
-        counts = (16, max(16, len(self.registers.bits)), REQUEST, FIRST + len(self.registers.words))
+        bits = len(self.registers.bits) + len(self.registers.alarms)
+        counts = (16, max(16, bits), REQUEST, FIRST + len(self.registers.words))
         types = (DataType.BITS, DataType.BITS, DataType.REGISTERS, DataType.REGISTERS)
         coils, inputs, holding, words = (
             [SimData(0, values=[False] * n if t is DataType.BITS else [0] * n, datatype=t)]
@@ -229,7 +277,8 @@ class OperatorPlace:
             bits = [*image.bits, *[False] * (16 * len(held))]
             held[:] = [sum(bit << n for n, bit in enumerate(bits[16 * k : 16 * k + 16])) for k in range(len(held))]
         elif function == 4:
-            head = (FORM, image.cycle, int(image.valid), *self._request, int(self.asks is not None))
+            head = [FORM, image.cycle, int(image.valid), *self._request, int(self.asks is not None)]
+            head += [image.alarms, image.came, *self.registers.digest]
             told = [*head, *[0] * (FIRST - len(head)), *image.words]
             held[:] = [*told, *[0] * (len(held) - len(told))]
         return None
@@ -237,7 +286,7 @@ class OperatorPlace:
     def _fresh(self) -> _Image:
         """What is so now; nothing, where the last scan is too old."""
         image = self._image
-        return image if self._now() - image.at <= FRESH_S else _Image(image.cycle)
+        return image if self._now() - image.at <= FRESH_S else _Image(image.cycle, came=image.came)
 
     def _take(self, wanted: Sequence[int], image: _Image) -> None:
         """A request, which is told on once: nothing is asked of a controller whose inputs are not valid."""

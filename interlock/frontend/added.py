@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.ports import Wiring
-from interlock.frontend.resolve import resolve_choice
+from interlock.frontend.resolve import no_section, resolve_choice
 from interlock.frontend.schema import DemandSpec
 from interlock.model.elements import Barred, Demanded, DemandedClear, MachineId, Position, SectionId
 
@@ -40,8 +40,7 @@ def resolve_demanded(ctx: Context, wiring: Wiring) -> tuple[Demanded | DemandedC
             fix = "write `point: 3, lies: normal`, or `clear: s7`; for both write two demands"
             ctx.add("IL3034", text, ctx.at("demand", i), fix)
         elif x.clear is not None and x.clear not in wiring.sections:
-            text = f"a demand: there is no section {x.clear}"
-            ctx.add("IL2004", text, ctx.at("demand", i, "clear"), did_you_mean(x.clear, wiring.sections))
+            no_section(ctx, wiring, x.clear, ctx.at("demand", i, "clear"), "a demand")
         elif x.clear is not None:
             routes = resolve_choice(ctx, wiring, x.routes, ("demand", i, "routes"), "a demand")
             out.append(DemandedClear(SectionId(x.clear), routes, x.reason))

@@ -243,7 +243,9 @@ def _no_comma(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quot
     if found is not None and line[mark.column : mark.column + 1] == ":":
         rest = re.split(r"[,}]", line[mark.column + 1 :])[0].strip()
         span = Span(file, mark.line + 1, found.start(2) + 1, len(found[2]))
-        yield f"a comma is missing before `{found[2]}`", span, f"write `{found[1]}, {found[2]}: {rest}`"
+        before = found[1].rstrip(";")
+        wrong = "a comma is missing" if before == found[1] else "a semicolon stands for a comma"
+        yield f"{wrong} before `{found[2]}`", span, f"write `{before}, {found[2]}: {rest}`"
 
 
 def _mismatch(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:

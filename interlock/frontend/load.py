@@ -11,7 +11,6 @@ import os
 from dataclasses import dataclass, replace
 
 from interlock.diag import Sink, Span
-from interlock.diag.suggest import did_you_mean
 from interlock.frontend.added import named_kinds, resolve_barred, resolve_demanded, unlisted
 from interlock.frontend.cabinets import (
     resolve_addresses,
@@ -34,6 +33,7 @@ from interlock.frontend.resolve import (
     check_signal_names,
     hands,
     identifiers,
+    no_section,
     resolve_automatic,
     resolve_conditions,
     resolve_devices,
@@ -318,13 +318,8 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
 
 def _check_sections(ctx: Context, wiring: Wiring) -> None:
     for name in ctx.file.sections:
-        if name not in wiring.sections and not ctx.sink.has("IL1021"):
-            ctx.add(
-                "IL2004",
-                f"there is no section {name}",
-                ctx.at_key("sections", name),
-                did_you_mean(name, wiring.sections),
-            )
+        if not ctx.sink.has("IL1021"):
+            no_section(ctx, wiring, name, ctx.at_key("sections", name), "")
     for name, span in wiring.approaches.items():
         if name in wiring.sections:
             ctx.add(

@@ -51,11 +51,9 @@ def _edges_at(wiring: Wiring) -> dict[NodeId, list[Edge]]:
 
 def check_signal_names(ctx: Context, wiring: Wiring) -> None:
     """Report signals that name no section; runs even when the graph does not stand yet."""
-    items = [item for those in ctx.file.tracks.values() for item in those if item.strip()]
-    unclear = [item.split() for item in items if item_parts(item)[0] not in wiring.sections]  # and reported
-    mentioned = {" ".join(words[:k]) for words in unclear for k in range(1, max(2, len(words)))}
-    unread = [m for m in mentioned if m not in wiring.sections and m not in ctx.file.boundaries]
-    sections = (wiring.sections.keys() | mentioned) - ctx.file.boundaries.keys()
+    meant = _meant(ctx, wiring)
+    unread = [m for m in meant if m not in wiring.sections and m not in ctx.file.boundaries]
+    sections = (wiring.sections.keys() | meant) - ctx.file.boundaries.keys()
     known = sections | ctx.file.boundaries.keys()
     for name, spec in ctx.file.signals.items():
         for key, value, names in (("from", spec.from_, known), ("into", spec.into, sections)):
@@ -69,6 +67,19 @@ def check_signal_names(ctx: Context, wiring: Wiring) -> None:
                 else:
                     kind = "section or boundary" if key == "from" else "section"
                     _unknown(ctx, kind, value, span, names, called("signal", name))
+
+
+def _meant(ctx: Context, wiring: Wiring) -> set[str]:
+    """What may be the name of a section in an item of a track that cannot be read, which is reported."""
+    items = [item for those in ctx.file.tracks.values() for item in those if item.strip()]
+    unclear = [item.split() for item in items if item_parts(item)[0] not in wiring.sections]
+    return {" ".join(words[:k]) for words in unclear for k in range(1, max(2, len(words)))}
+
+
+def no_section(ctx: Context, wiring: Wiring, name: str, span: Span, what: str) -> None:
+    """Report that `what` names a section that there is not, unless its track cannot be read, which is reported."""
+    if name not in wiring.sections and name not in _meant(ctx, wiring):
+        _unknown(ctx, "section", name, span, wiring.sections, what)
 
 
 def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
@@ -215,10 +226,7 @@ def resolve_conditions(ctx: Context, wiring: Wiring) -> tuple[Condition, ...]:
     out = []
     for name, spec in ctx.file.conditions.items():
         for i, s in enumerate(spec.over):
-            if s not in wiring.sections:
-                _unknown(
-                    ctx, "section", s, ctx.at("conditions", name, "over", i), wiring.sections, called("condition", name)
-                )
+            no_section(ctx, wiring, s, ctx.at("conditions", name, "over", i), called("condition", name))
         for i, g in enumerate(spec.signals):
             if g not in ctx.file.signals:
                 at = ctx.at("conditions", name, "signals", i)
@@ -281,8 +289,7 @@ def resolve_devices(ctx: Context, wiring: Wiring) -> tuple[Device, ...]:
     ):
         for name, spec in specs.items():
             for i, s in enumerate(spec.over):
-                if s not in wiring.sections:
-                    _unknown(ctx, "section", s, ctx.at(room, name, "over", i), wiring.sections, f"{kind} {name}")
+                no_section(ctx, wiring, s, ctx.at(room, name, "over", i), f"{kind} {name}")
             out.append(Device(MachineId(name), kind, spec.text, tuple(sorted(map(SectionId, spec.over)))))
     return tuple(sorted(out, key=lambda d: d.id))
 
@@ -333,8 +340,7 @@ def _check_ends(ctx: Context, wiring: Wiring, spec: RouteSpec, what: str, at: tu
     if not _is_end(ctx, wiring, spec.to):
         _unknown(ctx, "signal, boundary or buffer", spec.to, ctx.at(*at, "to"), _ends(ctx, wiring), what)
     for i, s in enumerate(spec.via):
-        if s not in wiring.sections:
-            _unknown(ctx, "section", s, ctx.at(*at, "via", i), wiring.sections, what)
+        no_section(ctx, wiring, s, ctx.at(*at, "via", i), what)
 
 
 def _ends(ctx: Context, wiring: Wiring) -> tuple[str, ...]:
@@ -343,14 +349,13 @@ def _ends(ctx: Context, wiring: Wiring) -> tuple[str, ...]:
 
 
 def _is_end(ctx: Context, wiring: Wiring, name: str) -> bool:
-    f = ctx.file
-    return name in f.signals or name in f.boundaries or name in f.buffers or name in wiring.sections
+    return name in _ends(ctx, wiring) or name in _meant(ctx, wiring)
 
 
 def _unknown(ctx: Context, kind: str, name: str, span: Span, known: Collection[str], what: str) -> None:
     """Report a name that `what` refers to and nothing bears; one that is misspelt everywhere is one mistake."""
     code = "IL2004" if kind.startswith("section") else "IL2006"
-    message = f"{what}: there is no {kind} {name}"
+    message = f"{what}: there is no {kind} {name}" if what else f"there is no {kind} {name}"
     ctx.add(code, message, span, did_you_mean(name, known), cause=name, note=what)
 
 
@@ -362,8 +367,7 @@ def resolve_choice(ctx: Context, wiring: Wiring, spec: ChoiceSpec, at: tuple[str
         _unknown(ctx, "signal, boundary or buffer", spec.to, ctx.at(*at, "to"), _ends(ctx, wiring), what)
     for key, sections in (("via", spec.via), ("not_via", spec.not_via)):
         for k, s in enumerate(sections):
-            if s not in wiring.sections:
-                _unknown(ctx, "section", s, ctx.at(*at, key, k), wiring.sections, what)
+            no_section(ctx, wiring, s, ctx.at(*at, key, k), what)
     entry = SignalId(spec.from_) if spec.from_ else None
     shunt, called_on = None if spec.kind is None else spec.kind == "shunt", spec.kind == "call-on"
     via, not_via = tuple(map(SectionId, spec.via)), tuple(map(SectionId, spec.not_via))
@@ -401,8 +405,7 @@ def resolve_zones(ctx: Context, wiring: Wiring) -> tuple[Zone, ...]:
     out = []
     for name, spec in ctx.file.zones.items():
         for i, s in enumerate(spec.sections):
-            if s not in wiring.sections:
-                _unknown(ctx, "section", s, ctx.at("zones", name, "sections", i), wiring.sections, f"zone {name}")
+            no_section(ctx, wiring, s, ctx.at("zones", name, "sections", i), f"zone {name}")
         if not spec.sections:
             at = ctx.at_key("zones", name)
             ctx.add("IL2004", f"zone {name} has no section", at, "name them: `sections: [s1, s2]`")

@@ -10,16 +10,16 @@ import os
 import queue
 import threading
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import closing
 from typing import Any
 
+from interlock.app.alarms import HAZARD, RECORD, TRAIN, Watch
 from interlock.app.run import Ready, run
 from interlock.field.plc import Cycle, Link
 from interlock.field.polling import Beside, InTurn
 from interlock.panel.alarms import Alarm
 from interlock.panel.browsers import Browsers
-from interlock.panel.causes import Idle, causes, fallen_back
 from interlock.panel.clock import MOST_S, SPEEDS, Clock
 from interlock.panel.commands import Refused
 from interlock.panel.event import Event, stamp
@@ -29,9 +29,6 @@ from interlock.panel.reasons import Moment, Reason
 from interlock.panel.recorder import Recorder
 from interlock.panel.simulated import SimulatedField
 from interlock.panel.stock import LENGTH_M, Impossible
-
-SETTLES_MS = 1000
-"""Milliseconds after a start in which heartbeats are not yet missed."""
 
 Reply = Callable[[dict[str, Any]], None]
 
@@ -64,18 +61,17 @@ class Desk:
         self.links: Mapping[str, Link] = self.field.links if self.field is not None else links or {}
         self.picture = Picture(ready)
         self.operating = Operating(ready, self.picture.dark(), 0 if recorder is None else recorder.releases, self._note)
-        self._idle = Idle(ready)
+        self._watch = self._watching()
         self.power = True
         self.longest_s = 0.0
         self._queue: queue.SimpleQueue[tuple[Person, dict[str, Any], Reply]] = queue.SimpleQueue()
         self._last = Cycle({}, {}, False, ())
         self._dt_ms = cycle_ms
         self._hazards = 0
-        self._ran_ms = 0
         self.browsers = Browsers(still(ready, self.field), self.picture.dark(), self._rest(None))
         self._stop = threading.Event()
-        self.publish: Callable[[Cycle | None], None] = lambda cycle: None
-        """Told of every cycle, and of one without power (None)."""
+        self.publish: Callable[[Cycle | None, Iterable[str]], None] = lambda cycle, alarms: None
+        """Told of every cycle, and of one without power (None), with the keys of the alarms that stand."""
         self.ended: Callable[[], None] = lambda: None
         """Called when the cycles have ended."""
         self.broken = ""
@@ -119,7 +115,7 @@ class Desk:
     def _powered(self) -> None:
         now, sleep = (time.monotonic, time.sleep) if self.field is None else (self.clock.now, self.clock.sleep)
         self._last = Cycle({}, {}, False, ())
-        self._ran_ms, self._idle = 0, Idle(self.ready)
+        self._watch = self._watching()
         self._once("the controller starts: every section stays locked until it is released")
         poll = InTurn() if self.field is not None else Beside()
         with closing(run(self.ready, self.links, self._cycle_ms, None, self._inputs, now, sleep, poll)) as cycles:
@@ -138,7 +134,7 @@ class Desk:
             self.field.step(self._cycle_ms / 1000, {})
             if self._recorder is not None:
                 self._recorder.cycle(None)
-            self.publish(None)
+            self.publish(None, ())
             self.browsers.tell(self.picture.dark(), lambda: self._rest(None))
             self.clock.sleep(max(0.0, self._cycle_ms / 1000 - (self.clock.now() - began)))
 
@@ -159,15 +155,14 @@ class Desk:
         moment = Moment(cycle.inputs, before.memory, self._dt_ms)
         for answer in self.operating.answers(before, cycle, moment):
             self._note(answer)
-        for text, at, reasons in fallen_back(self.ready, self.operating.reasons, before, cycle, moment):
-            self._alarm(self.operating.alarms.once(text, at, stamp()), reasons)
-        self._ran_ms += self._dt_ms
-        self._idle.after(cycle, self._dt_ms)
-        if self._ran_ms > SETTLES_MS:
-            found = causes(self.ready, cycle) | self._idle.causes
-            found |= {f"train {n}": told for n, told in self.operating.operator.numbers.alarms.items()}
+        for x in self._watch.after(cycle, self._dt_ms):
+            reasons = tuple(self.operating.reasons.of_loss(x.route.number, moment))
+            self._alarm(self.operating.alarms.once(x.text, x.at, stamp()), reasons)
+        found = dict(self._watch.causes)
+        if self._watch.settled:
+            found |= {f"{TRAIN} {n}": told for n, told in self.operating.operator.numbers.alarms.items()}
             if self._recorder is not None and self._recorder.lost:
-                found["record"] = (self._recorder.lost, ())
+                found[RECORD] = (self._recorder.lost, ())
             for a in self.operating.alarms.stand(found, stamp()):
                 self._alarm(a)
         if self.field is not None:
@@ -177,11 +172,17 @@ class Desk:
             self._hazards = len(hazards)
         if self._recorder is not None:
             self._recorder.cycle(cycle)
-        self.publish(cycle)
-        self.browsers.tell(self.picture.of(cycle, self._idle.causes), lambda: self._rest(cycle))
+        self.publish(cycle, (*found, *self._watch.past, *([HAZARD] if self._hazards else [])))
+        self.browsers.tell(self.picture.of(cycle, self._watch.idle), lambda: self._rest(cycle))
         self.longest_s = max(self.longest_s, time.monotonic() - self._began)
 
     # --- telling -----------------------------------------------------------------------------------
+
+    def _watching(self) -> Watch:
+        """A watch over the alarms from a start of the controller on."""
+        layout, controller, allocation = self.ready.layout, self.ready.controller, self.ready.allocation
+        assert layout is not None and controller is not None and allocation is not None
+        return Watch(layout, controller, allocation)
 
     def _once(self, text: str) -> None:
         self._alarm(self.operating.alarms.once(text, (), stamp()))

@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Sequence
-from datetime import datetime
-from itertools import accumulate
+from datetime import datetime, timedelta
+from itertools import accumulate, pairwise
 from typing import Any
 
 from jinja2 import Environment, PackageLoader, select_autoescape
@@ -15,6 +15,9 @@ from interlock.record.log import END, Event, Recorded
 
 PICTURE = "picture"
 """The kind of an event that tells a change of what the player shows."""
+
+SET_BACK_S = 1
+"""Seconds by which the clock may be corrected without a word (our choice)."""
 
 MOST = 2000
 """States that a page of the player shows at most."""
@@ -32,34 +35,51 @@ def clock(t_ms: int) -> str:
 
 
 def at(text: str, events: Sequence[Event]) -> int:
-    """Milliseconds of a time given as HH:MM, HH:MM:SS (on the day of the log's first event) or whole.
+    """Milliseconds of a time given as HH:MM, HH:MM:SS (on the day of the log's first event, or on the next one where
+    only that lies in the log) or whole.
 
     Raises `ValueError`.
     """
     day = datetime.fromtimestamp(events[0]["t"] / 1000).astimezone()
+    first, last = _whole(events)
     for form in ("%H:%M", "%H:%M:%S"):
         try:
             given = datetime.strptime(text, form)
         except ValueError:
             continue
         moment = day.replace(hour=given.hour, minute=given.minute, second=given.second, microsecond=0)
-        return round(moment.timestamp() * 1000)
+        then, next_day = (round(m.timestamp() * 1000) for m in (moment, moment + timedelta(days=1)))
+        return next_day if then < first <= next_day <= last else then
     return round(datetime.fromisoformat(text).astimezone().timestamp() * 1000)
+
+
+def _whole(events: Sequence[Event]) -> tuple[int, int]:
+    """The first and the last time in a log; the clock may have been set back."""
+    times = [int(e["t"]) for e in events]
+    return min(times), max(times)
+
+
+def _set_back(before: Event, e: Event) -> str:
+    """That the clock was set back between two events; empty where it was not."""
+    seconds = round((before["t"] - e["t"]) / 1000)
+    return f"the clock of this computer was set back by {seconds} s" if seconds > SET_BACK_S else ""
 
 
 def span(found: Recorded, first: str, last: str) -> tuple[Event, int, int]:
     """The event that begins a panel's log, and the span in milliseconds.  Raises `NotAPanels`."""
     events = found.events
+    if events and events[0].get("what") == "shift":
+        raise NotAPanels("this is the record of a simulated shift: name its layout with --layout")
     if not events or events[0]["kind"] != "begin" or "views" not in events[0]:
         raise NotAPanels("this is no record of a panel")
+    begins, ends = _whole(events)
     try:
-        return (
-            events[0],
-            at(first, events) if first else events[0]["t"],
-            at(last, events) if last else events[-1]["t"],
-        )
+        since, until = at(first, events) if first else begins, at(last, events) if last else ends
     except ValueError:
         raise NotAPanels("write times as HH:MM, HH:MM:SS or 2026-01-31T06:00:00") from None
+    if since > until and first and last:
+        raise NotAPanels(f"--to {last} is before --from {first}")
+    return events[0], since, until
 
 
 def trace(found: Recorded, first: str = "", last: str = "") -> str:
@@ -68,17 +88,18 @@ def trace(found: Recorded, first: str = "", last: str = "") -> str:
     on: set[str] = set()
     said: list[str] = []
     states: list[tuple[str, frozenset[str]]] = []
-    for e in found.events:
-        if e["t"] > end:
-            break
+    for before, e in pairwise((found.events[0], *found.events)):
+        inside = start <= e["t"] <= end
+        if inside and (jump := _set_back(before, e)):
+            said.append(jump)
         if e["kind"] == PICTURE:
             on = set(e["on"]) if e["whole"] else (on | set(e["on"])) - set(e["off"])
-        elif e["t"] >= start and e["kind"] in TOLD:
+        elif inside and e["kind"] in TOLD:
             said.append(_sentence(e))
             continue
         else:
             continue
-        if e["t"] >= start:
+        if inside:
             states.append((f"{clock(e['t'])[11:]}  {'; '.join(said)}".strip(), frozenset(on)))
             said.clear()
     if said:
@@ -122,7 +143,12 @@ def _with_rules(e: Event) -> list[str]:
 def page(found: Recorded, first: str = "", last: str = "") -> str:
     """The page of a shift: what was done, refused, released by hand and alarmed.  Raises `NotAPanels`."""
     begin, start, end = span(found, first, last)
-    told = [e for e in found.events if e["kind"] in TOLD]
+    told: list[Event] = []
+    for before, e in pairwise((found.events[0], *found.events)):
+        if jump := _set_back(before, e):
+            told.append({"kind": "gap", "t": e["t"], "text": jump})
+        if e["kind"] in TOLD:
+            told.append(e)
     numbers = list(accumulate(e["kind"] == "release" for e in told))
     inside = [(n, e) for n, e in zip(numbers, told, strict=True) if start <= e["t"] <= end]
     rows = [

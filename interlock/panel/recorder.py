@@ -63,6 +63,8 @@ class Recorder:
         self._contacts: tuple[str, ...] = tuple(y.machines.detected.values())
         self._state: tuple[str, ...] = tuple(n for n in views(ready) if n not in {*self._clear, *self._contacts})
         self._on: frozenset[str] | None = None
+        self._base: frozenset[str] | None = None
+        """What was on when writing had to stop."""
         self._waiting: deque[tuple[int, str, dict[str, Any]]] = deque(maxlen=KEPT)
         self._dropped = 0
         self._tried = 0.0
@@ -72,29 +74,38 @@ class Recorder:
         self._left: Log | None = None
         """Where writing had to stop."""
         try:
-            self._open(str(ready.layout.name))
+            self._open(str(ready.layout.name), ready.table.layout_digest)
         except (OSError, ValueError):
             self._let_go()
             raise
-        self._put(
-            "begin",
-            program=f"interlock {__version__}",
-            layout=ready.layout.name,
-            title=ready.layout.title or ready.layout.name,
-            digest=ready.table.layout_digest,
-            plan=plan_svg(ready.layout),
-            views=views(ready),
-        )
+        self._heading = {
+            "program": f"interlock {__version__}",
+            "layout": ready.layout.name,
+            "title": ready.layout.title or ready.layout.name,
+            "digest": ready.table.layout_digest,
+            "plan": plan_svg(ready.layout),
+            "views": views(ready),
+        }
+        self._put("begin", **self._heading)
 
-    def _open(self, layout: str) -> None:
-        """Begin the log, or go on with it."""
+    def _open(self, layout: str, digest: str) -> None:
+        """Begin the log, or go on with it: one of another kind, or of the layout as it was, would be told wrongly."""
         if not self.path.exists():
             self._log = Log.create(self.path)
             return
         self._log, found = Log.resume(self.path)
-        first = found.events[0] if found.events else {}
-        if first.get("layout") not in (None, layout):
-            raise ValueError(f"{self.path} is the record of {first.get('layout')}")
+        first = found.events[0] if found.events else None
+        if first is not None:
+            wrong = ""
+            if "views" not in first:
+                wrong = f"{self.path} is no record of a panel"
+            elif first.get("layout") != layout:
+                wrong = f"{self.path} is the record of {first.get('layout')}"
+            elif first.get("digest") != digest:
+                wrong = f"{self.path} is the record of {layout} as it was before its layout was changed"
+            if wrong:
+                self._log.close()
+                raise ValueError(f"{wrong}: choose another file")
         self.releases = sum(e["kind"] == "release" for e in found.events)
 
     def _let_go(self) -> None:
@@ -108,8 +119,8 @@ class Recorder:
 
     def cycle(self, cycle: Cycle | None) -> None:
         """A cycle has ended; None while there is no power."""
-        if self._log is None and time.monotonic() - self._tried > AGAIN_S:
-            self._again()
+        if time.monotonic() - self._tried > AGAIN_S:
+            self._look()
         if cycle is None:
             on = frozenset(self._clear)
         else:
@@ -145,20 +156,34 @@ class Recorder:
         self._dropped += len(self._waiting) == KEPT
         self._waiting.append((t_ms, kind, fields))
 
+    def _look(self) -> None:
+        """Once in a while: go on where nothing could be written; a file that is gone takes nothing any more."""
+        self._tried = time.monotonic()
+        if self._log is None:
+            self._again()
+        elif not self._log.lies_at(self.path):
+            self._broken(OSError(0, f"{self.path} was moved away or removed"))
+
     def _broken(self, error: OSError) -> None:
         self.lost = f"the record cannot be written: {error.strerror or error}"
         self._tried = time.monotonic()
+        if not self._waiting:
+            self._base = self._on
         if self._log is not None:
             self._log.close()
             self._left, self._log = self._log, None
 
     def _again(self) -> None:
-        """Try to go on: what was torn off is cut away, what was kept is written."""
-        self._tried = time.monotonic()
+        """Try to go on: what was torn off is cut away, what was kept is written, in a file that begins anew if the
+        other one is gone."""
+        since = self._waiting[0][0] if self._waiting else round(time.time() * 1000)
         try:
             left = self._left if self.path.exists() else None
             self._log = Log.create(self.path) if left is None else Log.again(self.path, left)
-            self._log.add(round(time.time() * 1000), "gap", text=self.lost, dropped=self._dropped)
+            if left is None:
+                self._log.add(since, "begin", **self._heading)
+                self._log.add(since, PICTURE, on=sorted(self._base or ()), off=[], whole=True)
+            self._log.add(since, "gap", text=self.lost, dropped=self._dropped)
             while self._waiting:
                 t_ms, kind, fields = self._waiting[0]
                 self._log.add(t_ms, kind, **fields)

@@ -121,9 +121,12 @@ class _Talk:
 
     async def run(self) -> None:
         """From hello until it goes."""
-        who = self.access.person(await self._read())
+        hello = await self._read()
+        who = self.access.person(hello)
         if who is None:
-            await self.ws.send_text(json.dumps({"refused": "this panel asks for a token"}))
+            given = isinstance(hello, dict) and hello.get("token")
+            why = "this token is none of this panel's" if given else "this panel asks for a token"
+            await self.ws.send_text(json.dumps({"refused": why}))
             await self.ws.close(1008)
             return
         first = self.desk.browsers.listen(self._tell)

@@ -103,6 +103,9 @@ def read(data: bytes) -> Recorded:
             return Recorded(tuple(events), chain, 0, Problem(k, NO_EVENT))
         events.append(event)
         chain = Chain(chain.number + 1, digest)
+    begun, rest_of = b'{"n":%d,"t":' % chain.number, rest.rstrip(b"\0")  # zeros: what a power cut leaves of a block
+    if not (rest_of.startswith(begun) or begun.startswith(rest_of)):
+        return Recorded(tuple(events), chain, 0, Problem(len(lines) + 1, NO_EVENT))
     return Recorded(tuple(events), chain, len(rest))
 
 
@@ -175,6 +178,13 @@ class Log:
             self.chain = before
             raise
         self.size += size
+
+    def lies_at(self, path: Path) -> bool:
+        """Whether this log is the file of that name, which may have been moved or removed."""
+        try:
+            return os.path.samestat(os.stat(path), os.fstat(self._handle))
+        except OSError:
+            return False
 
     def close(self) -> None:
         """Let go of the file."""

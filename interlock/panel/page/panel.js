@@ -177,10 +177,10 @@ function log(e, old) {
 
 const wrong = new Rows($("alarms"), () => {
   const b = button("Acknowledge", () => b.does());
-  return element("li", "", element("b", ""), b, element("span", ""));
+  return element("li", "", b, element("b", ""), element("span", ""));
 }, (row, [key, text, where, since, active, who]) => {
-  const [head, b, words] = row.children;
-  head.textContent = head.title = [clock(since), active ? "" : "over", who ? `seen by ${who}` : ""].filter(Boolean).join(", ");
+  const [b, head, words] = row.children;
+  head.textContent = head.title = `${[clock(since), active ? "" : "over", who ? `seen by ${who}` : ""].filter(Boolean).join(", ")}:`;
   words.textContent = text;
   row.className = `${active ? "active" : ""} ${who ? "" : "new"}`;
   row.onclick = () => { if (where.length) plan.mark("shown", where); };
@@ -316,8 +316,10 @@ $("line").addEventListener("submit", e => {
   e.preventDefault();
   const order = $("typed").value.trim();
   if (/^[^:>]+:[^:>]+(>[^:>]+)+$/.test(order)) { $("typed").value = ""; ask({do: "voyage", name: order}); return; }
+  if (still.voyages.includes(order)) { $("typed").value = ""; ask({do: "voyage", name: order}); return; }
   const stands = /^([^@\s]+)@(.+)$/.exec(order);
   if (stands) { $("typed").value = ""; ask({do: "train", name: stands[1], section: stands[2].trim()}); return; }
+  if (/[:>@]/.test(order)) { say("Not clear", [["write 12:W>E for the way of a train, 12@q4 for where it stands", []]]); return; }
   const [keys, ...others] = readings(order.split(/\s+/));
   if (others.length) { say("Not clear", [[`${order} can be read in ${others.length + 1} ways: choose on the plan`, []]]); return; }
   const lost = keys.find(([, known]) => !known.length);
@@ -326,7 +328,9 @@ $("line").addEventListener("submit", e => {
   if (chosen) choose(chosen);
   const from = keys[0][1], to = keys[1]?.[1];
   choose(from.find(k => k[0] === "g") ?? from[0]);
-  if (to) choose(to.find(k => exits().includes(k)) ?? to[0]);
+  if (!to) return;
+  const end = to.find(k => exits().includes(k));
+  if (end) choose(end); else say("No route", [[`none leads from ${keys[0][0]} to ${keys[1][0]}`, []]]);
 });
 document.addEventListener("keydown", e => {
   if (e.key === "Escape") { $("typed").blur(); if (chosen) choose(chosen); else { $("said").replaceChildren(); plan.mark("shown", []); } return; }

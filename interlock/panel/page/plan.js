@@ -30,7 +30,7 @@ export class Plan {
     this.keys = new Map();
     for (const s of Object.keys(still.sections)) this.key(`s:${s}`, by(`section-${s}`), `section ${s}`);
     for (const [m, one] of Object.entries(still.machines)) {
-      if (one.device) this.key(`m:${m}`, by(`device-${m}`), `${one.kind} ${m}`);
+      if (one.device) this.device(m, one, by(`device-${m}`));
       for (const p of one.points) this.key(`m:${m}`, by(`point-${p.id}`), `points ${m}`, 11);
     }
     this.lies = {}; // after what is clicked: of a slip the legs chosen between lie beside the blades
@@ -88,6 +88,19 @@ export class Plan {
     const w = Math.max(b.width, 2 * reach), h = Math.max(b.height, 2 * reach);
     if (key[0] !== "m" || group.dataset.n) make("rect", {class: "reach", x, y, width: w, height: h, rx: 4}, group);
     else make("circle", {class: "reach", cx: b.x + b.width / 2, cy: b.y + b.height / 2, r: reach}, group);
+  }
+
+  // a bridge is a frame, a road two lines: what is clicked is all of each place at which it lies over a track
+  device(m, one, group) {
+    this.key(`m:${m}`, group, `${one.kind} ${m}`);
+    const places = [];
+    for (const part of group?.querySelector(".mark").getAttribute("d").split(/(?=M)/) ?? []) {
+      const stroke = make("path", {d: part}, group), b = stroke.getBBox(), x = b.x + b.width / 2, y = b.y + b.height / 2;
+      stroke.remove();
+      const same = places.find(p => Math.hypot(p.x - x, p.y - y) < 12);
+      if (same) same.x = (same.x + x) / 2; else places.push({x, y});
+    }
+    for (const {x, y} of places) make("rect", {class: "reach", x: x - 11, y: y - 16, width: 22, height: 32, rx: 4}, group);
   }
 
   // how a point lies: a short bright piece of the leg to which it leads

@@ -69,6 +69,18 @@ class Cache:
         ]
         return sum(self.text(name) is None for name in names)
 
+    def useless(self) -> str:
+        """Why nothing can be kept; empty where something can, or where nothing is asked for."""
+        if self.folder is None:
+            return ""
+        try:
+            self.folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            return error.strerror or str(error)
+        if not os.access(self.folder, os.W_OK | os.X_OK):
+            return "it cannot be written"
+        return "" if _own() is not None else "no key of your own can be had in your configuration folder"
+
     def keep_text(self, key: str, body: str) -> None:
         """Keep one line of ASCII; a folder that cannot be written keeps nothing."""
         sealed = None if self.folder is None else _seal(key, body)
@@ -87,8 +99,16 @@ def key_file() -> Path:
     return (Path(base) if base else Path.home() / ".config") / "interlock" / "cache.key"
 
 
+def _own() -> bytes | None:
+    """The user's key; None where none can be had."""
+    try:
+        return _secret(key_file())
+    except RuntimeError:  # the user has no home
+        return None
+
+
 def _seal(key: str, body: str) -> str | None:
-    secret = _secret(key_file())
+    secret = _own()
     return None if secret is None else hmac.new(secret, f"interlock {key} {body}".encode(), hashlib.sha256).hexdigest()
 
 
@@ -110,7 +130,7 @@ def _secret(file: Path) -> bytes | None:
         if os.name != "nt" and (file.stat().st_mode & OTHERS or file.stat().st_uid != os.getuid()):
             return None
         secret = file.read_bytes()
-    except (OSError, RuntimeError):  # RuntimeError: the user has no home
+    except OSError:
         return None
     return secret if len(secret) == KEY_BYTES else None
 
