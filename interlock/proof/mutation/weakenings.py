@@ -26,6 +26,7 @@ from interlock.proof.induction.search import search
 from interlock.proof.induction.story import tell
 from interlock.proof.mutation import forgotten
 from interlock.proof.mutation.points import Mutation
+from interlock.proof.mutation.swinging import swings_at_another_number, swung_at_once
 from interlock.proof.mutation.ways import (
     Mutant,
     nothing_beyond,
@@ -238,25 +239,6 @@ def _too_fast(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
 
 
 SWINGS = "SW"
-
-
-def _swung_at_once(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
-    c = lower(layout, table)
-    for g in c.symbols.overlaps.swings:
-        old = next(e for e in c.next if e.name == c.symbols.overlaps.firm[g])
-        always = Substitution({names.OVERLAP_LIES(g): TRUE})
-        first = replace(old.terms[0], expr=always(old.terms[0].expr))
-        yield g, _with(c, old, replace(old, terms=(first, *old.terms[1:])))
-
-
-def _swings_at_another_number(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
-    c = lower(layout, table)
-    ask = c.symbols.requests.asked
-    for g, number in c.symbols.overlaps.swing_request.items():
-        for old in (e for e in c.equations if e.name.family is names.SWINGS_TO):
-            terms = tuple(replace(t, expr=ask(number + 1)) if t.expr is ask(number) else t for t in old.terms)
-            if terms != old.terms:
-                yield f"{g}: {old.name}", _with(c, old, replace(old, terms=terms))
 
 
 def _outputs(change: Callable[[Controller], Iterator[tuple[str, str, Expr]]]) -> Make:
@@ -505,14 +487,14 @@ KINDS: tuple[Kind, ...] = (
         without("OTI", "wholly in", "rear released", "was used"),
     ),
     Kind("swing-unasked", "an overlap swings although nobody asks for it", without(SWINGS, "requested")),
-    Kind("swing-misread", "an overlap swings at a number that names nothing", _swings_at_another_number),
+    Kind("swing-misread", "an overlap swings at a number that names nothing", swings_at_another_number),
     Kind("swing-before-train", "an overlap swings while a train is close", without(SWINGS, "no train close")),
     Kind(
         "swing-into-held",
         "an overlap swings to track that others hold or stand on",
         without(SWINGS, "overlap free", "overlap clear", "not run over", "exclusion"),
     ),
-    Kind("swing-at-once", "a swung overlap counts before it lies", _swung_at_once),
+    Kind("swing-at-once", "a swung overlap counts before it lies", swung_at_once),
     Kind("overlap-taken", "a route is set over a section that is held as overlap", without("FREE", "no overlap")),
     Kind("proceed-on-lost-input", "proceed stays when inputs are lost", without("CO", "inputs valid")),
 )
