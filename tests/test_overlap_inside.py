@@ -27,6 +27,7 @@ from interlock.model.elements import SignalId
 from interlock.model.layout import Layout
 from interlock.model.measured import measured
 from interlock.model.overlap import entry_speed, overlap_paths
+from interlock.model.traversal import topology
 from interlock.proof.claims import Facts, claims
 from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.search import search
@@ -202,6 +203,17 @@ def test_three_of_one_signal_with_shunting_and_a_train_that_is_called_on() -> No
     result = prove(System(layout, lower(layout, table)), Limits(search_s=0))
     assert result.proved and not result.dropped
     assert agree(*told(RICH), specification.shipped()).left == ()
+
+
+def test_a_train_that_has_arrived_where_vehicles_may_stand_may_still_fail_to_stop() -> None:
+    """The section before X is a berth: its lock is for a train only until that has arrived."""
+    text = RICH.replace("X: {from: a3, into: a2}", "X: {from: a3, into: a2, kind: combined}")
+    text = text.replace("  M: {from: a2", "  N: {from: a3, into: a1, kind: combined}\n  M: {from: a2")
+    text = text.replace("  M: {length: 0}", "  M: {length: 0}\n  N: {length: 0}")
+    layout, table = made(text)
+    assert "a3" in topology(layout).berths and measured(layout).apart == {"X": {1: 40, 2: 60}}
+    result = prove(System(layout, lower(layout, table)), Limits(search_s=0))
+    assert result.proved and not result.dropped
 
 
 def test_past_a_signal_at_identifier_light_the_longer_one_is_held() -> None:

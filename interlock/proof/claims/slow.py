@@ -52,8 +52,9 @@ def _on_the_way(f: Facts, g: SignalId, kmh: int, held: Expr) -> Iterator[Invaria
     leads = _Leads(f, before, node)
     for s, n, on in leads.ways():
         entry = f.track.way(s, n)[0]
-        moves = running(s) if s == before else neg(shunting(s)) if f.track.shunts else TRUE
-        comes = conj((held, on, f.locking.train(s), o(s), came(s, entry), neg(rests(s)), moves))
+        as_train = conj((f.locking.train(s), neg(shunting(s)) if f.track.shunts else TRUE))
+        moves = running(s) if s == before else as_train  # in a berth it has arrived and may not have come to a stand
+        comes = conj((held, on, o(s), came(s, entry), neg(rests(s)), moves))
         yield Invariant(f"V-SLOW:{g}:{kmh}:{n}", s, implies(comes, slow(s, kmh)))
         signal = f.topo.main_into.get((entry, s))
         if signal is not None and names.FAST(signal, kmh) in f.system.plant.state:
