@@ -106,6 +106,7 @@ def _published(folder: Path, files: Mapping[str, bytes], text: str) -> said.Publ
     raw = (folder / top / "io/words.csv").read_bytes()
     need(hashlib.sha256(raw).hexdigest() == digest, "io/words.csv is not the table that the manifest of outputs names")
     codes: dict[int, str] = {}
+    rules: dict[int, str] = {}
     words: dict[str, str] = {}
     for row in csv.DictReader(io.StringIO(raw.decode("utf-8"), newline=""), strict=True):
         word, code, says = row["Word"], row["Code"], row["Says"]
@@ -115,8 +116,8 @@ def _published(folder: Path, files: Mapping[str, bytes], text: str) -> said.Publ
         if word:
             words[word] = says
         else:
-            codes[int(code)] = says
-    return said.Published(codes, words)
+            codes[int(code)], rules[int(code)] = says, row["Rule"]
+    return said.Published(codes, words, rules)
 
 
 def report(layout: Path, folder: Path) -> int:
