@@ -308,6 +308,19 @@ def test_the_manifest_of_outputs_names_nothing_elsewhere(made: Path, tmp_path: P
         bundle(folder)
 
 
+def test_a_text_that_the_certificate_ties_and_the_manifest_of_outputs_does_not_is_refused(
+    made: Path, tmp_path: Path
+) -> None:
+    """A harmless change of the mapping program, which nobody reads."""
+    shutil.copytree(made.parents[1], tmp_path / "copy")
+    folder = tmp_path / "copy/proofs/fig2_2"
+    file = folder / str(TOP) / "st/iec/fig2_2_io.st"
+    file.write_text(file.read_text("utf-8") + "\n", "utf-8")
+    signed(folder)
+    with pytest.raises(Rejected, match=r"fig2_2_io\.st is not the file that the manifest of outputs names"):
+        lines(folder)
+
+
 def test_what_is_not_there_and_what_nobody_certified_is_named(made: Path, tmp_path: Path) -> None:
     shutil.copytree(made.parents[1], tmp_path / "copy")
     folder = tmp_path / "copy/proofs/fig2_2"

@@ -48,6 +48,7 @@ def check(layout: Path, folder: Path) -> Checked:
         if table is not None
         else [bundle.text]
     )
+    need(not bundle.torn, bundle.torn)
     read = f"read: {(folder / text).resolve()}"
     return Checked((proof, *found.compared, read, outputs.unread(bundle, compared)), found.left)
 

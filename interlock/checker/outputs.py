@@ -53,6 +53,8 @@ class Bundle:
     outputs: Mapping[str, bytes | None]
     stray: tuple[str, ...] = ()
     """Files that lie there and that neither the certificate nor the manifest of outputs names."""
+    torn: str = ""
+    """Why a file that the certificate ties is none of the manifest of outputs: told where all else is right."""
 
 
 def bundle(folder: Path, files: Mapping[str, bytes], text: str, layout: Iterable[str]) -> Bundle:
@@ -62,6 +64,7 @@ def bundle(folder: Path, files: Mapping[str, bytes], text: str, layout: Iterable
     below = {n: PurePosixPath(n).relative_to(top) for n in files if top in PurePosixPath(n).parents}
     own = [n for n in files if n not in below and n not in layout]
     found: dict[str, bytes | None] = {str(x): files[n] for n, x in below.items() if n not in layout}
+    torn = ""
     listed = json.loads(found.get("manifest.json") or b'{"files": {}}')["files"]
     for name, digest in listed.items():
         path = PurePosixPath(name)
@@ -73,11 +76,14 @@ def bundle(folder: Path, files: Mapping[str, bytes], text: str, layout: Iterable
             file = folder / top / name
             found[name] = file.read_bytes() if file.is_file() else None
         raw = found[name]
-        need(raw is None or _digest(name, raw) == digest, f"{name} is not the file that the manifest of outputs names")
+        if raw is not None and _digest(name, raw) != digest:
+            why = f"{name} is not the file that the manifest of outputs names"
+            need(name in map(str, below.values()), why)
+            torn = torn or why
     here = islice((Path(at) / n for at, _, names in os.walk(folder / top) for n in names), MANY)
     stray = {str(x.relative_to(folder / top)) for x in here} - {*found, *(str(x) for x in below.values())}
     mine = ("manifest.json", *own)
-    return Bundle(top, str(PurePosixPath(text).relative_to(top)), mine, found, tuple(sorted(stray)))
+    return Bundle(top, str(PurePosixPath(text).relative_to(top)), mine, found, tuple(sorted(stray)), torn)
 
 
 def _digest(name: str, raw: bytes) -> str:
