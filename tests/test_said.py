@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -42,7 +43,8 @@ def table(name: str) -> Published:
 def published(controller: Controller) -> Published:
     rows = list(csv.DictReader(io.StringIO(words_csv(controller))))
     codes = {int(r["Code"]): r["Says"] for r in rows if r["Code"]}
-    return Published(codes, {r["Word"]: r["Says"] for r in rows if r["Word"]})
+    rules = {int(r["Code"]): r["Rule"] for r in rows if r["Code"]}
+    return Published(codes, {r["Word"]: r["Says"] for r in rows if r["Word"]}, rules)
 
 
 @pytest.mark.parametrize("name", [*SHIPPED, *(f"../tests/layouts_for_tests/{x}" for x in OTHERS)])
@@ -128,14 +130,14 @@ def exchanged(codes: Mapping[int, str], a: int, b: int) -> dict[int, str]:
 def test_exchanged_sentences_are_refused(a: int, b: int) -> None:
     whole = table("fig2_2")
     with pytest.raises(Rejected, match="is published as"):
-        agree(*shipped("fig2_2"), specification(), Published(exchanged(whole.codes, a, b), whole.words))
+        agree(*shipped("fig2_2"), specification(), replace(whole, codes=exchanged(whole.codes, a, b)))
 
 
 def test_machines_that_are_exchanged_are_refused() -> None:
     whole = table("junction")
     a, b = (k for k, v in whole.codes.items() if v.startswith("set, waiting for points"))
     with pytest.raises(Rejected, match="is published as"):
-        agree(*shipped("junction"), specification(), Published(exchanged(whole.codes, a, b), whole.words))
+        agree(*shipped("junction"), specification(), replace(whole, codes=exchanged(whole.codes, a, b)))
 
 
 def test_route_names_that_are_exchanged_are_refused() -> None:
@@ -143,13 +145,13 @@ def test_route_names_that_are_exchanged_are_refused() -> None:
     for a, b in (("YX_R1", "YX_R2"), ("YX_R1", "YX_R3")):
         words = {**whole.words, a: whole.words[b], b: whole.words[a]}
         with pytest.raises(Rejected, match="calls YX_R1"):
-            agree(*shipped("fig2_2"), specification(), Published(whole.codes, words))
+            agree(*shipped("fig2_2"), specification(), replace(whole, words=words))
 
 
 def test_a_sentence_that_nobody_can_compare_verifies_nothing() -> None:
     """What the specification does not know is told, and then nothing counts as verified."""
     whole = table("fig2_2")
-    strange = Published({**whole.codes, 10008: "all is well with section DP"}, whole.words)
+    strange = replace(whole, codes={**whole.codes, 10008: "all is well with section DP"})
     assert agree(*shipped("fig2_2"), specification(), strange).left == (
         "the sentences of the codes 10008 in io/words.csv",
     )
@@ -161,3 +163,57 @@ def test_the_lamp_of_a_signal_that_only_protects_is_spoken_of() -> None:
     found = grown(source)
     assert found is not None and "the stop lamp of G32 is out" in (its := published(lower(*found[:2]))).codes.values()
     assert agree(*told(source), specification(), its).left == ()
+
+
+BESIDE = {
+    "another route over the way": ("10003", "for route X2-C", "for route X1-A"),
+    "a route of the other direction": ("10003", "for route X2-C", "for route X2-C or X1-A"),
+    "none": ("10003", " for route X2-C", ""),
+    "others that there are none of": ("10003", "for route X2-C", "for route X2-C or another"),
+    "a route that is none": ("10003", "for route X2-C", "for route X2-D"),
+    "routes where none are listed": ("10008", "is occupied", "is occupied for route X1-A"),
+    "one in the sentence of a machine": ("10010", "is locked", "is locked for route X1-A"),
+}
+
+
+@pytest.mark.parametrize("which", BESIDE)
+def test_routes_that_are_listed_are_those_that_lead_there(which: str) -> None:
+    code, before, after = BESIDE[which]
+    whole = table("fig2_2")
+    text = whole.codes[int(code)]
+    assert before in text
+    with pytest.raises(Rejected, match="lists other routes than lead there"):
+        agree(
+            *shipped("fig2_2"),
+            specification(),
+            replace(whole, codes={**whole.codes, int(code): text.replace(before, after)}),
+        )
+
+
+@pytest.mark.parametrize("change", ["one left out", "another order", "fewer"])
+def test_of_many_routes_the_first_are_listed(change: str) -> None:
+    """Three of them and `another`: none of them is left out; how many are named is the table's own business."""
+    whole = table("cn6502")
+    code, text = next(
+        (k, v) for k, v in whole.codes.items() if v.endswith(" for route D7-IIAG or S4-BS.2 or S5-BS or another")
+    )
+    said = {
+        "one left out": text.replace("D7-IIAG or ", ""),
+        "another order": text.replace("D7-IIAG or S4-BS.2", "S4-BS.2 or D7-IIAG"),
+        "fewer": text.replace(" or S5-BS or another", " or another"),
+    }
+    lie = replace(whole, codes={**whole.codes, code: said[change]})
+    if change == "fewer":
+        assert agree(*shipped("cn6502"), specification(), lie).left == ()
+        return
+    with pytest.raises(Rejected, match="lists other routes than lead there"):
+        agree(*shipped("cn6502"), specification(), lie)
+
+
+@pytest.mark.parametrize(
+    ("code", "rule"), [(10008, "R2"), (10003, "R10"), (1001, "R3"), (10010, "R6"), (10001, ""), (3, "R3")]
+)
+def test_the_rule_beside_a_sentence_is_one_that_asks_for_it(code: int, rule: str) -> None:
+    whole = table("fig2_2")
+    with pytest.raises(Rejected, match=f"the code {code}|a rule is published for the code {code}"):
+        agree(*shipped("fig2_2"), specification(), replace(whole, rules={**whole.rules, code: rule}))

@@ -13,4 +13,6 @@ words, moves     what the words of the specification mean for it
 schema           what its sentences say
 claims           whether the system assumes and claims what the specification asks for this layout
 plant            whether the world moves as it says
+said             whether what the text says of routes is so
+outputs          whether the other files say the same, and which nobody reads
 """

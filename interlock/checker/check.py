@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import csv
 import hashlib
-import io
-import json
-from collections.abc import Collection, Mapping
+from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any
 
 import yaml
 
-from interlock.checker import claims, controller, plant, said
+from interlock.checker import claims, controller, outputs, plant, said
 from interlock.checker.drawing import Unread
 from interlock.checker.railway import Railway, safe
 from interlock.checker.reading import loaded
@@ -38,14 +35,22 @@ def check(layout: Path, folder: Path) -> Checked:
     body = _body(layout, raw.decode("utf-8-sig"))
     files = check_files(folder)
     own = hashlib.sha256(raw).digest()
-    of_it = any(hashlib.sha256(x).digest() == own for x in files.values())
-    need(of_it, f"the certificate is of another layout: {layout} is none of its files")
+    of_it = [n for n, x in files.items() if hashlib.sha256(x).digest() == own]
+    need(of_it != [], f"the certificate is of another layout: {layout} is none of its files")
     proof = verify(folder, files)
     text = _text(files, str(body["name"]))
     system = files["system.txt"].decode()
-    found = agree(body, system, files[text].decode(), shipped(), _published(folder, files, text))
-    read = f"read: {(folder / text).resolve()}, and of the outputs nothing else: no mapping program, no other dialect"
-    return Checked((proof, *found.compared, read), found.left)
+    bundle = outputs.bundle(folder, files, text, of_it)
+    table = outputs.published(bundle)
+    found = agree(body, system, files[text].decode(), shipped(), table)
+    compared = (
+        outputs.compare(bundle, table, lambda: Telling(Railway(body), written(system)))
+        if table is not None
+        else [bundle.text]
+    )
+    need(not bundle.torn, bundle.torn)
+    read = f"read: {(folder / text).resolve()}"
+    return Checked((proof, *found.compared, read, outputs.unread(bundle, compared)), found.left)
 
 
 def agree(
@@ -94,29 +99,6 @@ def _text(files: Collection[str], name: str) -> str:
     found = [n for n in files if PurePosixPath(n).parts[-4:] == wanted]
     need(len(found) == 1, f"the certificate names no Structured Text of {name}, or several")
     return found[0]
-
-
-def _published(folder: Path, files: Mapping[str, bytes], text: str) -> said.Published | None:
-    """What io/words.csv beside the text says of words, if the certificate ties the table; else None."""
-    top = PurePosixPath(text).parents[2]
-    listed = files.get(str(top / "manifest.json"))
-    if listed is None:
-        return None
-    digest = json.loads(listed)["files"].get("io/words.csv")
-    raw = (folder / top / "io/words.csv").read_bytes()
-    need(hashlib.sha256(raw).hexdigest() == digest, "io/words.csv is not the table that the manifest of outputs names")
-    codes: dict[int, str] = {}
-    words: dict[str, str] = {}
-    for row in csv.DictReader(io.StringIO(raw.decode("utf-8"), newline=""), strict=True):
-        word, code, says = row["Word"], row["Code"], row["Says"]
-        need((word == "") is not (code == ""), "io/words.csv has a row that is of a word and of a code, or of neither")
-        twice = word in words or code in map(str, codes)
-        need(not twice, f"io/words.csv says two things of {word or code}")
-        if word:
-            words[word] = says
-        else:
-            codes[int(code)] = says
-    return said.Published(codes, words)
 
 
 def report(layout: Path, folder: Path) -> int:

@@ -24,7 +24,7 @@ UNKNOWN, FREE, SET, OPEN, CANCELLING = range(5)
 KINDS = {UNKNOWN: "unknown", FREE: "free", SET: "set", OPEN: "open", CANCELLING: "cancelling"}
 WAITING, REFUSED, MANY = 1000, 10_000, 32_767
 """Where the codes of machines begin, and those of conditions; the one that conditions without a number share."""
-MOVE = " cannot move: "
+MOVE, ROUTES = " cannot move: ", " for route "
 
 
 class _Contradiction(Exception):
@@ -222,10 +222,11 @@ class Saying:
 
 @dataclass(frozen=True)
 class Published:
-    """What a table tells of words: by code its sentence, and what each word is of."""
+    """What a table tells of words: by code its sentence and the rule beside it, and what each word is of."""
 
     codes: Mapping[int, str]
     words: Mapping[str, str]
+    rules: Mapping[int, str]
 
 
 def compare(world: Telling, spec: Specification, scan: Scan, table: Published | None) -> tuple[str, list[str]]:
@@ -252,7 +253,7 @@ def compare(world: Telling, spec: Specification, scan: Scan, table: Published | 
     if table is None:
         return f"{said}; no table that says what their {len(used)} codes mean was certified, and none read", []
     world.called = _called(world, routes, table)
-    unread, unknown = _sentences(saying, spec, table.codes, used)
+    unread, unknown = _sentences(saying, spec, table, used)
     left = f", {len(unread)} not: {_listed(unread)}" if unread else ""
     more = [f"the sentences of the codes {_listed(unknown)} in io/words.csv"] if unknown else []
     return f"{said}; {len(used) - len(unread) - len(unknown)} sentences of io/words.csv read{left}", more
@@ -308,7 +309,7 @@ def _called(world: Telling, routes: list[int], table: Published) -> dict[int, st
 
 
 def _sentences(
-    saying: Saying, spec: Specification, published: Mapping[int, str], used: Mapping[int, set[Formula]]
+    saying: Saying, spec: Specification, table: Published, used: Mapping[int, set[Formula]]
 ) -> tuple[list[int], list[int]]:
     """Codes whose sentences the specification leaves unread, and those that it does not know; of the others each tells
     what is so.  Raises Rejected for one that does not."""
@@ -316,21 +317,53 @@ def _sentences(
     unread: list[int] = []
     unknown: list[int] = []
     for code, sentence in spec.states.items():
-        need(published.get(code) == sentence, f"the code {code} is published as {published.get(code)!r}")
+        need(table.codes.get(code) == sentence, f"the code {code} is published as {table.codes.get(code)!r}")
+        need(table.rules.get(code, "") == "", f"a rule is published for the code {code}")
     for code, those in sorted(used.items()):
-        need(code in published, f"nothing is published of the code {code}")
-        text = published[code]
+        need(code in table.codes, f"nothing is published of the code {code}")
+        text = table.codes[code]
         who, _, why = text.rpartition(MOVE)
         said = [f"{who}{MOVE[:-2]}", why] if who else [why]
-        parts = [meant.get(x) or meant.get(x.partition(" for route ")[0]) for x in said]
-        if None in parts:
+        parts = [_of(meant, x) for x in said]
+        if not all(parts):
             (unread if text.startswith(tuple(spec.unread)) else unknown).append(code)
             continue
         for condition in those:
             here = saying.alone(condition)
-            ok = here is None or all(any(map(here.follows, x or ())) for x in parts)
+            ok = here is None or all(any(here.follows(x.so) for x in those) for those in parts)
             need(ok, f"the code {code} is published as {text!r}, and said while {words(condition)}")
+        rule = table.rules.get(code, "")
+        need(
+            any(rule in x.rules for x in parts[0]),
+            f"the code {code} has the rule {rule!r}, which asks for no such thing",
+        )
+    more = min(table.codes.keys() - used.keys() - spec.states.keys(), default=None)
+    need(more is None, f"io/words.csv explains the code {more}, which nobody says")
     return unread, unknown
+
+
+def _of(meant: Mapping[str, list[Meaning]], text: str) -> list[Meaning]:
+    """What a sentence may mean, by itself or but for the routes that it lists."""
+    plain, _, listed = text.partition(ROUTES)
+    found = [x for x in meant.get(plain, ()) if x.lists(listed)]
+    need(found != [] or plain not in meant, f"{text!r} lists other routes than lead there")
+    return found
+
+
+@dataclass(frozen=True)
+class Meaning:
+    """What is so when a sentence is said of a place; the rules of which one asks for it; the routes that it lists, by
+    name, None where none are listed."""
+
+    so: Formula
+    rules: tuple[str, ...]
+    routes: tuple[str, ...] | None
+
+    def lists(self, text: str) -> bool:
+        """All of them, or some of the first and `another`."""
+        those = self.routes or ()
+        some_of = (" or ".join((*those[:n], "another")) for n in range(1, len(those)))
+        return text in (" or ".join(those), *some_of)
 
 
 class _Named(str):
@@ -341,12 +374,14 @@ class _Named(str):
         return str(self) if not kind or own else f"{kind} {self}"
 
 
-def _meant(world: Telling, spec: Specification) -> dict[str, list[Formula]]:
+def _meant(world: Telling, spec: Specification) -> dict[str, list[Meaning]]:
     """By sentence: what is so when it is said, of each place that has the same one."""
-    found: dict[str, list[Formula]] = {}
+    found: dict[str, list[Meaning]] = {}
     for s in spec.sentences:
         for at in places({"for": s.get("for", "")}, world):
             named: dict[str, Any] = {k: _Named(v) if isinstance(v, str) else v for k, v in at.items()}
-            text = s["text"].format(**named)
-            found.setdefault(text, []).append(Sentence(s["when"], world, at).formula())
+            over = Sentence(s["routes"], world, at).term() if "routes" in s else None
+            routes = None if over is None else tuple(world.called[r] for r in over)
+            so = Sentence(s["when"], world, at).formula()
+            found.setdefault(s["text"].format(**named), []).append(Meaning(so, tuple(s["rule"].split()), routes))
     return found

@@ -20,6 +20,10 @@ class Telling(World):
     def w_name_of_route(self, r: int) -> list[str]:
         return [self.called[r]] if r in self.called else []
 
+    def w_routes_over(self, w: Way) -> list[int]:
+        """The routes that lead over a way themselves, in the order of their numbers."""
+        return [r for r in self.w_routes() if w in self.run_of(r)[1].ways]
+
     def w_movable(self, m: str) -> Formula:
         """The machine may be commanded elsewhere."""
         return leaf(f"MOV_{safe(m)}")

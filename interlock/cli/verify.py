@@ -20,7 +20,8 @@ def command(given: tuple[str, ...], form: str) -> None:
 
     That is said of the written system alone.  With LAYOUT before a FOLDER the emitted Structured Text is read and
     compared with that system, too, by code that shares nothing with what made it, and so are plant, assumptions and
-    claims with the specification for the layout; the exit code is 3 while something has not been compared.
+    claims with the specification for the layout; the exit code is 3 while something has not been compared.  One line
+    tells which files of the bundle nobody reads.
     """
     files = [g for g in given if not Path(g).is_dir()]
     if files and (len(given) != 2 or files != [given[0]]):
