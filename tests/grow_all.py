@@ -68,6 +68,14 @@ class Everything(Grown):
     def _supervision(self) -> str:
         return ", supervision: 20" if self.some(0.15) else ""
 
+    def pair_machines(self) -> None:
+        super().pair_machines()
+        alone = [p for p, spec in self.points.items() if "machine" not in spec]
+        rng = random.Random(f"coupled {' '.join([*self.points, *self.derailers])}")
+        if alone and self.derailers and rng.random() < 0.5:
+            p, d = rng.choice(alone), rng.choice(list(self.derailers))
+            self.points[p]["machine"] = self.derailers[d]["machine"] = f"{p}/{d}"
+
     def place_signals(self) -> None:
         super().place_signals()
         for i, g in enumerate(self.signals):
@@ -150,6 +158,7 @@ def words(text: str) -> frozenset[str]:
     found |= {f"overlaps: {k}" for o in overlaps for k in OVERLAPS if k in o}
     found |= {"one machine" for s in slips if len(s.get("machines", ())) == 1}
     found |= {"blades: near" for s in slips if "blades" in s}
+    found |= {"derailer with points" for d in (body.get("derailers") or {}).values() if "machine" in d}
     found |= {"supervision of a machine" for x in machines if "supervision" in x}
     found |= {f"sections: {k}" for x in sections for k in ("speed", "one_way", "lane") if k in x}
     found |= {"tracks end to end" for x in tracks if re.search(r"\.end$", str(x))}

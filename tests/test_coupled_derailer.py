@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from interlock.audit import audit
 from interlock.checker import specification
 from interlock.checker.check import agree
 from interlock.diag import Sink
@@ -35,6 +36,26 @@ signals:
   S: {from: E, into: q3}
   S1: {from: q3, into: q2}
   S2: {from: s1, into: q2, kind: combined}
+"""
+
+ON_IT = """interlock: 1
+name: on_it
+boundaries:
+  W: {approach: wa 600}
+  E: {trains: out}
+buffers: [B]
+tracks:
+  west: [W, q1 100]
+  mid: [m1 100]
+  east: [e1 100, E]
+  side: [s1 100, B]
+points:
+  3: {section: p, toe: mid.end, normal: east.start, reverse: side.start, machine: M}
+derailers:
+  Vk1: {section: q2, inner: west.end, outer: mid.start, machine: M}
+signals:
+  L: {from: W, into: q1}
+  L1: {from: q2, into: m1}
 """
 
 
@@ -78,3 +99,14 @@ def test_a_machine_that_works_three_ends_is_told_where_it_is_written() -> None:
     found = next(d for d in sink.diagnostics if d.code == "IL3014")
     line = text.splitlines()[found.span.line - 1]
     assert line[found.span.column - 1 :].startswith("3/Vk1") and "Vk1: {" in line
+
+
+def test_a_route_whose_train_stands_on_the_derailer_that_must_turn_is_refused() -> None:
+    """No train comes from off the rails; that way counted as one on which it might stand there, so that such a route
+    was only found when no witness could drive it."""
+    made = grown(ON_IT)
+    assert made is not None
+    told = [d.message for d in made[2].diagnostics if d.code == "IL4016"]
+    assert len(told) == 1 and "route L1-E can never be set" in told[0]
+    assert "machine M, on which it stands, must lie N" in told[0]
+    assert [f.text for f in audit(made[0], made[1])] == ["its own train stands on points that it needs otherwise"]

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from interlock.audit.foul import foul_neighbours
 from interlock.audit.walk import Move, Trip, in_rear, steps
-from interlock.model.elements import MachineId, NodeId, Position, SectionId
+from interlock.model.elements import BufferKind, MachineId, NodeId, Position, SectionId
 from interlock.model.layout import Layout
 from interlock.table.rows import RouteRow
 
@@ -59,6 +59,9 @@ def _ways_to(layout: Layout, trip: Trip, rear: SectionId) -> list[tuple[set[tupl
             if m == here and all(x.edge != e for x in moves)
         ]
         todo += onward
-        if not onward:
+        end = layout.buffer_at.get(back)
+        if not onward and (
+            end is None or end.kind is BufferKind.STOP
+        ):  # none comes from off the rails, or out of a trap
             found.append((under, {m.node for m in moves[1:] if m.node in layout.crossing_at}))
     return found

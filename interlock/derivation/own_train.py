@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from interlock.derivation.locks import Locks
 from interlock.diag import Element, Sink
 from interlock.diag.called import called
-from interlock.model.elements import MachineId, Position, RouteId, SectionId, SignalId
+from interlock.model.elements import BufferKind, MachineId, Position, RouteId, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.traversal import Traversal, topology
 from interlock.table.rows import RouteKind, RouteRow
@@ -92,8 +92,11 @@ def _in_rear(layout: Layout, parts: Sequence[RouteRow], rear: SectionId, locks: 
 
 
 def _under(layout: Layout, rear: SectionId, r: RouteRow) -> Mapping[MachineId, Position]:
-    """The machines on which the train stands whichever way it came to the signal, and how they lie then."""
-    came = [_machines(layout, t) for t in topology(layout).traversals[rear] if r.entry_node in (t.entry, t.exit)]
+    """The machines on which the train stands whichever way it came to the signal, and how they lie then: from off the
+    rails, and out of a trap, none comes."""
+    nowhere = {n for n, b in layout.buffer_at.items() if b.kind is not BufferKind.STOP}
+    ways = [t for t in topology(layout).traversals[rear] if not nowhere & {t.entry, t.exit}]
+    came = [_machines(layout, t) for t in ways if r.entry_node in (t.entry, t.exit)]
     return dict(set.intersection(*came)) if came else {}
 
 
