@@ -331,7 +331,10 @@ def check_files(folder: Path) -> dict[str, bytes]:
     need(len(alike) == len(files), "two names of the manifest are one name on some computers")
     found = {path: (folder / path).read_bytes() for path in files if (folder / path).is_file()}  # no pipe, no device
     for path, digest in files.items():
-        need(path in found and hashlib.sha256(found[path]).hexdigest() == digest, f"{path} is not the file proved")
+        need(
+            path in found and hashlib.sha256(found[path]).hexdigest() == digest,
+            f"{path} is not the file proved: it was changed or written anew",
+        )
     return found
 
 

@@ -513,7 +513,14 @@ def test_an_interrupt_ends_the_proofs_of_several_layouts(tmp_path: Path) -> None
     interrupted(("prove", *sorted(p.name for p in tmp_path.iterdir()), "-j", "2"), 3, tmp_path)
 
 
-def interrupted(given: tuple[str, ...], after: int, folder: Path) -> None:
+def test_an_interrupt_ends_shifts_that_only_begin(tmp_path: Path) -> None:
+    """Processes that are being started are in the midst of reading Python's own modules."""
+    for name in ("heishan.yaml", "heishan.dispatch"):
+        (tmp_path / name).write_text(Path(f"layouts/{name}").read_text("utf-8"), encoding="utf-8")
+    interrupted(("simulate", "heishan.yaml", "--shifts", "2000", "-j", "2"), 2.5, tmp_path)
+
+
+def interrupted(given: tuple[str, ...], after: float, folder: Path) -> None:
     """Run a command, press Ctrl-C after some seconds, and see that nothing is left of it."""
     program = [sys.executable, "-m", "interlock", *given]
     with subprocess.Popen(

@@ -43,6 +43,11 @@ def test_the_readme_names_every_claim() -> None:
         assert claim in README, claim
 
 
+def test_the_readme_counts_the_claims() -> None:
+    found = re.search(r"no two trains meet, that no point moves under a train, and (\d+) further claims", README)
+    assert found is not None and int(found[1]) == len(CLAIMS) - 2
+
+
 def test_the_proof_page_gives_every_assumption_in_its_words() -> None:
     page = Path("interlock/docs/proof.md").read_text("utf-8")
     for id_, sentence in ASSUMPTIONS.items():

@@ -236,6 +236,13 @@ def test_what_would_move_is_shown_and_not_done_unless_it_is_allowed(mine: Path) 
     assert check_file(str(mine)).ok and "nothing has changed" in run("pin", mine)
 
 
+def test_an_empty_file_of_pins_is_no_layout(mine: Path) -> None:
+    """Nor is it to be made anew where a cabinet is wired: the channels stand in it."""
+    mine.with_suffix(".pins").write_text("")
+    done = CliRunner().invoke(cli, ["check", str(mine)])
+    assert done.exit_code == 1 and "take it from where it is kept" in done.output
+
+
 def test_a_reserved_channel_is_not_given_away_unasked(mine: Path) -> None:
     pins = mine.with_suffix(".pins")
     pins.write_text(pins.read_text("utf-8") + "reserved:\n  main:\n    q99: {CLR_q99: I3.0}\n", "utf-8")

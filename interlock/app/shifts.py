@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Executor, Future, ProcessPoolExecutor
+from concurrent.futures import Executor, Future
 from contextlib import contextmanager
 from dataclasses import dataclass
 from math import pi, sqrt, tan
-from multiprocessing import get_context
 from statistics import NormalDist, fmean, stdev
 
 from interlock.app.setting import prepared
 from interlock.app.shift import Shift
 from interlock.app.worked import Options, Worked
+from interlock.proof.engines.pool import processes
 
 
 def one(path: str, file: str | None, seed: int, options: Options) -> Worked:
@@ -56,7 +56,7 @@ def executing(jobs: int, dask: str | None) -> Iterator[Executor | None]:
         if jobs == 1:
             yield None
             return
-        with ProcessPoolExecutor(jobs, get_context("spawn")) as pool:
+        with processes(jobs, "spawn") as pool:
             yield pool
         return
     try:

@@ -164,6 +164,30 @@ def _unclosed_bracket(
         yield f"`{sign}` is opened here and not closed before line {_line(error) + 1}", span, f"write `{text}{closing}`"
 
 
+def _open_at_the_end(
+    file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None
+) -> Iterator[Found]:
+    """The file ends within brackets, of which the parser says nothing but where the file ends."""
+    if "expected node content" not in (error.problem or "") or "".join(lines[_line(error) :]).strip():
+        return
+    opened: list[tuple[int, int, str]] = []
+    for i, line in enumerate(lines):
+        text = re.sub(r"(?:^|\s)#.*", "", re.sub(r"'[^']*'|\"[^\"]*\"", lambda m: " " * len(m[0]), line))
+        for k, sign in enumerate(text):
+            if sign in "{[":
+                opened.append((i, k, sign))
+            elif sign in "}]" and opened:
+                opened.pop()
+    if opened:
+        i, k, sign = opened[-1]
+        closing = "}" if sign == "{" else "]"
+        yield (
+            f"`{sign}` is opened here and not closed before the file ends",
+            Span(file, i + 1, k + 1),
+            f"add `{closing}`",
+        )
+
+
 def _no_space(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
     """`name:halt`, `X3:{...`."""
     for i in [*_lines(lines, error), *_text_before(lines, error)]:
@@ -306,6 +330,7 @@ _RULES = (
     _no_comma,
     _mismatch,
     _unclosed_bracket,
+    _open_at_the_end,
     _no_space,
     _apostrophe,
     _dash,

@@ -7,6 +7,7 @@ The tree is built from parser events without recursion, so that no input can exh
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from pathlib import PurePath
 
 import yaml
 
@@ -133,9 +134,17 @@ def parse(file: str, text: str, sink: Sink) -> Node | None:
         report_control(file, lines, str(error).splitlines()[0], sink)
         return None
     if root is None or (isinstance(root, Scalar) and not root.text.strip()):
-        sink.add("IL1007", "the file is empty", Span(file, 1, 1), "`interlock explain IL1007` shows a layout")
+        sink.add("IL1007", "the file is empty", Span(file, 1, 1), _IF_EMPTY.get(PurePath(file).suffix, _IF_EMPTY[""]))
         return None
     return root
+
+
+_IF_EMPTY = {
+    ".pins": "take it from where it is kept; where nothing is wired yet, remove it: `interlock pin` makes another",
+    ".dispatch": "`interlock explain dispatch` has its keys",
+    "": "`interlock explain IL1007` shows a layout",
+}
+"""What to do about an empty file, by its ending."""
 
 
 def _close(node: Node, end: Span) -> None:

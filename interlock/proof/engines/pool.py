@@ -4,10 +4,15 @@ from __future__ import annotations
 
 import multiprocessing
 import signal
-from collections.abc import Callable, Sequence
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from multiprocessing.context import ForkProcess
 from queue import Empty
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from concurrent.futures import ProcessPoolExecutor
 
 Task = Callable[[], Any]
 """A piece of work; its result can be pickled."""
@@ -116,15 +121,34 @@ def apart(
 ) -> list[Any]:
     """Calls that share nothing, on processes of their own; the results are in the order of the calls.  `done` is told
     each one's number."""
-    from concurrent.futures import ProcessPoolExecutor, as_completed
+    from concurrent.futures import as_completed
 
-    with ProcessPoolExecutor(min(jobs, len(calls)), initializer=undisturbed) as pool:
+    with processes(min(jobs, len(calls))) as pool:
+        begun = {pool.submit(work, *c): n for n, c in enumerate(calls)}
+        for finished in as_completed(begun):
+            done(begun[finished])
+        return [f.result() for f in begun]
+
+
+@contextmanager
+def processes(jobs: int, method: str | None = None) -> Iterator[ProcessPoolExecutor]:
+    """Processes of their own, begun by a `method` of `multiprocessing`.  No interrupt from the keyboard reaches them,
+    from before they run a line of Python; whatever ends the `with` block in its midst ends them at once."""
+    from concurrent.futures import ProcessPoolExecutor
+
+    with ProcessPoolExecutor(jobs, multiprocessing.get_context(method), initializer=undisturbed) as pool:
+        here = threading.current_thread() is threading.main_thread()
+        before = signal.signal(signal.SIGINT, signal.SIG_IGN) if here else None
         try:
-            begun = {pool.submit(work, *c): n for n, c in enumerate(calls)}
-            for finished in as_completed(begun):
-                done(begun[finished])
-            return [f.result() for f in begun]
-        except KeyboardInterrupt:
+            for _ in range(jobs):
+                pool.submit(undisturbed)  # begins a process
+        finally:
+            if before is not None:
+                signal.signal(signal.SIGINT, before)
+        try:
+            yield pool
+        except BaseException:
             for process in multiprocessing.active_children():
                 process.terminate()
+            pool.shutdown(cancel_futures=True)
             raise

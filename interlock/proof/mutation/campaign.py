@@ -9,13 +9,13 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
 from interlock.logic.controller import Controller
 from interlock.model.layout import Layout
+from interlock.proof.engines.pool import processes
 from interlock.proof.mutation.elsewhere import read_elsewhere, read_late
 from interlock.proof.mutation.judge import Fate, Judge, Verdict
 from interlock.proof.mutation.lines import Lines
@@ -84,7 +84,7 @@ class Campaign:
             for (name, _), task in zip(tasks, asked, strict=True):
                 yield name, _piece(*task)
             return
-        with ProcessPoolExecutor(jobs) as pool:
+        with processes(jobs) as pool:
             running = [pool.submit(_piece, *task) for task in asked]
             for (name, _), answer in zip(tasks, running, strict=True):
                 yield name, answer.result()
