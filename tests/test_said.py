@@ -92,6 +92,7 @@ FALSE_WORDS = {
     ),
     "cancelling as another signal": ("IF D.N_X_X1 THEN D.XW_R1", "IF D.N_X_X2 THEN D.XW_R1", "says cancelling"),
     "cancelling a scan late": ("IF D.N_X_X1 THEN D.XW_R1", "IF D.X_X1 THEN D.XW_R1", "says cancelling"),
+    "cancelled in secret": ("IF D.N_X_X1 THEN D.XW_R1 := 4;", "IF D.N_X_X1 THEN D.XW_R1 := 2;", "says set"),
     "waiting while locked": ("ELSIF D.N_B_R1 THEN D.XW_R1 := 2;", "", "says waiting"),
     "waiting for what lies": ("ELSIF NOT D.QN_P1 THEN D.XW_R1", "ELSIF D.QN_P1 THEN D.XW_R1", "says waiting"),
     "nothing known": ("ELSE OUTP.YX_R1 := 1;", "ELSE OUTP.YX_R1 := 0;", "says unknown"),

@@ -40,6 +40,7 @@ def _does(w: Words, r: RouteSymbols, told: dict[int, Expr]) -> Iterator[Expr]:
     waits = disj(x for k, x in told.items() if said.WAITING < k < said.REFUSED)
     yield implies(waits, conj((after(active), neg(after(var(r.locked))))))
     yield implies(says(said.SET), after(active))
+    yield implies(disj((waits, says(said.SET))), neg(after(var(w.sym.cancellation.cancelling[r.entry]))))
     yield FALSE if r.path.identifier and said.FREE in told else TRUE  # nobody can ask for it alone
     yield implies(conj((says(said.FREE), w.sym.requests.asked(r.number))), after(active))
     refused = disj(x for k, x in told.items() if k > said.REFUSED)
