@@ -219,6 +219,20 @@ def test_the_truth_is_taken(whole: Bundle) -> None:
     assert set(outputs.compare(whole, table(whole), nobody)) == {TEXT, C, CSV, "manifest.json", "runtime.py"}
 
 
+def test_signs_that_cannot_stand_in_a_comment_hide_no_lie() -> None:
+    like = outputs._like
+    assert like("section 22ｲT is occupied", "section 22_T is occupied") and like("a", "a")
+    assert like("section 22ｲT is occupied", "section 22IT is occupied")
+    for lie in (
+        "section 22_T is clear",
+        "section 23_T is occupied",
+        "section 22 is not what it was, T is occupied",
+        "",
+    ):
+        assert not like("section 22ｲT is occupied", lie)
+    assert not like("駅" * 300 + "a", "_" * 900 + "b"), "in a moment"
+
+
 TABLES = {
     "a code twice": ("\n,1,free,,", "\n,1,free,,\n,1,open,,", "says two things of 1"),
     "a word twice": ("\nYX_R1,,", "\nYX_R1,,route X1-B,,\nYX_R1,,", "says two things of YX_R1"),

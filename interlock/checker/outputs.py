@@ -18,7 +18,7 @@ import zipfile
 import zlib
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from functools import cache, lru_cache
+from functools import cache
 from itertools import islice
 from pathlib import Path, PurePosixPath
 from typing import Any
@@ -37,6 +37,8 @@ MANY = 10_000
 """Files of a folder that are looked for."""
 LARGEST = 100_000_000
 """Bytes in the parts of a workbook."""
+SIGNS = 8
+"""With which a sign is written that cannot stand in a comment, at most."""
 COLUMNS = ["Word", "Code", "Says", "Rule", "About"]
 HEAD = re.compile(r"\w+_routes\[(\d+)\]\s*=\s*\{")
 
@@ -177,14 +179,19 @@ def _comments(name: str, text: str, table: Published) -> None:
 
 
 def _like(wanted: str, text: str) -> bool:
-    """A sentence as it stands, or as it may be written where not every sign can stand."""
-    return text == wanted or re.fullmatch(_written(wanted), text) is not None
-
-
-@lru_cache(1 << 16)
-def _written(text: str) -> str:
-    plain = (c.isascii() and c.isprintable() and c not in "*\\?]>" for c in text)
-    return "".join(re.escape(c) if as_it_is else ".{0,8}" for c, as_it_is in zip(text, plain, strict=True))
+    """A sentence as it stands, or as it is written where not every sign can stand: for each of those a few others, or
+    none.  All ways to read it are followed at once, so that no sentence takes long."""
+    if text == wanted:
+        return True
+    ends = {0}
+    for c in wanted:
+        plain = c.isascii() and c.isprintable() and c not in "*\\?]>"
+        ends = (
+            {e + 1 for e in ends if text[e : e + 1] == c}
+            if plain
+            else {e + n for e in ends for n in range(SIGNS + 1) if e + n <= len(text)}
+        )
+    return len(text) in ends
 
 
 def _routes(name: str, routes: Mapping[str, int], table: Published, world: Callable[[], Telling]) -> None:
