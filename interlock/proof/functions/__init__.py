@@ -60,7 +60,8 @@ FUNCTIONS: dict[str, str] = {
     "F-ZONE": "A zone is told to be full exactly while as many of its sections count as trains may be in it (R17).",
     "F-TOKEN": "The direction is taken, given and kept exactly as R12 says.",
     "F-WORD": "What is said of a route is so: open exactly while its signal shows proceed for it; being cancelled "
-    "wherever it is set and its signal cancelled; free only where a request would set it; refused only where it is not set, and by a condition that does not hold.",
+    "wherever it is set and its signal cancelled; free only where a request would set it; refused only where it is "
+    "not set, and by a condition that does not hold.",
 }
 
 
