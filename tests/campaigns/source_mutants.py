@@ -30,10 +30,13 @@ from os import cpu_count
 from pathlib import Path
 from typing import Any
 
+import yaml
+
 from tests.campaigns.deadlock import processor
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 SOURCE = ROOT / "interlock"
+REASONS = Path(__file__).with_suffix(".yaml")
 ROOMS = (
     "frontend/resolve.py",
     "frontend/added.py",
@@ -367,9 +370,11 @@ def page(found: list[dict[str, Any]]) -> str:
         rows="\n".join(rows),
     )
     left = [x for x in found if x["by"] == "nobody"]
+    reasons = {(x["module"], x["what"]): x["because"] for x in yaml.safe_load(REASONS.read_text("utf-8"))}
     if left:
         text += "\nWhat nobody noticed:\n\n" + "\n".join(
-            f"- `{x['module']}`, line {x['line']}, {x['what']}: {x['layouts']} layouts ({x['where']})"
+            f"- `{x['module']}`, line {x['line']}, {x['what']}: {x['layouts']} layouts ({x['where']}).  "
+            + reasons.get((x["module"], x["what"]), "**Not explained.**")
             for x in sorted(left, key=lambda x: (x["module"], x["line"]))
         )
         text += "\n"
