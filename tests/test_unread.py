@@ -18,13 +18,16 @@ from interlock.app.compile import compile_file
 from interlock.checker import outputs
 from interlock.checker.check import agree, check
 from interlock.checker.outputs import Bundle
+from interlock.checker.railway import Railway
 from interlock.checker.said import Published
 from interlock.checker.specification import shipped as specification
 from interlock.checker.told import Telling
+from interlock.checker.written import written
 from interlock.st.dialects import DIALECTS
 from interlock.verify import Rejected, check_files
 from tests.certified import signed
-from tests.written import shipped
+from tests.layouts import grown
+from tests.written import shipped, told
 
 FIG = Path("layouts/fig2_2.yaml")
 TOP = PurePosixPath("../../generated/fig2_2")
@@ -268,9 +271,6 @@ def test_a_lie_in_the_table_of_words_is_refused(whole: Bundle, which: str) -> No
 
 def test_names_that_the_layout_gives_are_names_of_the_route(whole: Bundle) -> None:
     body, system, _ = shipped("fig2_2")
-    from interlock.checker.railway import Railway
-    from interlock.checker.written import written
-
     text = (whole.outputs["runtime.py"] or b"").decode()
     forged = {n: text.replace("    'X1-A': 1,", f"    'X1-A': 1, 'up main': {n},").encode() for n in (1, 3)}
     named = {**body, "routes": {"up main": {"from": "X1", "to": "A"}}}
@@ -344,3 +344,15 @@ def test_what_is_not_there_and_what_nobody_certified_is_named(made: Path, tmp_pa
     said = lines(folder)
     assert "not there: runtime.py" in said and "of runtime.py" not in said
     assert "certified by nobody: st/iec/fig2_2_new.st" in said
+
+
+def test_a_name_of_a_route_past_a_signal_is_of_the_whole_route() -> None:
+    """X-Y-Z passes Y at identifier light: whoever calls it by a name means the way to Z."""
+    source = Path("tests/layouts_for_tests/identifiers.yaml").read_text("utf-8")
+    found = grown(source)
+    assert found is not None
+    body, system, _ = told(source)
+    world = Telling(Railway(body), written(system))
+    number = next(r.number for r in found[1].routes if str(r.id) == "X-Y-Z")
+    assert world.leads_so({"from": "X", "to": "Z"}, number)
+    assert not world.leads_so({"from": "X", "to": "Y"}, number)

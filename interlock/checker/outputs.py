@@ -208,7 +208,7 @@ def _routes(name: str, routes: Mapping[str, int], table: Published, world: Calla
     named = told.r.body.get("routes") or {}
     for text in others:
         known = text in named and routes[text] in own.values()
-        known = known and told.r.paths.chosen(named[text], *told.run_of(routes[text]))
+        known = known and told.leads_so(named[text], routes[text])
         need(known, f"{name} calls {text!r} a route that the layout does not call so")
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 from interlock.checker.ahead import Overlap
 from interlock.checker.formula import Formula, leaf
@@ -91,3 +92,7 @@ class Telling(World):
         c, p = self._whole(r)
         ahead = self.r.signal_into.get((p.last.exit, self.r.track.beyond(p.last.section, p.last.exit) or ""))
         return c.name, {p.last.exit, p.last.section, *([ahead.name] if ahead is not None else [])}
+
+    def leads_so(self, x: Mapping[str, Any], r: int) -> bool:
+        """A route leads from where to where the author says, past signals with an identifier light, too."""
+        return self.r.paths.chosen(x, *self._whole(r))
