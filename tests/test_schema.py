@@ -7,6 +7,7 @@ import json
 import re
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
+from operator import attrgetter
 from pathlib import Path
 from types import UnionType
 from typing import Any, get_args, get_origin, get_type_hints
@@ -21,7 +22,7 @@ from interlock.app.init import yard
 from interlock.cli.main import cli
 from interlock.derivation import derive
 from interlock.diag import Sink
-from interlock.emit.tables.document import CELLS, ONLY_STATED, table_json
+from interlock.emit.tables.document import CELLS, ONLY_STATED, ROUTE, table_json
 from interlock.emit.tables.schema import table_schema
 from interlock.frontend import load_text
 from interlock.frontend.published import WITHOUT, json_schema, language_keys
@@ -168,6 +169,18 @@ def test_every_table_is_as_its_schema_says(name: str) -> None:
         assert how["kind"] == how["kinds"][0] and len(set(how["kinds"])) == len(how["kinds"])
 
 
+def places(kind: Any) -> dict[str, str]:
+    """The keys of a value as it is written, and where each stands in it."""
+    return ROUTE if kind is RouteRow else {f.name: f.name for f in fields(kind)}
+
+
+def hint(kind: Any, place: str) -> Any:
+    """The type of what stands there."""
+    for name in place.split("."):
+        kind = get_type_hints(kind)[name]
+    return kind
+
+
 def expanded(body: dict[str, Any], value: Any, kind: Any) -> Any:
     """A written value with everything that it tells the place of, as a reader of table.json would fill it in."""
     if kind is Because:
@@ -183,7 +196,7 @@ def expanded(body: dict[str, Any], value: Any, kind: Any) -> Any:
         return [expanded(body, v, get_args(kind)[0]) for v in value]
     if is_dataclass(kind):
         told = body["cells"][kind.__name__][value] if kind in CELLS else value
-        hints = get_type_hints(kind)
+        hints = {key: hint(kind, place) for key, place in places(kind).items()}
         told = {
             name: told.get(name) if name in ONLY_STATED else told[name]
             for name in hints
@@ -201,7 +214,7 @@ def whole(table: InterlockingTable, value: Any) -> Any:
     if isinstance(value, tuple):
         return [whole(table, v) for v in value]
     if is_dataclass(value):
-        return {f.name: whole(table, getattr(value, f.name)) for f in fields(value)}
+        return {key: whole(table, attrgetter(place)(value)) for key, place in places(type(value)).items()}
     return value
 
 

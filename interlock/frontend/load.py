@@ -24,7 +24,7 @@ from interlock.frontend.checks import CHECKS
 from interlock.frontend.context import Context
 from interlock.frontend.encoding import decode
 from interlock.frontend.names import check_names
-from interlock.frontend.overlaps import Overlaps, resolve_overlaps, with_releases
+from interlock.frontend.overlaps import resolve_overlaps, with_releases
 from interlock.frontend.pins import PinsRead, beside, read_pins
 from interlock.frontend.places import Places
 from interlock.frontend.ports import Wiring
@@ -75,6 +75,7 @@ from interlock.model.elements import (
 )
 from interlock.model.layout import Layout
 from interlock.model.principles import KNOBS, PROFILES, Principles
+from interlock.model.signalling import Overlaps
 
 MAX_BYTES = 4_000_000
 
@@ -246,10 +247,7 @@ def _layout(ctx: Context, principles: Principles, wiring: Wiring, named: _Named,
         waivers=named.waivers,
         named_routes=named.routes,
         excluded=named.excluded,
-        overlaps=placed.overlaps.all,
-        overlap_ways=placed.overlaps.ways,
-        overlap_bars=placed.overlaps.bars,
-        entry_speeds=placed.overlaps.entry,
+        overlaps=placed.overlaps,
         distants=placed.distants,
         voyages=named.voyages,
         automatic=named.automatic,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from pydantic_core import PydanticCustomError
 
@@ -16,20 +16,11 @@ from interlock.model.layout import Layout
 from interlock.model.needs import needs
 from interlock.model.overlap import stand_s
 from interlock.model.principles import Principles
+from interlock.model.signalling import Overlaps
 from interlock.model.traversal import topology
 
 ENDS = frozenset({"toe", "normal", "reverse", "1a", "1b", "2a", "2b", "outer", "inner"})
 """Ends of points, slips, crossings and derailers: each is that of an edge."""
-
-
-@dataclass(frozen=True)
-class Overlaps:
-    """What the layout says of overlaps, and what follows from the principle."""
-
-    all: tuple[Overlap, ...]
-    ways: tuple[OverlapWay, ...]
-    bars: tuple[tuple[SignalId, SectionId | EdgeId], ...]
-    entry: tuple[tuple[SignalId, int], ...]
 
 
 def resolve_overlaps(ctx: Context, principles: Principles, signals: tuple[Signal, ...], wiring: Wiring) -> Overlaps:

@@ -31,6 +31,8 @@ class Machines(Collection[MachineId]):
         over = {m: {toes[p.id] for p in ps} for m, ps in self.ends.items()} | {d.id: set(d.over) for d in devices}
         self.sections: dict[MachineId, tuple[SectionId, ...]] = {m: tuple(sorted(s)) for m, s in over.items()}
         """The sections in which a machine's ends lie, or over which a device stands."""
+        self.points_in: dict[SectionId, tuple[Point, ...]] = grouped((toes[p.id], p) for p in points)
+        """The points of a section: those whose toe lies in it."""
         self._all = tuple(sorted({*self.ends, *self.device}))
 
     def __iter__(self) -> Iterator[MachineId]:

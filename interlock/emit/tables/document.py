@@ -11,6 +11,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, fields
+from operator import attrgetter
 from typing import Any
 
 from interlock.model.elements import RouteId
@@ -35,6 +36,7 @@ from interlock.table.rows import (
     OverlapCell,
     PointDemand,
     ReleaseStep,
+    RouteRow,
     SpaceCell,
     SpeedCell,
     TokenCell,
@@ -55,8 +57,38 @@ class HostileGroup:
 ONLY_STATED = frozenset({"onward", "destination", "passed", "demanded_clear"})
 """Keys that are written only where they say something."""
 
-TOPOLOGY = ("sections", "edges", "points", "crossings", "signals", "boundaries", "buffers", "devices")
-"""What a reader of the table needs of the layout: the graph in which its nodes, edges and sections are found."""
+ROUTE = {
+    **{key: key for key in ("id", "number", "kind", "names", "entry")},
+    "entry_node": "path.entry_node",
+    "exit": "exit",
+    **{key: f"path.{key}" for key in ("exit_kind", "variant", "traversals", "berth", "length")},
+    **{key: f"locking.{key}" for key in ("points", "driven")},
+    **{key: f"clear.{key}" for key in ("sections", "foul")},
+    "flank": "locking.flank",
+    "space": "clear.space",
+    **{key: f"locking.{key}" for key in ("hostile", "barred", "overlap")},
+    **{key: f"signal.{key}" for key in ("aspect", "closing", "speed")},
+    "conditions": "conditions.external",
+    **{key: f"conditions.{key}" for key in ("zones", "block", "token")},
+    **{key: f"locking.{key}" for key in ("approach", "release")},
+    **{key: key for key in ("listed", "because")},
+    **{key: f"path.{key}" for key in ("onward", "destination", "passed")},
+    "demanded_clear": "clear.demanded",
+}
+"""The keys of a route as it is written, in their order, and where each stands in the row."""
+
+TOPOLOGY = {
+    "sections": "track.sections",
+    "edges": "track.edges",
+    "points": "pointwork.points",
+    "crossings": "pointwork.crossings",
+    "signals": "signalling.signals",
+    "boundaries": "track.boundaries",
+    "buffers": "track.buffers",
+    "devices": "signalling.devices",
+}
+"""What a reader of the table needs of the layout: the graph in which its nodes, edges and sections are found.  The keys,
+and where each stands in the layout."""
 
 CELLS: tuple[type, ...] = (
     PointDemand,
@@ -86,7 +118,7 @@ def table_json(layout: Layout, table: InterlockingTable) -> str:
     rows = {f.name: [writer.value(x) for x in getattr(table, f.name)] for f in fields(table) if f.name not in _HEAD}
     head = {"schema": SCHEMA, **{name: getattr(table, name) for name in _HEAD}}
     cells = {c.__name__: writer.cells[c] for c in CELLS}
-    topology = {kind: [asdict(x) for x in getattr(layout, kind)] for kind in TOPOLOGY}
+    topology = {key: [asdict(x) for x in attrgetter(place)(layout)] for key, place in TOPOLOGY.items()}
     told = {"hostilities": writer.hostilities, "hostile_groups": [*map(asdict, writer.groups)]}
     shared = {**told, "reasons": writer.reasons, "cells": cells, "topology": topology}
     return document(head, rows | shared)
@@ -109,6 +141,9 @@ def _lines(value: Mapping[str, Any] | Sequence[Any]) -> str:
 
 def _text(value: object) -> str:
     return json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+
+
+_ROUTE = {key: attrgetter(place) for key, place in ROUTE.items()}
 
 
 @dataclass
@@ -136,7 +171,8 @@ class _Writer:
         return self._fields(x) if hasattr(kind, "__dataclass_fields__") else x
 
     def _fields(self, x: Any) -> dict[str, Any]:
-        said = ((f, getattr(x, f)) for f in x.__dataclass_fields__)
+        places = _ROUTE if type(x) is RouteRow else {f: attrgetter(f) for f in x.__dataclass_fields__}
+        said = ((f, place(x)) for f, place in places.items())
         return {f: self.value(v) for f, v in said if v is not None or f not in ONLY_STATED}
 
     def _in(self, shared: list[Any], x: Any) -> int:

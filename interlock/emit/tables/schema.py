@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import is_dataclass
+from functools import reduce
 from types import UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
 from pydantic import BaseModel, Field, create_model
 
-from interlock.emit.tables.document import CELLS, ONLY_STATED, SCHEMA, TOPOLOGY
+from interlock.emit.tables.document import CELLS, ONLY_STATED, ROUTE, SCHEMA, TOPOLOGY
 from interlock.model.layout import Layout
-from interlock.table.rows import Because, HostileRoutes, Hostility, InterlockingTable
+from interlock.table.rows import Because, HostileRoutes, Hostility, InterlockingTable, RouteRow
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
@@ -18,8 +20,8 @@ DRAFT = "https://json-schema.org/draft/2020-12/schema"
 def table_schema() -> dict[str, Any]:
     """The JSON Schema (2020-12) of table.json; every object has all of its keys, and no other."""
     models = _Models()
-    kinds, parts = get_type_hints(Layout), get_type_hints(InterlockingTable)
-    topology = create_model("Topology", __doc__=TOPOLOGY_TEXT, **_required({k: kinds[k] for k in TOPOLOGY}))
+    parts = get_type_hints(InterlockingTable)
+    topology = create_model("Topology", __doc__=TOPOLOGY_TEXT, **_required(_hints(Layout, TOPOLOGY)))
     cells = create_model("Cells", __doc__=CELLS_TEXT, **_required({c.__name__: list[models.of(c)] for c in CELLS}))  # type: ignore[misc]
     shared = {
         "hostilities": Annotated[list[models.of(Hostility)], Field(description=HOSTILITIES_TEXT)],  # type: ignore[misc]
@@ -36,6 +38,15 @@ def table_schema() -> dict[str, Any]:
     return {"$schema": DRAFT, **made, "title": SCHEMA, "description": about}
 
 
+ROUTE_TEXT = """One route: entry, exit, alternative, and every derived column.
+
+`berth`: the shunt route ends in a plain section in which vehicles may stand; it is the last traversal, and the
+only one that need not be clear.  `driven` points are moved along and never checked.  `barred`: those of the hostile
+routes that the author declares so.  `listed`: whether the route is printed.
+`onward`: past the signal at its exit, which shows its identifier light, the train runs on over this route, of kind
+identifier, which may run on over another in the same way; they are set together.  `destination`: where the last
+ends.  `passed`: the signals that the train passes at identifier light, in order.
+`demanded_clear`: sections beside or beyond the path that the author has it find clear; None where there are none."""
 TOPOLOGY_TEXT = "The track as a graph: edges, each within one section, meet at nodes; what stands at a node names it."
 CELLS_TEXT = "The cells of the table by kind, each once; rows tell the place of theirs, counted from 0."
 HOSTILITIES_TEXT = "The ways in which routes are hostile, each once; `hostile_groups` tell places, counted from 0."
@@ -59,8 +70,10 @@ class _Models:
     def of(self, kind: type) -> type[BaseModel]:
         """The written form of a row or cell."""
         if kind not in self._made:
-            hints = {name: self.written(hint) for name, hint in get_type_hints(kind).items()}
-            self._made[kind] = create_model(kind.__name__, __doc__=kind.__doc__, **_required(hints))
+            said = _hints(RouteRow, ROUTE) if kind is RouteRow else get_type_hints(kind)
+            hints = {name: self.written(hint) for name, hint in said.items()}
+            text = ROUTE_TEXT if kind is RouteRow else kind.__doc__
+            self._made[kind] = create_model(kind.__name__, __doc__=text, **_required(hints))
         return self._made[kind]
 
     def written(self, hint: Any) -> Any:
@@ -75,6 +88,13 @@ class _Models:
         if get_origin(hint) in (Union, UnionType):
             return Union[tuple(map(self.written, get_args(hint)))]  # noqa: UP007
         return self.of(hint) if is_dataclass(hint) and isinstance(hint, type) else hint
+
+
+def _hints(kind: type, places: Mapping[str, str]) -> dict[str, Any]:
+    """The types of what stands at some places in a value, by key."""
+    return {
+        key: reduce(lambda t, name: get_type_hints(t)[name], place.split("."), kind) for key, place in places.items()
+    }
 
 
 def _required(kinds: dict[str, Any]) -> dict[str, Any]:
