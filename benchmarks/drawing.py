@@ -24,7 +24,9 @@ def row(name: str, text: str | None = None) -> None:
     svg = plan_svg(layout, drawing)
     notes = sum("runs of track" not in n for n in drawing.notes) or "none"
     size = f"{drawing.width:.0f} x {drawing.height:.0f}"
-    print(f"| {name} | {len(layout.points)} | {placed - began:.2f} | {size} | {len(svg) // 1000} kB | {notes} |")
+    print(
+        f"| {name} | {len(layout.pointwork.points)} | {placed - began:.2f} | {size} | {len(svg) // 1000} kB | {notes} |"
+    )
 
 
 def main() -> None:

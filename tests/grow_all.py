@@ -18,7 +18,8 @@ from interlock.checker.reading import loaded
 from interlock.diag import Sink
 from interlock.model.layout import Layout
 from interlock.model.overlap import overlap_paths
-from interlock.table.rows import InterlockingTable, RouteKind, RouteRow
+from interlock.table.cells import RouteKind
+from interlock.table.rows import InterlockingTable, RouteRow
 from tests.grow import Grown, driven
 from tests.layouts import grown
 
@@ -203,18 +204,23 @@ def hostile_and_demand(rng: random.Random, layout: Layout, table: InterlockingTa
         one, other = rng.sample(table.routes, 2)
         choices = [f"{{from: {r.entry}, to: {r.exit}, kind: {_kind(r)}}}" for r in (one, other)]
         hostile.append(f"  - {{one: {choices[0]}, other: {choices[1]}, reason: by chance}}")
-    free = [(r, p) for r in table.routes for p in layout.points if all(d.machine != p.machine for d in r.points)]
-    halves = {b.point for b in layout.blades}
+    free = [
+        (r, p)
+        for r in table.routes
+        for p in layout.pointwork.points
+        if all(d.machine != p.machine for d in r.locking.points)
+    ]
+    halves = {b.point for b in layout.pointwork.blades}
     for r, p in rng.sample(free, min(2, len(free))):
         lies = rng.choice(("normal", "reverse"))
         name = p.machine if p.id in halves else p.id
         alone = ", kind: call-on" if r.kind is RouteKind.CALL_ON else ""
         demand.append(f"  - {{point: {name}, lies: {lies}, routes: {{{routes_text(r)}{alone}}}, reason: by chance}}")
     for r in rng.sample(table.routes, 2):  # not under its movement, nor where it stands before
-        entry = {e.section for e in layout.edges_at[r.entry_node]}
-        no = {*r.section_ids, *entry, *layout.undetected, *(b.approach for b in layout.boundaries)}
-        beside = [s.id for s in layout.sections if s.id not in no]
-        if beside and r.onward is None and r.kind is not RouteKind.IDENTIFIER:
+        entry = {e.section for e in layout.track.edges_at[r.path.entry_node]}
+        no = {*r.path.section_ids, *entry, *layout.track.undetected, *(b.approach for b in layout.track.boundaries)}
+        beside = [s.id for s in layout.track.sections if s.id not in no]
+        if beside and r.path.onward is None and r.kind is not RouteKind.IDENTIFIER:
             clear = f"clear: {rng.choice(beside)}, routes: {{{routes_text(r)}, kind: {_kind(r)}}}"
             demand.append(f"  - {{{clear}, reason: by chance}}")
     return hostile, demand
@@ -234,7 +240,7 @@ def _additions(rng: random.Random, layout: Layout, table: InterlockingTable) -> 
 def _overlaps(rng: random.Random, layout: Layout, table: InterlockingTable) -> list[str]:
     """Overlaps whose alternatives have lengths and entry speeds of their own, and times of release."""
     out = []
-    for o in layout.overlaps:
+    for o in layout.overlaps.all:
         paths = overlap_paths(layout, o.signal)
         speed = [f"entry_speed: {rng.choice([30, 60])}"] if rng.random() < 0.5 else []
         parts = [f"length: {min(o.length, 150):g}", *speed]

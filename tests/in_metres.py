@@ -217,7 +217,7 @@ class Reader:
     def __init__(self, life: Life, words: Words) -> None:
         self.life, self.words, self.world = life, words, life.world
         self.track: Track = self.world.track
-        self.edges = self.world.layout.edges
+        self.edges = self.world.layout.track.edges
         names = {b.name: b for b in self.track.beyond}
         self.comes_over = {names[e.node].comes_by[-1]: e.outside for e in words.w_entrances()}
         self.outside = {e.outside: e.node for e in words.w_entrances()}

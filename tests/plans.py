@@ -105,7 +105,7 @@ def _width(letter: str) -> float:
 
 
 def _false_crossings(strokes: list[Stroke], layout: Layout) -> Iterator[tuple[str, str]]:
-    ends = {str(e.id): {e.a, e.b} for e in layout.edges}
+    ends = {str(e.id): {e.a, e.b} for e in layout.track.edges}
     ordered = sorted(strokes, key=lambda s: s.box)
     for i, s in enumerate(ordered):
         for t in ordered[i + 1 :]:

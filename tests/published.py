@@ -19,8 +19,9 @@ import yaml
 
 from interlock.model.elements import RouteId
 from interlock.model.layout import Layout
+from interlock.table.cells import Role, RouteKind
 from interlock.table.national.reading import Reading
-from interlock.table.rows import InterlockingTable, Role, RouteKind, RouteRow
+from interlock.table.rows import InterlockingTable, RouteRow
 from tests.layouts import grown
 
 HERE = Path(__file__).resolve().parent / "stations"
@@ -105,7 +106,7 @@ class Station:
 
     def way(self, r: RouteRow) -> tuple[object, ...]:
         """What the routes of a row have in common that differ in their overlaps."""
-        return r.kind, r.entry, *(p.traversals for p in self.table.parts(r))
+        return r.kind, r.entry, *(p.path.traversals for p in self.table.parts(r))
 
     @cached_property
     def reading(self) -> Reading:
@@ -116,7 +117,7 @@ class Station:
         """The overlaps of a row, each as its sections and its points: `q4+q5:P2+P3R`."""
         those = [r for r in self.table.routes if self.way(r) == self.way(self.derived[name])]
         last = [self.table.parts(r)[-1] for r in those]
-        return {_overlap(r) for r in last if r.overlap is not None}
+        return {_overlap(r) for r in last if r.locking.overlap is not None}
 
     @cached_property
     def published(self) -> Mapping[str, Mapping[str, str]]:
@@ -157,9 +158,11 @@ class Station:
 
 
 def _overlap(r: RouteRow) -> str:
-    assert r.overlap is not None
-    sections = sorted(s for s, _ in r.overlap.ways)
-    points = sorted(f"{p.machine}{'R' if p.position == 'R' else ''}" for p in r.points if p.role is Role.OVERLAP)
+    assert r.locking.overlap is not None
+    sections = sorted(s for s, _ in r.locking.overlap.ways)
+    points = sorted(
+        f"{p.machine}{'R' if p.position == 'R' else ''}" for p in r.locking.points if p.role is Role.OVERLAP
+    )
     return f"{'+'.join(sections)}:{'+'.join(points)}"
 
 
@@ -234,25 +237,27 @@ def _routes(s: Station) -> Iterator[Difference]:
 def _row(s: Station, name: str) -> Iterator[Difference]:
     row, r = s.published[name], s.derived[name]
     yield from _both(name, "ends", {s.called("entry", row["entry"])}, {str(r.entry)})
-    yield from _both(name, "ends", {s.called("exit", row["exit"])}, {str(r.destination or r.exit)})
+    yield from _both(name, "ends", {s.called("exit", row["exit"])}, {str(r.path.destination or r.exit)})
     yield from _more(s, name)
-    roles = {f"{p.machine} {p.position}": ROLES[p.role] for p in r.points} if "points" in s.columns else {}
+    roles = {f"{p.machine} {p.position}": ROLES[p.role] for p in r.locking.points} if "points" in s.columns else {}
     theirs = s.points(row)
     for d in _both(name, "points", theirs, set(roles)):
         yield Difference(name, d.column, d.side, d.item + (roles[d.item] if d.side == "derived" else ""))
-    beside = () if "foul" in s.columns else r.foul
+    beside = () if "foul" in s.columns else r.clear.foul
     pieces = {
-        "clear": {str(c.section) for c in (*r.sections, *beside, *(r.demanded_clear or ()))},
-        "locked": set(map(str, r.section_ids)),
+        "clear": {str(c.section) for c in (*r.clear.sections, *beside, *(r.clear.demanded or ()))},
+        "locked": set(map(str, r.path.section_ids)),
     }
     for column, mine in pieces.items():
         if column in s.columns and row[column] != UNTOLD:
             yield from _both(name, column, s.words(row, "clear" if column == "clear" else column), s.sections(mine))
     if "delay" in s.columns:
-        yield from _both(name, "delay", {f"{row['delay']} s"} if row["delay"] else set(), {f"{r.approach.delay_s:g} s"})
+        yield from _both(
+            name, "delay", {f"{row['delay']} s"} if row["delay"] else set(), {f"{r.locking.approach.delay_s:g} s"}
+        )
     if "hostile" in s.columns:
         named: dict[RouteId, str] = {x.id: n for n, x in s.derived.items()}
-        mine = {named[h] for h in r.hostile.routes if h in named}
+        mine = {named[h] for h in r.locking.hostile.routes if h in named}
         yield from _both(name, "hostile", {n for n in s.published if n != name and s.apart(name, n)}, mine)
 
 
@@ -260,9 +265,11 @@ def _more(s: Station, name: str) -> Iterator[Difference]:
     """What German tables have: signals at identifier light, deciding points, overlaps."""
     row, r = s.published[name], s.derived[name]
     if "past" in s.columns:
-        yield from _both(name, "past", set(row["past"].split()), set(map(str, r.passed or ())))
+        yield from _both(name, "past", set(row["past"].split()), set(map(str, r.path.passed or ())))
     if "decides" in s.columns:
-        chosen = {f"{s.layout.point[p].machine}{'R' if x == 'R' else ''}" for p, x in s.reading.machines.deciding(r)}
+        chosen = {
+            f"{s.layout.pointwork.point[p].machine}{'R' if x == 'R' else ''}" for p, x in s.reading.machines.deciding(r)
+        }
         yield from _both(name, "decides", set(row["decides"].split()), chosen)
     if "overlap" in s.columns:
         yield from _both(name, "overlap", set(row["overlap"].split()), s.overlaps(name))
@@ -274,14 +281,16 @@ def _beside(s: Station, name: str) -> Iterator[Difference]:
     position of a point in which it is asked for: `25DG:23/25` (<23/25>25DG)."""
     row, r = s.published[name], s.derived[name]
     mine = {
-        "flank": {f"{p.machine} {p.position}" for p in r.points if p.role is Role.FLANK},
-        "driven": {f"{p.machine} {p.position}" for p in r.driven},
+        "flank": {f"{p.machine} {p.position}" for p in r.locking.points if p.role is Role.FLANK},
+        "driven": {f"{p.machine} {p.position}" for p in r.locking.driven},
     }
     for column, those in mine.items():
         if column in s.columns:
             yield from _both(name, column, {s.position(w) for w in row[column].split()}, those)
     if "foul" in s.columns:
-        told = {f"{f.section}:{f.when[0]}{'R' * (f.when[1] == 'R')}" if f.when else str(f.section) for f in r.foul}
+        told = {
+            f"{f.section}:{f.when[0]}{'R' * (f.when[1] == 'R')}" if f.when else str(f.section) for f in r.clear.foul
+        }
         yield from _both(name, "foul", set(row["foul"].split()), told)
 
 

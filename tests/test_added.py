@@ -33,10 +33,11 @@ from interlock.proof.induction.verdict import Verdict
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
 from interlock.proof.witnesses.availability import Manner, availability
+from interlock.table.cells import RouteKind
 from interlock.table.columns import COLUMNS
 from interlock.table.national import national_sheets
 from interlock.table.printed import Printed
-from interlock.table.rows import InterlockingTable, RouteKind
+from interlock.table.rows import InterlockingTable
 from interlock.verify import Rejected
 from tests.grow import grow
 from tests.grow_all import hostile_and_demand
@@ -65,7 +66,7 @@ NOT_LONG, NOT_SHORT = "via: [r1]", "not_via: [r1]"
 def test_either_of_two_ways_is_excluded(which: str, left: str) -> None:
     text = f"{DETOUR}exclude:\n  - {{from: S, {which}, reason: one way is enough}}\n"
     layout, table = made(text)
-    assert [" ".join(r.section_ids) for r in table.routes if r.entry == "S" and r.kind == "main"] == [left]
+    assert [" ".join(r.path.section_ids) for r in table.routes if r.entry == "S" and r.kind == "main"] == [left]
     assert prove(System(layout, lower(layout, table)), Limits(search_s=0)).proved
     assert agree(*told(text), specification.shipped()).left == ()
 
@@ -86,7 +87,7 @@ signals:
 
 def test_a_path_that_needs_one_machine_in_both_positions_is_claimed_to_be_closed_as_the_second_checker_asks() -> None:
     layout, table = made(ONE_MACHINE)
-    assert [" ".join(r.section_ids) for r in table.routes] == ["s1 s2", "s1"]
+    assert [" ".join(r.path.section_ids) for r in table.routes] == ["s1 s2", "s1"]
     result = prove(System(layout, lower(layout, table)), Limits(search_s=0))
     assert result.proved and next(c.places for c in result.claims if c.id == "S-EXCLUDED") == 1
     assert agree(*told(ONE_MACHINE), specification.shipped()).left == ()
@@ -96,8 +97,8 @@ def test_a_route_that_is_hostile_or_demands_a_point_is_told_by_what_it_does_not_
     more = "hostile:\n  - {one: {from: S, not_via: [r1]}, other: {from: X}, reason: tight}\n"
     more += "demand:\n  - {point: 2, lies: normal, routes: {from: X, not_via: [r1]}, reason: overrun}\n"
     _, table = made(DETOUR + more)
-    barred = {r.id for r in table.routes if r.barred and r.entry == "S"}
-    assert barred == {r.id for r in table.routes if r.entry == "S" and "r1" not in r.section_ids} != set()
+    barred = {r.id for r in table.routes if r.locking.barred and r.entry == "S"}
+    assert barred == {r.id for r in table.routes if r.entry == "S" and "r1" not in r.path.section_ids} != set()
     assert agree(*told(DETOUR + more), specification.shipped()).left == ()
     with pytest.raises(Rejected):
         agree(loaded(DETOUR + more.replace("not_via", "via")), *told(DETOUR + more)[1:], specification.shipped())
@@ -109,17 +110,17 @@ def test_additions_stand_in_the_table_with_their_reasons() -> None:
     route = {str(r.id): r for r in table.routes}
     assert "E2-S2 (declared hostile: the platform between the roads is narrow)" in cell["hostile"].text(route["A2-N1"])
     assert "A2-N1 (declared hostile: the platform" in cell["hostile"].text(route["E2-S2"])
-    assert [c.route for c in route["A-A2"].barred] == ["E1-E2"]
+    assert [c.route for c in route["A-A2"].locking.barred] == ["E1-E2"]
     text = "3 N (demanded: vehicles in the siding may be loaded with explosives)"
     assert cell["flank_points"].text(route["S1-W"]) == text
-    assert {h.kind for h in route["S1-W"].hostile if h.route == "Y-S2"} == {"flank"}, "it turns the point"
+    assert {h.kind for h in route["S1-W"].locking.hostile if h.route == "Y-S2"} == {"flank"}, "it turns the point"
 
 
 def test_nothing_derived_is_lost() -> None:
     (_, plain), (_, more) = made(PLAIN), made(TEXT)
     for a, b in zip(plain.routes, more.routes, strict=True):
-        assert a.id == b.id and set(a.hostile.routes) <= set(b.hostile.routes)
-        assert set(a.points) <= set(b.points) and a.traversals == b.traversals
+        assert a.id == b.id and set(a.locking.hostile.routes) <= set(b.locking.hostile.routes)
+        assert set(a.locking.points) <= set(b.locking.points) and a.path.traversals == b.path.traversals
     assert plain.locks == more.locks
 
 
@@ -147,7 +148,7 @@ def test_a_half_of_a_slip_is_demanded_by_the_name_of_its_machine(machines: str, 
 def test_a_route_that_is_not_listed_is_counted_in_every_printed_table(profile: str) -> None:
     layout, table = made(TEXT.replace("name: added", f"name: added\nprofile: {profile}"))
     (hidden,) = [r for r in table.routes if not r.listed]
-    assert hidden.names == ("into_1",) and hidden.id in {r.route for r in table.route["S1-W"].hostile}
+    assert hidden.names == ("into_1",) and hidden.id in {r.route for r in table.route["S1-W"].locking.hostile}
     lines = table_csv(table).splitlines()
     assert lines[-1].startswith(",1 more routes are not listed,") and len(lines) == len(Printed(table).all) + 1
     sheets = [s for s in national_sheets(layout, table) if s.of_routes]
@@ -177,11 +178,11 @@ CALLED = Path("tests/layouts_for_tests/called_on.yaml").read_text("utf-8")
 
 def test_what_is_added_to_call_on_routes_alone_is_not_added_to_the_train_route_over_the_same_way() -> None:
     _, table = made(CALLED)
-    assert {r.id: [c.route for c in r.barred] for r in table.routes if r.barred} == {
+    assert {r.id: [c.route for c in r.locking.barred] for r in table.routes if r.locking.barred} == {
         "A-N1.c": ["N1-E"],
         "N1-E": ["A-N1.c"],
     }
-    assert {r.id: [p.machine for p in r.added] for r in table.routes if r.added} == {"A-N2.c": ["2"]}
+    assert {r.id: [p.machine for p in r.locking.added] for r in table.routes if r.locking.added} == {"A-N2.c": ["2"]}
     hostile = next(c for c in COLUMNS if c.key == "hostile").text(table.route[RouteId("A-N1.c")])
     assert "N1-E (declared hostile: a departure at the far end of the track)" in hostile
 
@@ -222,7 +223,7 @@ BARE = CLEAR[: CLEAR.index("demand:")]
 
 def test_a_section_that_is_demanded_clear_stands_in_the_table_with_its_reason_and_nowhere_else() -> None:
     _, table = made(CLEAR)
-    asked = {r.id: [c.section for c in r.demanded_clear] for r in table.routes if r.demanded_clear is not None}
+    asked = {r.id: [c.section for c in r.clear.demanded] for r in table.routes if r.clear.demanded is not None}
     assert asked == {"A-N1.s": ["T3"], "A-N2.c": ["T2"]}
     cell = next(c for c in COLUMNS if c.key == "sections").text(table.route[RouteId("A-N1.s")])
     assert "T3 (demanded clear: the track is short)" in cell
@@ -360,7 +361,7 @@ def test_on_layouts_that_grow_at_random_an_addition_only_restricts() -> None:
 def test_of_two_doors_of_an_air_lock_only_one_is_open() -> None:
     layout, table, controller = built("../tests/layouts_for_tests/air_lock")
     assert audit(layout, table) == ()
-    assert set(table.route["X1-X2"].hostile.routes) == {"X2-E", "Y1-Y2", "Y2-W"}
+    assert set(table.route["X1-X2"].locking.hostile.routes) == {"X2-E", "Y1-Y2", "Y2-W"}
     result = prove(System(layout, controller), Limits(search_s=0))
     assert result.proved and not result.dropped
     assert (
@@ -421,8 +422,11 @@ def test_what_is_hostile_to_a_part_is_hostile_to_the_route_that_is_set_with_it()
     """X-Y-Z sets what lies past Y, and is refused with it: the table has to say so."""
     _, table = made(PAST + "hostile: [{one: {from: Y, to: Z}, other: {from: Q, to: E}, reason: test}]\n")
     route = {r.id: r for r in table.routes}
-    assert "Q-E" in route[RouteId("X-Y-Z")].hostile.routes and "X-Y-Z" in route[RouteId("Q-E")].hostile.routes
-    assert "Q-E" not in route[RouteId("X-Y")].hostile.routes
+    assert (
+        "Q-E" in route[RouteId("X-Y-Z")].locking.hostile.routes
+        and "X-Y-Z" in route[RouteId("Q-E")].locking.hostile.routes
+    )
+    assert "Q-E" not in route[RouteId("X-Y")].locking.hostile.routes
 
 
 def test_a_section_that_a_part_is_to_find_clear_keeps_apart_the_route_that_is_set_with_it() -> None:

@@ -35,7 +35,7 @@ def delays(text: str) -> dict[str, float]:
     """The delay of each signal's routes in the table."""
     made = grown(text)
     assert made is not None and audit(made[0], made[1]) == ()
-    return {str(r.entry): r.approach.delay_s for r in made[1].routes}
+    return {str(r.entry): r.locking.approach.delay_s for r in made[1].routes}
 
 
 def test_a_time_of_its_own_is_the_delay_of_all_routes_of_a_signal() -> None:
@@ -47,7 +47,9 @@ def test_it_is_proved_and_the_second_checker_agrees() -> None:
     made = grown(own("60"))
     assert made is not None
     controller = lower(made[0], made[1])
-    name = controller.symbols.cancellation.approach_timer[next(g.id for g in made[0].signals if g.id == "S1")]
+    name = controller.symbols.cancellation.approach_timer[
+        next(g.id for g in made[0].signalling.signals if g.id == "S1")
+    ]
     assert {t.preset_ms for t in controller.timers if t.name == name} == {60_000}
     assert prove(System(made[0], controller), limits=Limits(search_s=0)).proved
     assert agree(*told(own("60")), specification.shipped()).left == ()

@@ -22,7 +22,8 @@ from interlock.proof.witnesses.availability import Manner, Trial, availability, 
 from interlock.proof.witnesses.opening import OPEN, steps
 from interlock.proof.witnesses.routes import witnesses
 from interlock.proof.witnesses.together import How
-from interlock.table.rows import Because, Exclusion, HostileRoutes, TraversalRow
+from interlock.table.cells import Because, Exclusion, HostileRoutes
+from interlock.table.rows import TraversalRow
 from tests.campaigns.availability import derived, space_to_the_point, under, weakened
 from tests.layouts import SHIPPED, built, grown
 
@@ -35,7 +36,7 @@ def test_every_pair_that_is_not_hostile_can_be_used_together(name: str) -> None:
     found = availability(System(layout, controller), table)
     assert [(p.first, p.second, p.failure) for p in found.pairs if p.failure] == []
     assert [(r.bound.route, r.failure) for r in found.routes if r.failure] == []
-    listed = {(a, b) for r in table.routes for a, b in [(r.id, h) for h in r.hostile.routes]}
+    listed = {(a, b) for r in table.routes for a, b in [(r.id, h) for h in r.locking.hostile.routes]}
     count = len(table.routes)
     assert found.hostile * 2 == len(listed) and found.hostile + len(found.pairs) == count * (count - 1) // 2
 
@@ -111,7 +112,7 @@ def test_a_route_opens_within_the_scans_that_were_computed_and_some_need_them_al
 def test_pairs_that_are_tried_are_those_that_the_table_does_not_call_hostile() -> None:
     layout, table, controller = built("terminus")
     tried = {(a.id, b.id) for a, b in compatible(System(layout, controller), table)}
-    assert all(b not in table.route[a].hostile.routes for a, b in tried) and len(tried) == 8
+    assert all(b not in table.route[a].locking.hostile.routes for a, b in tried) and len(tried) == 8
 
 
 def test_a_yard_is_available() -> None:
@@ -135,14 +136,14 @@ def test_a_signal_from_which_nothing_starts_ends_routes_with_an_overlap() -> Non
     checked = check_file("tests/layouts_for_tests/bare_signal.yaml")
     assert checked.ok and checked.table is not None
     assert {r.id for r in checked.table.routes} == {"A-M", "B-W"}
-    assert checked.table.route["A-M"].overlap is not None  # type: ignore[index]
+    assert checked.table.route["A-M"].locking.overlap is not None  # type: ignore[index]
 
 
 def test_a_road_under_a_door_closes_its_signal_with_the_first_axle() -> None:
     checked = check_file("tests/layouts_for_tests/door.yaml")
     assert checked.ok and checked.table is not None
     assert {d.code for d in checked.diagnostics} == {"IL3025"}
-    assert all(r.closing.whole is None for r in checked.table.routes if r.entry == "S3")
+    assert all(r.signal.closing.whole is None for r in checked.table.routes if r.entry == "S3")
 
 
 def test_a_point_that_the_author_has_a_route_lock_is_moved_like_its_own() -> None:
@@ -166,7 +167,7 @@ def test_a_train_that_stands_foul_of_the_other_route_is_told_and_the_pair_is_dri
 def test_a_point_held_for_a_flank_that_decides_whether_a_joint_is_foul_makes_a_pair_hostile() -> None:
     """The train of S1-A in s10 would take the signal of S2-B back, since P11 lies R for the flank of S1-A."""
     layout, table, controller = built("../tests/layouts_for_tests/foul_flank")
-    (hostile,) = table.route["S2-B"].hostile  # type: ignore[index]
+    (hostile,) = table.route["S2-B"].locking.hostile  # type: ignore[index]
     assert (hostile.route, str(hostile.kind), hostile.how.rule) == ("S1-A", "foul", "R6.10")
     assert hostile.witness.endswith("the joint s17|s10 is foul of point P16, unless P11 lies N")
     system = System(layout, controller)
@@ -176,7 +177,9 @@ def test_a_point_held_for_a_flank_that_decides_whether_a_joint_is_foul_makes_a_p
         return replace(t, exclusions=tuple(x for x in t.exclusions if "P16" not in x.because.text))
 
     weak = replace(table, locks=tuple(map(without, table.locks)))
-    bare = tuple(replace(r, hostile=HostileRoutes((), 0, {}.__getitem__)) for r in table.routes)
+    bare = tuple(
+        replace(r, locking=replace(r.locking, hostile=HostileRoutes((), 0, {}.__getitem__))) for r in table.routes
+    )
     told = {(f.route, f.column) for f in audit(layout, replace(table, routes=bare))}
     assert {("S1-A", "hostile"), ("S2-B", "hostile")} <= told
     found = availability(System(layout, lower(layout, weak)), replace(weak, routes=bare))
@@ -185,7 +188,7 @@ def test_a_point_held_for_a_flank_that_decides_whether_a_joint_is_foul_makes_a_p
 
 def test_a_pair_of_which_one_refuses_the_other_fails_though_a_train_stands_in_the_way_as_well() -> None:
     layout, table, _ = built("../tests/layouts_for_tests/foul_berth")
-    (a, b) = (table.route[r].locked[0] for r in ("G-W", "H-N"))  # type: ignore[index]
+    (a, b) = (table.route[r].path.locked[0] for r in ("G-W", "H-N"))  # type: ignore[index]
     extra = Exclusion(a[0], True, (), Because("R6", "too much"))
     locks = tuple(replace(t, exclusions=(*t.exclusions, extra)) if t.key == b else t for t in table.locks)
     found = availability(System(layout, lower(layout, replace(table, locks=locks))), table)
@@ -211,11 +214,11 @@ def test_the_sections_of_a_train_that_is_called_on_fill_a_zone() -> None:
 def test_a_route_drives_a_point_along_to_where_a_parallel_route_needs_it() -> None:
     layout, table, controller = built("../tests/layouts_for_tests/driven_reverse")
     assert audit(layout, table) == ()
-    assert {r.id: [f"{p.machine} {p.position}" for p in r.driven] for r in table.routes if r.driven} == {
-        "A-A3": ["M R"]
-    }
+    assert {
+        r.id: [f"{p.machine} {p.position}" for p in r.locking.driven] for r in table.routes if r.locking.driven
+    } == {"A-A3": ["M R"]}
     assert availability(System(layout, controller), table).shown
-    otherwise = replace(table.route["A-A3"], driven=())
+    otherwise = replace(table.route["A-A3"], locking=replace(table.route["A-A3"].locking, driven=()))
     rows = tuple(otherwise if r.id == "A-A3" else r for r in table.routes)
     assert [f.column for f in audit(layout, replace(table, routes=rows))] == ["driven"]
 
@@ -232,7 +235,7 @@ def test_points_that_two_routes_want_both_ways_are_not_driven_along() -> None:
     made = derived(text)
     assert made is not None
     layout, table = made
-    assert not any(r.driven for r in table.routes if r.id == "X1-A") and audit(layout, table) == ()
+    assert not any(r.locking.driven for r in table.routes if r.id == "X1-A") and audit(layout, table) == ()
     assert availability(System(layout, lower(layout, table)), table).shown
 
 

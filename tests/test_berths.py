@@ -52,7 +52,7 @@ def clear(text: str, route: str) -> list[str]:
     assert made is not None
     layout, table, _ = made
     assert audit(layout, table) == ()
-    return [str(c.section) for c in table.route[RouteId(route)].sections]
+    return [str(c.section) for c in table.route[RouteId(route)].clear.sections]
 
 
 def test_shunting_movements_need_a_road_clear_that_is_no_berth() -> None:
@@ -71,7 +71,9 @@ def test_shunting_movements_end_before_a_boundary_in_clear_track(trains: str) ->
     layout, table, _ = made
     assert audit(layout, table) == ()
     route = table.route[RouteId("N-line.s")]
-    assert [c.section for c in route.sections] == ["t1", "line"] == list(route.section_ids) and route.berth is None
+    assert [c.section for c in route.clear.sections] == ["t1", "line"] == list(
+        route.path.section_ids
+    ) and route.path.berth is None
     assert {"M-line", "N-line.s"} <= {str(r.id) for r in table.routes}
     assert prove(System(layout, lower(layout, table)), limits=Limits(search_s=0)).proved
     assert agree(*told(text), specification.shipped()).left == ()

@@ -63,8 +63,8 @@ def test_a_berth_may_lie_between_a_signal_and_a_board() -> None:
     """Shunting movements end before the board among vehicles that stand there; a train needs the berth clear."""
     _, table, _ = said(TEXT)
     ends = {r: table.route[RouteId(r)] for r in ("N1-LS.s", "N1-W", "A2-H.s", "A2-H")}
-    assert {r: x.berth for r, x in ends.items()} == {"N1-LS.s": "w2", "N1-W": None, "A2-H.s": "k1", "A2-H": None}
-    clear = {r: {s.section for s in x.sections} for r, x in ends.items()}
+    assert {r: x.path.berth for r, x in ends.items()} == {"N1-LS.s": "w2", "N1-W": None, "A2-H.s": "k1", "A2-H": None}
+    clear = {r: {s.section for s in x.clear.sections} for r, x in ends.items()}
     assert "w2" in clear["N1-W"] and "w2" not in clear["N1-LS.s"]
     assert "k1" in clear["A2-H"] and "k1" not in clear["A2-H.s"]
 

@@ -318,7 +318,9 @@ def test_the_page_names_every_hostile_route_of_the_table(chromium: Any, tmp_path
             "data.routes.map((r) => r.against.map(([k, how]) => [data.routes[k].id, ...data.hows[how]]))"
         )
         for row, those in zip(table.routes, told, strict=True):
-            assert sorted(map(tuple, those)) == sorted((h.route, str(h.kind), h.how.witness) for h in row.hostile)
+            assert sorted(map(tuple, those)) == sorted(
+                (h.route, str(h.kind), h.how.witness) for h in row.locking.hostile
+            )
         row = page.locator("#routes tr").nth(3)
         row.scroll_into_view_if_needed()
         seen = row.locator("button[data-why]").evaluate_all(

@@ -22,7 +22,7 @@ from interlock.proof.induction.verdict import ProofResult, Verdict
 from interlock.proof.mutation.weakenings import KINDS
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
-from interlock.table.rows import Because, ClearCell, FlankCell
+from interlock.table.cells import Because, ClearCell, FlankCell
 from tests.layouts import built
 
 
@@ -160,9 +160,15 @@ def test_a_proof_is_named_by_the_lengths_that_matter(file: str) -> None:
     layout, table, _ = built(file)
 
     def name(scale: float, foul: float = 1.0) -> str:
-        edges = tuple(replace(e, length=e.length * scale) for e in layout.edges)
-        points = tuple(replace(p, fouling=p.fouling * foul) for p in layout.points)
-        return kept.name(Limits(cache=Cache(Path("x"))), replace(layout, edges=edges, points=points), table)
+        edges = tuple(replace(e, length=e.length * scale) for e in layout.track.edges)
+        points = tuple(replace(p, fouling=p.fouling * foul) for p in layout.pointwork.points)
+        return kept.name(
+            Limits(cache=Cache(Path("x"))),
+            replace(
+                layout, track=replace(layout.track, edges=edges), pointwork=replace(layout.pointwork, points=points)
+            ),
+            table,
+        )
 
     assert name(1.0) == name(1.0 + 1e-9) != name(0.001)
     assert name(1.0) != name(1.0, foul=100.0)

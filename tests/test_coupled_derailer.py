@@ -66,8 +66,8 @@ def test_it_is_proved_and_the_second_checker_reads_it_so() -> None:
     assert list(layout.machines.ends) == ["3/Vk1"]
     assert prove(System(layout, lower(layout, table)), Limits(search_s=0)).proved
     assert agree(*told(SPUR), specification.shipped()).left == ()
-    over = {str(p.position) for r in table.routes if r.entry == "S2" for p in r.points}
-    past = {str(p.position) for r in table.routes if r.entry == "S1" for p in r.points}
+    over = {str(p.position) for r in table.routes if r.entry == "S2" for p in r.locking.points}
+    past = {str(p.position) for r in table.routes if r.entry == "S1" for p in r.locking.points}
     assert (over, past) == ({"R"}, {"N"})
 
 

@@ -38,8 +38,8 @@ def _boxes_meet(d: Drawing) -> list[tuple[str, str]]:
 
 def _check(layout: Layout, d: Drawing) -> None:
     assert _boxes_meet(d) == []
-    assert set(d.edges) == {e.id for e in layout.edges}
-    for e in layout.edges:
+    assert set(d.edges) == {e.id for e in layout.track.edges}
+    for e in layout.track.edges:
         line = d.edges[e.id]
         ends = {(round(x, 3), round(y, 3)) for x, y in (line[0], line[-1])}
         wanted = {(round(d.at[n][0], 3), round(d.at[n][1], 3)) for n in (e.a, e.b)}
@@ -50,18 +50,26 @@ def _check(layout: Layout, d: Drawing) -> None:
     root = ElementTree.fromstring(drawn)
     ids = [x.get("id") for x in root.iter() if x.get("id")]
     assert len(ids) == len(set(ids))
-    wanted_ids = {f"edge-{e.id}" for e in layout.edges} | {f"point-{p.id}" for p in layout.points}
-    wanted_ids |= {f"signal-{g.id}" for g in (*layout.signals, *layout.distants)}
-    wanted_ids |= {f"boundary-{b.node}" for b in layout.boundaries} | {f"buffer-{b.node}" for b in layout.buffers}
-    wanted_ids |= {f"crossing-{c.id}" for c in layout.crossings} | {f"device-{x.id}" for x in layout.devices}
-    wanted_ids |= {f"section-{s.id}" for s in layout.sections}
+    wanted_ids = {f"edge-{e.id}" for e in layout.track.edges} | {f"point-{p.id}" for p in layout.pointwork.points}
+    wanted_ids |= {f"signal-{g.id}" for g in (*layout.signalling.signals, *layout.signalling.distants)}
+    wanted_ids |= {f"boundary-{b.node}" for b in layout.track.boundaries} | {
+        f"buffer-{b.node}" for b in layout.track.buffers
+    }
+    wanted_ids |= {f"crossing-{c.id}" for c in layout.pointwork.crossings} | {
+        f"device-{x.id}" for x in layout.signalling.devices
+    }
+    wanted_ids |= {f"section-{s.id}" for s in layout.track.sections}
     assert wanted_ids <= set(ids), wanted_ids - set(ids)
     names = {x.text for x in root.iter(f"{SVG}text")}
     shared = {
-        b.point for b in layout.blades if sum(p.machine == layout.point[b.point].machine for p in layout.points) > 2
+        b.point
+        for b in layout.pointwork.blades
+        if sum(p.machine == layout.pointwork.point[b.point].machine for p in layout.pointwork.points) > 2
     }
-    assert {s.id for s in layout.sections} | {p.machine if p.id in shared else p.id for p in layout.points} <= names
-    assert {g.id for g in layout.signals} <= names
+    assert {s.id for s in layout.track.sections} | {
+        p.machine if p.id in shared else p.id for p in layout.pointwork.points
+    } <= names
+    assert {g.id for g in layout.signalling.signals} <= names
 
 
 @pytest.mark.parametrize("name", SHIPPED)
@@ -84,7 +92,7 @@ def test_signals_stand_on_the_left_of_their_track_and_in_germany_on_the_right(na
     layout, _, _ = built(name)
     root = ElementTree.fromstring(plan_svg(layout))
     d = place(layout)
-    for g in layout.signals:
+    for g in layout.signalling.signals:
         mast = next(x for x in root.iter(f"{SVG}g") if x.get("id") == f"signal-{g.id}").find(f"{SVG}path")
         assert mast is not None
         ys = [float(y) for y in re.findall(r"[ML][-\d.]+ ([-\d.]+)", mast.get("d", ""))]
@@ -96,15 +104,15 @@ def test_signals_stand_on_the_left_of_their_track_and_in_germany_on_the_right(na
 def test_a_scissors_lies_between_its_tracks_and_a_derailer_on_its_track() -> None:
     layout, _, _ = built("terminus")
     d = place(layout)
-    middle = d.at[layout.crossings[0].node]
-    ends = sorted({d.at[p.node][1] for p in layout.points if p.id.startswith(("201", "202"))})
+    middle = d.at[layout.pointwork.crossings[0].node]
+    ends = sorted({d.at[p.node][1] for p in layout.pointwork.points if p.id.startswith(("201", "202"))})
     assert len(ends) == 2 and middle[1] == sum(ends) / 2
     layout, _, _ = built("depot")
     d = place(layout)
-    for p in layout.points:
+    for p in layout.pointwork.points:
         if p.derailer:
             assert d.edges[p.toe][-1][1] == d.at[p.node][1] and d.edges[p.reverse][-1][1] == d.at[p.node][1]
-    assert sum(b.kind is BufferKind.DERAIL for b in layout.buffers) == 3
+    assert sum(b.kind is BufferKind.DERAIL for b in layout.track.buffers) == 3
 
 
 def test_layouts_that_grow_at_random_are_drawn_whole() -> None:
@@ -114,7 +122,7 @@ def test_layouts_that_grow_at_random_are_drawn_whole() -> None:
         if layout is None:
             continue
         d = place(layout)
-        assert set(d.edges) == {e.id for e in layout.edges}
+        assert set(d.edges) == {e.id for e in layout.track.edges}
         assert ElementTree.fromstring(plan_svg(layout, d)) is not None
         if not d.notes:
             _check(layout, d)
@@ -145,7 +153,7 @@ signals:
     layout, _ = load_text("balloon.yaml", text, Sink())
     assert layout is not None
     d = place(layout)
-    assert set(d.edges) == {e.id for e in layout.edges} and plan_svg(layout, d).startswith("<svg")
+    assert set(d.edges) == {e.id for e in layout.track.edges} and plan_svg(layout, d).startswith("<svg")
     assert d.notes == [] and examine(plan_svg(layout, d), layout).clean
     assert _turned(d) is not None  # it goes out to one side and comes back: an arc
 
@@ -182,7 +190,10 @@ def test_a_hint_of_the_layout_wins() -> None:
         assert layout is not None
         d = place(layout)
         _check(layout, d)
-        return d.edges[next(e.id for e in layout.edges if e.section == "q6")][0][1] - d.at[layout.points[0].node][1]
+        return (
+            d.edges[next(e.id for e in layout.track.edges if e.section == "q6")][0][1]
+            - d.at[layout.pointwork.points[0].node][1]
+        )
 
     assert height("") == 84 and height("drawing: {q6: 1}\n") == -84 and height("drawing: {q6: -2}\n") == 168
     sink = Sink()
@@ -227,7 +238,7 @@ def _slip(said: str) -> tuple[Layout, Drawing]:
 def test_a_name_of_a_slip_stands_where_its_blades_lie(said: str, ends: dict[str, tuple[str, ...]]) -> None:
     layout, d = _slip(said)
     labels = {t.text: t for t in d.labels}
-    spots = [d.at[p.node] for p in layout.points]
+    spots = [d.at[p.node] for p in layout.pointwork.points]
     middle = sum(x for x, _ in spots) / len(spots)
     leftward = {end[1] for end in ("1a", "1b") if _outer_end(layout, d, end)[0] < middle}
     assert len(leftward) == 1
@@ -245,7 +256,7 @@ def test_a_name_of_a_slip_stands_where_its_blades_lie(said: str, ends: dict[str,
 
 def _outer_end(layout: Layout, d: Drawing, end: str) -> tuple[float, float]:
     """Where the track begins that an end of slip 7 is joined to."""
-    e = layout.edge[EdgeId(f"7.{end}")]
+    e = layout.track.edge[EdgeId(f"7.{end}")]
     return d.at[e.a if e.a in d.at and "@" in e.a else e.b]
 
 
@@ -253,8 +264,8 @@ def test_a_slip_with_a_diamond_is_one_symbol() -> None:
     """All blades within a diamond's reach, slip rails between those that they join, arms that cross."""
     for said, rails in ((", single: 1a-2b", 1), (", machines: [7]", 2)):
         layout, d = _slip(said)
-        (x, y) = d.at[layout.crossings[0].node]
-        spots = [d.at[p.node] for p in layout.points]
+        (x, y) = d.at[layout.pointwork.crossings[0].node]
+        spots = [d.at[p.node] for p in layout.pointwork.points]
         assert all(0 < abs(a - x) <= 41 and abs(b - y) <= 41 for a, b in spots)
         assert len(d.plan.rails) == rails
         for rail in d.plan.rails:
@@ -268,7 +279,7 @@ def test_a_double_slip_with_two_machines_has_four_blades_that_lie_as_their_machi
     (slip,) = double_slips(layout)
     there = list(blades(d, slip))
     x = (d.at[slip.nodes[0]][0] + d.at[slip.nodes[1]][0]) / 2
-    told = {b.point: b for b in layout.blades}
+    told = {b.point: b for b in layout.pointwork.blades}
     tips = {end: _outer_end(layout, d, end) for end in ("1a", "1b", "2a", "2b")}
     assert {tips[e][0] < x for e in ("1a", "2a")} == {tips["1a"][0] < x} != {tips["1b"][0] < x}
     assert (tips["2a"][1] < tips["1a"][1]) is (tips["2b"][1] > tips["1b"][1]), "its arms cross"
@@ -303,9 +314,9 @@ signals:
     _check(layout, d)
     assert examine(plan_svg(layout, d), layout).clean
     labels = {t.text: t for t in d.labels if t.kind == "point"}
-    one, two = (d.at[layout.point[p].node] for p in layout.point)
+    one, two = (d.at[layout.pointwork.point[p].node] for p in layout.pointwork.point)
     assert abs(labels["1"].x - one[0]) < 40 and abs(labels["2"].x - two[0]) < 40
-    up, down = sorted(d.at[n.node][1] for n in layout.boundaries if n.node in "CD")
+    up, down = sorted(d.at[n.node][1] for n in layout.track.boundaries if n.node in "CD")
     assert up < one[1] == two[1] < down, "its two curved ways lie on either side of the straight one"
 
 
@@ -330,16 +341,16 @@ def test_what_has_coordinates_keeps_them_and_the_rest_moves_along() -> None:
     assert layout is not None
     d = place(layout)
     nodes = {"W": (0, 300), "1": (400, 300), "3": (1000, 120), "E": (1500, 150)}
-    nodes[layout.signal["N1"].node] = (700, 180)  # type: ignore[index]
+    nodes[layout.signalling.signal["N1"].node] = (700, 180)  # type: ignore[index]
     (x0, y0) = d.at["W"]  # type: ignore[index]
     for n, (x, y) in nodes.items():
         assert d.at[n] == pytest.approx((x0 + x, y0 + y - 300)), n  # type: ignore[index]
     _check(layout, d)
     assert examine(plan_svg(layout, d), layout).clean and d.notes == []
-    one, two, three = (d.at[layout.point[p].node] for p in layout.point)
+    one, two, three = (d.at[layout.pointwork.point[p].node] for p in layout.pointwork.point)
     assert one[0] < two[0] < three[0], "what has none lies between its neighbours"
     assert layout.digest != load_text("loop.yaml", LOOP.replace(", xy: [400, 300]", ""), Sink())[0].digest  # type: ignore[union-attr]
-    assert layout.bare.anchors == (), "no proof depends on places on the plan"
+    assert layout.bare.printed.anchors == (), "no proof depends on places on the plan"
 
 
 def test_two_elements_in_one_place_have_one_pair_of_coordinates() -> None:
@@ -355,9 +366,9 @@ def test_doors_stand_clear_of_the_signals_before_them_and_names_clear_of_distant
     layout, _ = load_text("lock.yaml", f"{text}distants:\n  DX: {{of: X1}}\n  DY: {{of: Y1}}\n", Sink())
     assert layout is not None
     d = place(layout)
-    for device in layout.devices:
+    for device in layout.signalling.devices:
         ((x, _),) = device_spots(d, device.over)
-        joints = [d.at[g.node][0] for g in layout.signals if layout.section_of(g.into) in device.over]
+        joints = [d.at[g.node][0] for g in layout.signalling.signals if layout.track.section_of(g.into) in device.over]
         assert len(joints) == 2 and min(abs(x - at) for at in joints) > 9, "the frame is 18 pixels wide"
     for x, y, ahead in d.distants.values():
         mark = (x - 5, y - 19, x + 5, y) if ahead else (x - 5, y, x + 5, y + 19)

@@ -25,7 +25,8 @@ from interlock.proof.induction.verdict import Verdict
 from interlock.proof.mutation.weakenings import KINDS
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
-from interlock.table.rows import InterlockingTable, PointDemand, Provider, ProviderKind, Role
+from interlock.table.cells import PointDemand, Provider, ProviderKind, Role
+from interlock.table.rows import InterlockingTable
 from tests.layouts import grown
 
 SCISSORS = {
@@ -54,10 +55,12 @@ def test_the_partner_of_a_scissors_lies_normal_in_every_profile(path: str, profi
     assert not sink.has_errors and audit(layout, table) == ()
     seen = set()
     for r in table.routes:
-        over = {c for key in r.traversals for t in table.locks if t.key == key for c, _ in t.crossings}
+        over = {c for key in r.path.traversals for t in table.locks if t.key == key for c, _ in t.crossings}
         if not over:
             continue
-        partner = {(p.machine, str(p.position)) for p in r.points if (p.machine, str(p.position)) in SCISSORS[path]}
+        partner = {
+            (p.machine, str(p.position)) for p in r.locking.points if (p.machine, str(p.position)) in SCISSORS[path]
+        }
         assert partner, r.id
         seen |= partner
     assert seen == SCISSORS[path]
@@ -75,7 +78,7 @@ def test_a_partner_that_may_lie_reverse_is_seen_by_claim_and_audit(path: str) ->
 
     weak = replace(
         table,
-        routes=tuple(replace(r, points=without(r.points)) for r in table.routes),
+        routes=tuple(replace(r, locking=replace(r.locking, points=without(r.locking.points))) for r in table.routes),
         locks=tuple(replace(t, points=without(t.points)) for t in table.locks),
     )
     assert any("scissors" in f.text for f in audit(layout, weak))
@@ -94,7 +97,9 @@ def test_what_one_route_demands_counts_when_its_next_flank_is_searched(profile: 
     layout, table, sink = derived("tests/layouts_for_tests/both_ways", profile)
     assert not sink.has_errors and audit(layout, table) == ()
     main = table.route["X2-E"]  # type: ignore[index]
-    assert [str(p) for c in main.flank for p in c.providers] == (["Y2", "Y2"] if profile == "cn" else ["P R", "Y2"])
+    assert [str(p) for c in main.locking.flank for p in c.providers] == (
+        ["Y2", "Y2"] if profile == "cn" else ["P R", "Y2"]
+    )
     assert ("IL4010" in {d.code for d in sink.diagnostics}) == (profile != "cn")
     assert prove(System(layout, lower(layout, table))).proved
 
@@ -104,10 +109,10 @@ def test_a_point_wanted_both_ways_gets_a_substitute_before_routes_become_hostile
     _, by_point, sink = derived("layouts/cn6502", "generic")
     _, by_signal, _ = derived("layouts/cn6502", "cn")
     assert not sink.has_errors
-    assert {r.id: set(r.hostile.routes) for r in by_point.routes} == {
-        r.id: set(r.hostile.routes) for r in by_signal.routes
+    assert {r.id: set(r.locking.hostile.routes) for r in by_point.routes} == {
+        r.id: set(r.locking.hostile.routes) for r in by_signal.routes
     }
-    assert not any(h.kind == "flank" for r in by_point.routes for h in r.hostile)
+    assert not any(h.kind == "flank" for r in by_point.routes for h in r.locking.hostile)
 
 
 def test_a_place_that_contradicts_its_own_routes_is_named_once_with_what_would_do() -> None:
@@ -130,16 +135,16 @@ def test_what_is_advised_against_a_contradiction_helps() -> None:
 def test_the_section_of_a_protecting_point_is_no_flank_space() -> None:
     layout, table, sink = derived("tests/layouts_for_tests/parallel")
     assert not sink.has_errors and audit(layout, table) == ()
-    assert [c.name for r in table.routes for c in r.space] == []
+    assert [c.name for r in table.routes for c in r.clear.space] == []
     assert prove(System(layout, lower(layout, table))).proved
 
 
 def test_flank_space_that_is_not_asked_for_is_seen_by_claim_and_audit() -> None:
     layout, table, _ = derived("layouts/cn6502", "de")
-    assert any(r.space for r in table.routes)
+    assert any(r.clear.space for r in table.routes)
     weak = replace(
         table,
-        routes=tuple(replace(r, space=()) for r in table.routes),
+        routes=tuple(replace(r, clear=replace(r.clear, space=())) for r in table.routes),
         locks=tuple(replace(t, space=()) for t in table.locks),
     )
     assert any(f.column == "space" for f in audit(layout, weak))
@@ -204,6 +209,12 @@ def test_a_derailer_in_a_spur_is_laid_for_the_route_past_it() -> None:
     )
     assert made is not None and not made[2].has_errors and audit(made[0], made[1]) == ()
     table = made[1]
-    assert {(str(p.machine), str(p.position)) for p in table.route[RouteId("X2-E")].points} == {("P", "N"), ("D", "N")}
-    assert {(str(p.machine), str(p.position)) for p in table.route[RouteId("X2-B")].points} == {("P", "R"), ("D", "R")}
+    assert {(str(p.machine), str(p.position)) for p in table.route[RouteId("X2-E")].locking.points} == {
+        ("P", "N"),
+        ("D", "N"),
+    }
+    assert {(str(p.machine), str(p.position)) for p in table.route[RouteId("X2-B")].locking.points} == {
+        ("P", "R"),
+        ("D", "R"),
+    }
     assert prove(System(made[0], lower(made[0], table)), limits=Limits(search_s=0)).proved

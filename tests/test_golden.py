@@ -5,8 +5,9 @@ from __future__ import annotations
 import pytest
 
 from interlock.app.check import check_file
+from interlock.table.cells import RouteKind
 from interlock.table.matrix import beyond_matrix, matrix
-from interlock.table.rows import InterlockingTable, RouteKind
+from interlock.table.rows import InterlockingTable
 
 
 def table(name: str) -> InterlockingTable:
@@ -30,7 +31,7 @@ def test_the_junctions_diamond_conflict_is_missed_by_the_matrix_and_found_by_the
     a, b = m.routes.index("S1J-S5"), m.routes.index("S2J-S6")
     assert m.m_mt()[a][b] == 0
     assert ("S1J-S5", "S2J-S6") in {(x.a, x.b) for x in beyond_matrix(t)}
-    hostile = next(h for h in t.route["S1J-S5"].hostile if h.route == "S2J-S6")  # type: ignore[index]
+    hostile = next(h for h in t.route["S1J-S5"].locking.hostile if h.route == "S2J-S6")  # type: ignore[index]
     assert hostile.kind == "crossing" and "diamond X1" in hostile.because.text
 
 
@@ -52,7 +53,7 @@ def test_sizes_agree_with_the_drafts(name: str, routes: int, sections: int, poin
     assert checked.layout is not None and checked.table is not None
     layout = checked.layout
     plain = [r for r in checked.table.routes if r.kind is not RouteKind.CALL_ON]
-    assert (len(plain), len(layout.sections), len(layout.points), len(layout.signals)) == (
+    assert (len(plain), len(layout.track.sections), len(layout.pointwork.points), len(layout.signalling.signals)) == (
         routes,
         sections,
         points,
@@ -76,28 +77,28 @@ def test_hostile_pairs_agree_with_the_drafts(name: str, hostile: int) -> None:
     # first section
     t = table(name)
     plain = {r.id for r in t.routes if r.kind is not RouteKind.CALL_ON}
-    assert sum(h.route in plain for r in t.routes if r.id in plain for h in r.hostile) == 2 * hostile
+    assert sum(h.route in plain for r in t.routes if r.id in plain for h in r.locking.hostile) == 2 * hostile
 
 
 def test_flank_of_the_diamond_is_a_real_demand() -> None:
     t = table("junction")
     up = t.route["S2J-S6"]  # type: ignore[index]
-    demands = {(p.machine, p.position, p.role) for p in up.points}
+    demands = {(p.machine, p.position, p.role) for p in up.locking.points}
     assert ("101", "N", "flank") in demands and ("102", "N", "path") in demands
 
 
 def test_both_legs_behind_a_toe_are_protected() -> None:
     t = table("heishan")
     out = t.route["XL1-XT3"]  # type: ignore[index]
-    cell = next(c for c in out.flank if c.requester == "P1.normal")
+    cell = next(c for c in out.locking.flank if c.requester == "P1.normal")
     assert {str(p) for p in cell.providers} == {"XT7", "XL2"}
 
 
 def test_conditions_are_required_where_the_layout_says() -> None:
     t = table("incline_hoist")
-    needs = {c.condition for c in t.route["XU-XM"].conditions}  # type: ignore[index]
+    needs = {c.condition for c in t.route["XU-XM"].conditions.external}  # type: ignore[index]
     assert needs == {"HOIST_STOPPED", "ROPE_ATTACHED", "NO_PERSON", "B1_OPEN", "B2_OPEN"}
-    assert {c.condition for c in t.route["XL-XD3"].conditions} == set()  # type: ignore[index]
+    assert {c.condition for c in t.route["XL-XD3"].conditions.external} == set()  # type: ignore[index]
 
 
 def test_every_cell_carries_its_reason() -> None:
@@ -114,8 +115,8 @@ def test_a_foul_joint_keeps_the_siding_clear_for_the_main_line() -> None:
     checked = check_file("tests/layouts_for_tests/foul_joint.yaml")
     assert checked.ok and checked.table is not None
     main = checked.table.route["X1-E"]  # type: ignore[index]
-    assert [c.section for c in main.foul] == ["s"] and "foul of point P" in main.foul[0].because.text
-    assert [c.section for c in checked.table.route["X1-B"].foul] == ["m"]  # type: ignore[index]
+    assert [c.section for c in main.clear.foul] == ["s"] and "foul of point P" in main.clear.foul[0].because.text
+    assert [c.section for c in checked.table.route["X1-B"].clear.foul] == ["m"]  # type: ignore[index]
     assert {d.code for d in checked.diagnostics} == {"IL3018"}
 
 

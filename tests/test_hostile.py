@@ -15,7 +15,7 @@ from interlock.derivation import pipeline
 from interlock.derivation.conflicts import Conflicts, classify
 from interlock.model.bits import bits
 from interlock.model.elements import RouteId
-from interlock.table.rows import Hostile, HostileRoutes
+from interlock.table.cells import Hostile, HostileRoutes
 from tests.grow import grow
 from tests.layouts import SHIPPED, built, grown
 
@@ -44,7 +44,7 @@ def test_a_pair_is_hostile_if_something_makes_it_so(name: str, monkeypatch: pyte
     conflicts, table = made[0], found[1]
     paths, locks, _, _ = conflicts.given  # type: ignore[attr-defined]
     pairs = [(a.id, b.id) for a, b in combinations(paths, 2) if classify(a, b, locks, conflicts._needs) is not None]
-    listed = {r.id: r.hostile.routes for r in table.routes}
+    listed = {r.id: r.locking.hostile.routes for r in table.routes}
     assert [(a.id, b.id) for a, b in combinations(paths, 2) if b.id in listed[a.id]] == pairs
     assert all(a in listed[b] for a, b in pairs) and sum(map(len, listed.values())) == 2 * len(pairs)
 
@@ -54,11 +54,11 @@ def test_hostile_routes_stand_in_order_and_tell_what_they_share() -> None:
     assert found is not None
     table = found[1]
     for r in table.routes:
-        assert [h.route for h in r.hostile] == list(r.hostile.routes)
-        assert [table.route[x].number for x in r.hostile.routes] == sorted(
-            table.route[x].number for x in r.hostile.routes
+        assert [h.route for h in r.locking.hostile] == list(r.locking.hostile.routes)
+        assert [table.route[x].number for x in r.locking.hostile.routes] == sorted(
+            table.route[x].number for x in r.locking.hostile.routes
         )
-        assert all(h.witness and h.because.text.startswith(f"{r.id} and {h.route}: ") for h in r.hostile)
+        assert all(h.witness and h.because.text.startswith(f"{r.id} and {h.route}: ") for h in r.locking.hostile)
 
 
 @pytest.mark.parametrize("name", ["cn6502", "pit_bottom"])
@@ -67,8 +67,13 @@ def test_the_audit_finds_each_pair_that_is_missing_or_too_much(name: str) -> Non
     ids = [r.id for r in table.routes]
     chance = random.Random(name)
     for r, other in chance.sample([(r, x) for r in table.routes for x in ids if x != r.id], 40):
-        hostile = set(r.hostile.routes) ^ {other}
-        wrong = replace(r, hostile=HostileRoutes(ids, bits(n for n, x in enumerate(ids) if x in hostile), told))
+        hostile = set(r.locking.hostile.routes) ^ {other}
+        wrong = replace(
+            r,
+            locking=replace(
+                r.locking, hostile=HostileRoutes(ids, bits(n for n, x in enumerate(ids) if x in hostile), told)
+            ),
+        )
         findings = audit(layout, replace(table, routes=tuple(wrong if x is r else x for x in table.routes)))
         (found,) = [x for x in findings if x.column == "hostile"]
         assert found.route == r.id

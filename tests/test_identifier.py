@@ -46,7 +46,7 @@ TWO = BOTH.read_text("utf-8")
 
 def routes(text: str) -> dict[str, str | None]:
     """The routes of a text, each with what it locks past the signal at its end."""
-    return {str(r.id): r.onward for r in said(text)[1].routes}
+    return {str(r.id): r.path.onward for r in said(text)[1].routes}
 
 
 def without(line: str) -> str:
@@ -60,7 +60,7 @@ def without(line: str) -> str:
 def test_trains_stop_at_the_signal_or_run_past_it() -> None:
     layout, table, codes = said(TEXT)
     assert codes == set() and proved(layout, table)
-    assert {r.id: r.onward for r in table.routes if r.entry in ("X", "Y")} == {
+    assert {r.id: r.path.onward for r in table.routes if r.entry in ("X", "Y")} == {
         "X-Q": None,
         "X-Y": None,
         "X-Y-Z": "Y-Z.i",
@@ -68,9 +68,11 @@ def test_trains_stop_at_the_signal_or_run_past_it() -> None:
         "Y-Z.i": None,
     }
     long, beyond = table.route[RouteId("X-Y-Z")], table.route[RouteId("Y-Z.i")]
-    assert long.overlap is not None and long.overlap.ways == beyond.traversals, "the overlap of Y lies on its way"
-    assert long.aspect.next == "Z" and beyond.kind == "identifier" and beyond.closing.whole is None
-    assert set(long.hostile.routes) == {"X-Q", "X-Y", "Y-Z"} and long.length == 340
+    assert long.locking.overlap is not None and long.locking.overlap.ways == beyond.path.traversals, (
+        "the overlap of Y lies on its way"
+    )
+    assert long.signal.aspect.next == "Z" and beyond.kind == "identifier" and beyond.signal.closing.whole is None
+    assert set(long.locking.hostile.routes) == {"X-Q", "X-Y", "Y-Z"} and long.path.length == 340
     assert [c.text(long) for c in COLUMNS if c.key == "exit"] == ["Z past Y"]
 
 
@@ -78,7 +80,7 @@ def test_the_approach_of_the_next_signal_goes_back_past_the_light() -> None:
     """Whoever has seen X clear because Z is open learns nothing at Y (R8)."""
     for text, sections in ((TEXT, {"p2", "p1", "T1", "w1"}), (TEXT.replace(", identifier: yes", ""), {"p2", "p1"})):
         _, table, _ = said(text)
-        assert set(table.route[RouteId("Z-E")].approach.sections) == sections
+        assert set(table.route[RouteId("Z-E")].locking.approach.sections) == sections
 
 
 def test_a_route_may_end_there_or_run_past_or_both() -> None:
@@ -103,7 +105,10 @@ def test_a_route_may_end_there_or_run_past_or_both() -> None:
 def test_the_audit_misses_the_way_beyond() -> None:
     layout, table, _ = said(TEXT)
     row = table.route[RouteId("X-Y-Z")]
-    for wrong in (replace(row, onward=None), replace(row, aspect=table.route[RouteId("X-Y")].aspect)):
+    for wrong in (
+        replace(row, path=replace(row.path, onward=None)),
+        replace(row, signal=replace(row.signal, aspect=table.route[RouteId("X-Y")].signal.aspect)),
+    ):
         found = audit(layout, replace(table, routes=tuple(wrong if r is row else r for r in table.routes)))
         assert found, wrong
 
@@ -292,7 +297,7 @@ def excluding(start: str, end: str) -> str:
 def test_a_train_may_stop_at_either_signal_or_run_past_both() -> None:
     layout, table, codes = said(TWO)
     assert codes == set()
-    assert {r.id: r.onward for r in table.routes if r.onward or r.kind == "identifier"} == {
+    assert {r.id: r.path.onward for r in table.routes if r.path.onward or r.kind == "identifier"} == {
         "X-Y-Z": "Y-Z.i",
         "X-Y-Z-W": "Y-Z-W.i",
         "Y-Z-W": "Z-W.i",
@@ -301,8 +306,13 @@ def test_a_train_may_stop_at_either_signal_or_run_past_both() -> None:
         "Z-W.i": None,
     }
     long = table.route[RouteId("X-Y-Z-W")]
-    assert (long.passed, long.destination, long.aspect.next, long.length) == (("Y", "Z"), "W", "W", 400)
-    assert {*long.hostile.routes} == {"X-Q", "X-Y", "X-Y-Z", "Y-Z", "Y-Z-W", "Y-Z.i", "Z-W"}
+    assert (long.path.passed, long.path.destination, long.signal.aspect.next, long.path.length) == (
+        ("Y", "Z"),
+        "W",
+        "W",
+        400,
+    )
+    assert {*long.locking.hostile.routes} == {"X-Q", "X-Y", "X-Y-Z", "Y-Z", "Y-Z-W", "Y-Z.i", "Z-W"}
     assert [c.text(long) for c in COLUMNS if c.key == "exit"] == ["W past Y, Z"]
     result = availability(System(layout, lower(layout, table)), table)
     assert {r.failure for r in result.pairs} == {None} and len(result.pairs) == 31
@@ -332,7 +342,7 @@ IN_A_ROW = {
 def test_past_several_signals_all_is_proved(which: str) -> None:
     text = variant(*IN_A_ROW[which])
     layout, table, _ = said(text)
-    assert any(len(r.passed or ()) > 1 for r in table.routes)
+    assert any(len(r.path.passed or ()) > 1 for r in table.routes)
     assert proved(layout, table) and agree(*told(text), specification.shipped()).left == ()
 
 
@@ -362,8 +372,8 @@ def test_no_light_of_a_row_may_be_left_out(kind: str) -> None:
 
 def test_the_audit_misses_what_lies_past_the_second_signal() -> None:
     layout, table, _ = said(TWO)
-    for r in (x for x in table.routes if x.passed is not None and "Z" in x.passed):
-        wrong = replace(r, onward="Y-Z.i" if r.passed == ("Y", "Z") else None)
+    for r in (x for x in table.routes if x.path.passed is not None and "Z" in x.path.passed):
+        wrong = replace(r, path=replace(r.path, onward="Y-Z.i" if r.path.passed == ("Y", "Z") else None))
         assert audit(layout, replace(table, routes=tuple(wrong if x is r else x for x in table.routes))), r.id
 
 

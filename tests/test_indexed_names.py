@@ -87,9 +87,10 @@ def test_every_name_of_a_system_is_made_of_its_fields(layout: str) -> None:
     found, _, controller = built(layout)
     system = System(found, controller)
     elements = {
-        Kind.SECTION: {str(s.id) for s in found.sections} | {names.outside(b.node) for b in found.boundaries},
+        Kind.SECTION: {str(s.id) for s in found.track.sections}
+        | {names.outside(b.node) for b in found.track.boundaries},
         Kind.MACHINE: {str(m) for m in found.machines},
-        Kind.SIGNAL: {str(g.id) for g in found.signals} | {str(x.id) for x in found.distants},
+        Kind.SIGNAL: {str(g.id) for g in found.signalling.signals} | {str(x.id) for x in found.signalling.distants},
         Kind.ROUTE: {str(r.number) for r in controller.symbols.routes},
     }
     computed = {e.name: e.group for e in (*controller.equations, *controller.next)}

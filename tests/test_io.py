@@ -331,5 +331,5 @@ def test_the_lists_say_the_same_as_the_allocation() -> None:
     equipment = dict(csv.reader(io.StringIO(equipment_csv(layout, a))))
     assert equipment["point machine"] == str(len(layout.machines))
     assert int(equipment["signal, combined"]) + int(equipment["signal, shunt"]) + int(equipment["signal, main"]) == len(
-        layout.signals
+        layout.signalling.signals
     )

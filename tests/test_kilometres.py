@@ -60,7 +60,7 @@ def test_a_layout_in_kilometres_is_the_layout_in_lengths(name: str) -> None:
         posted = written(with_posts(loaded(text), rising))
         other, errors = layout_of(posted)
         assert errors == [] and plain is not None and other is not None
-        assert other.digest == plain.digest and other.edges == plain.edges
+        assert other.digest == plain.digest and other.track.edges == plain.track.edges
     assert drawing(loaded(posted)).edges == drawing(loaded(text)).edges, "the checker reads the same"
 
 
@@ -103,7 +103,7 @@ def test_positions_stand_in_tracks_at_signals_and_at_points(form: str) -> None:
     other, errors = layout_of(text)
     assert errors == [] and plain is not None and other is not None and other.digest == plain.digest
     assert drawing(loaded(text)).edges == drawing(loaded(PLAIN)).edges
-    assert other.edges == plain.edges and derive(other, Sink()).routes == derive(plain, Sink()).routes
+    assert other.track.edges == plain.track.edges and derive(other, Sink()).routes == derive(plain, Sink()).routes
 
 
 def change(old: str, new: str) -> Callable[[str], str]:

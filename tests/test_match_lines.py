@@ -45,7 +45,7 @@ def test_every_name_stands_on_one_sheet_and_every_track_is_drawn(text: str) -> N
     assert len(pages) == len(windows(d)) > 2
     assert Counter(n for p in pages for n in names(p)) == Counter(t.text for t in d.labels)
     tracks = {x.get("id") for p in pages for x in p.iter(f"{SVG}path") if str(x.get("id")).startswith("edge-")}
-    assert tracks == {f"edge-{e.id}" for e in d.layout.edges}
+    assert tracks == {f"edge-{e.id}" for e in d.layout.track.edges}
     for p in pages:
         ids = [x.get("id") for x in p.iter() if x.get("id")]
         assert len(ids) == len(set(ids))
@@ -84,7 +84,7 @@ def _cut(d: Drawing, w: Window) -> Counter[str]:
     """How often the lines of each section leave a window towards another one, counted from the lines alone."""
     left, top, right, low = w.box
     spots: dict[tuple[str, int, int], str] = {}
-    for e in d.layout.edges:
+    for e in d.layout.track.edges:
         for (x0, y0), (x1, y1) in pairwise(d.edges[e.id]):
             for side, at in (("left", left), ("right", right)):
                 if side in w.after and min(x0, x1) <= at <= max(x0, x1) and x0 != x1:

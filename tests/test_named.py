@@ -78,7 +78,7 @@ def test_a_switch_for_automatic_working_fits_by_the_last_section_too() -> None:
     assert made is not None
     _, table, sink = made
     (route,) = table.automatic
-    assert [s.section for s in table.route[route].sections] == ["q2", "q4", "q5", "q6"]
+    assert [s.section for s in table.route[route].clear.sections] == ["q2", "q4", "q5", "q6"]
     assert "IL2007" not in {d.code for d in sink.diagnostics}
 
 
@@ -96,7 +96,7 @@ def test_the_way_without_a_section_of_its_own_is_meant_by_none() -> None:
     made = grown(straight.replace("  X3: {from: q3, into: q5, kind: shunt}\n", "") + STRAIGHT)
     assert made is not None
     _, table, sink = made
-    named = {n: [s.section for s in r.sections] for r in table.routes for n in r.names}
+    named = {n: [s.section for s in r.clear.sections] for r in table.routes for n in r.names}
     assert named == {"through": ["q2", "q5", "q6"], "loop": ["q2", "q4", "q5", "q6"]}
     assert "IL2024" not in {d.code for d in sink.diagnostics}
 

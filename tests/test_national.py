@@ -12,8 +12,8 @@ import pytest
 
 from interlock.emit.tables.export import sheet_csv
 from interlock.emit.tables.railml import railml_json
+from interlock.table.cells import ProviderKind
 from interlock.table.national import SHEETS, Sheet, national_sheets
-from interlock.table.rows import ProviderKind
 from tests.layouts import SHIPPED, built, grown
 
 Rows = list[dict[str, str]]
@@ -171,7 +171,7 @@ def test_every_form_is_a_rectangle_and_names_every_route(name: str) -> None:
         for group in c["conflictsWithRoutes"]
         for other in body["routeGroups"][group]
     ]
-    assert sorted(told) == sorted((r.id, h.route, h.kind) for r in table.routes for h in r.hostile)
+    assert sorted(told) == sorted((r.id, h.route, h.kind) for r in table.routes for h in r.locking.hostile)
     stops = {
         r["refersToRoute"]: {
             g for a in r["requiredSignalAspect"] for k in a["refersTo"] for g in body["signalGroups"][k]
@@ -179,7 +179,8 @@ def test_every_form_is_a_rectangle_and_names_every_route(name: str) -> None:
         for r in body["routeRelations"]
     }
     signals = {
-        r.id: {p.name for c in r.flank for p in c.providers if p.kind is ProviderKind.SIGNAL} for r in table.routes
+        r.id: {p.name for c in r.locking.flank for p in c.providers if p.kind is ProviderKind.SIGNAL}
+        for r in table.routes
     }
     assert stops == signals
 

@@ -71,7 +71,7 @@ def test_the_short_one_has_its_speed_its_end_and_its_points_and_the_long_one_oth
     way = Printed(table).ways[next(r.id for r in table.routes if r.exit == "X")]
     cell = {c.key: c.printed(way) for c in COLUMNS}
     assert cell["overlap"] == "o1: a2; o2: a2, T" and cell["overlap_points"] == "o2: 1 N" and cell["speed"] == "o1: 40"
-    hostile = {r.id: {*r.hostile.routes} for r in table.routes}
+    hostile = {r.id: {*r.locking.hostile.routes} for r in table.routes}
     assert "B-Z" not in hostile["A-X"] and {"B-Z.o2", "Z-E"} <= hostile["A-X.o2"] and "Z-E" not in hostile["A-X"]
 
 
@@ -197,7 +197,7 @@ overlaps:
 def test_three_of_one_signal_with_shunting_and_a_train_that_is_called_on() -> None:
     """Whoever is called on is told no speed, so that the longest is held for him."""
     layout, table = made(RICH)
-    held = {r.id: r.overlap.option for r in table.routes if r.exit == "X" and r.overlap is not None}
+    held = {r.id: r.locking.overlap.option for r in table.routes if r.exit == "X" and r.locking.overlap is not None}
     assert measured(layout).apart == {"X": {1: 40, 2: 60}}
     assert held == {"B-X": 1, "B-X.o2": 2, "B-X.o3": 3, "B-X.o4": 4, "B-X.c.o3": 3, "B-X.c.o4": 4}
     result = prove(System(layout, lower(layout, table)), Limits(search_s=0))
@@ -222,8 +222,8 @@ def test_past_a_signal_at_identifier_light_the_longer_one_is_held() -> None:
     text = text.replace("one: [p1 150, p2 150]", "one: [p1 150, p2 60, p3 90]").replace("from: p2, ", "from: p3, ")
     text = text.replace("Y: {length: 50}", "Y: {length: 50, entry_speed: 30, ways: [{over: [p3], length: 120}]}")
     layout, table = made(text)
-    held = {r.id: r.overlap.option for r in table.routes if r.exit == "Y" and r.overlap is not None}
-    assert held.pop("X-Y") == 1 and set(held.values()) == {2} and any(r.onward is not None for r in table.routes)
+    held = {r.id: r.locking.overlap.option for r in table.routes if r.exit == "Y" and r.locking.overlap is not None}
+    assert held.pop("X-Y") == 1 and set(held.values()) == {2} and any(r.path.onward is not None for r in table.routes)
     assert prove(System(layout, lower(layout, table)), Limits(search_s=0)).proved
 
 
@@ -303,7 +303,7 @@ def inside_at_random(seed: int) -> str:
     found = grown(text)
     assert found is not None
     out = []
-    for o in found[0].overlaps:
+    for o in found[0].overlaps.all:
         long = max(overlap_paths(found[0], o.signal), key=len, default=())
         if len(long) < 2:
             out.append(f"  {o.signal}: {{length: {min(o.length, 300):g}}}")
@@ -334,6 +334,10 @@ def test_on_layouts_that_grow_at_random_all_agree_and_it_is_proved(seed: int) ->
         for g in lengths.overlaps
     }
     assert apart == {g: those for g, those in theirs.items() if those}
-    assert any(r.overlap.option in apart.get(r.overlap.signal, {}) for r in table.routes if r.overlap is not None)
+    assert any(
+        r.locking.overlap.option in apart.get(r.locking.overlap.signal, {})
+        for r in table.routes
+        if r.locking.overlap is not None
+    )
     result = prove(System(layout, lower(layout, derive(layout, Sink()))), Limits(search_s=0))
     assert result.proved and not result.dropped

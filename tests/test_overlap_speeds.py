@@ -77,16 +77,18 @@ def test_each_overlap_has_its_speed_its_points_and_its_end_in_one_printed_row() 
         ("X3", "D2", "40", "60", "100", "100", "P2−", "q4, q7", "q3", "500", "88", ""),
     )
     # the lower of two speeds counts: the points permit 60 km/h, the overlap 50
-    assert {r.speed.kmh for r in table.routes if r.exit == "X8"} == {50}
+    assert {r.signal.speed.kmh for r in table.routes if r.exit == "X8"} == {50}
 
 
 def test_an_overlap_that_ends_within_a_section_holds_all_of_it() -> None:
     """The 60 m end in q7, 20 m before its end; the section is held, and must be clear."""
     _, table = made(TEXT)
-    (short,) = [r for r in table.routes if r.exit == "X3" and r.overlap is not None and r.overlap.option == 2]
-    assert short.overlap is not None
-    assert [s for s, _ in short.overlap.ways] == ["q4", "q7"] and short.overlap.metres == 100
-    assert "100 m to the next joint, made for 40 km/h" in short.overlap.because.text
+    (short,) = [
+        r for r in table.routes if r.exit == "X3" and r.locking.overlap is not None and r.locking.overlap.option == 2
+    ]
+    assert short.locking.overlap is not None
+    assert [s for s, _ in short.locking.overlap.ways] == ["q4", "q7"] and short.locking.overlap.metres == 100
+    assert "100 m to the next joint, made for 40 km/h" in short.locking.overlap.because.text
 
 
 def test_a_layout_without_speeds_of_overlaps_is_as_it_was() -> None:
@@ -127,7 +129,7 @@ def test_an_alternative_that_is_not_wanted_is_none_for_all_who_ask(what: str, le
         text = BARRED.replace("NOT", what)
     layout, table = made(text)
     (route,) = [r for r in table.routes if r.exit == "X3"]
-    assert route.overlap is not None and ", ".join(s for s, _ in route.overlap.ways) == left
+    assert route.locking.overlap is not None and ", ".join(s for s, _ in route.locking.overlap.ways) == left
     assert prove(System(layout, lower(layout, table)), Limits(search_s=0)).proved
     system = told(text)
     assert agree(*system, specification.shipped()).left == ()
@@ -150,9 +152,9 @@ def test_bars_that_leave_no_overlap_are_refused() -> None:
 
 def test_the_clear_aspect_is_claimed_of_slow_overlaps_too() -> None:
     layout, table = made(TEXT)
-    next_ = next(r.aspect for r in table.routes if r.exit == "X3" and r.speed.kmh is None)
+    next_ = next(r.signal.aspect for r in table.routes if r.exit == "X3" and r.signal.speed.kmh is None)
     next_ = replace(next_, next=SignalId("X8"))
-    rows = tuple(replace(r, aspect=next_) if r.exit == "X8" else r for r in table.routes)
+    rows = tuple(replace(r, signal=replace(r.signal, aspect=next_)) if r.exit == "X8" else r for r in table.routes)
     result = prove(System(layout, lower(layout, replace(table, routes=rows))), Limits(search_s=0, search_depth=0))
     assert [c.id for c in result.claims if c.verdict is not Verdict.PROVED] == ["S-ASPECT"]
 
@@ -196,11 +198,11 @@ def test_what_cannot_be_is_said(old: str, new: str, code: str, words: str) -> No
 def test_the_release_by_length_follows_section_and_speed() -> None:
     """Through 500 m at half of 80 km/h, then 5 s and the braking of a train that has 80 km/h: 45 s and 42 s."""
     layout, _ = made(TEXT)
-    assert dict(layout.overlap_releases) == {"X3": 88.0, "X8": 62.0}
+    assert dict(layout.overlaps.releases) == {"X3": 88.0, "X8": 62.0}
     timers = {t.name: t.preset_ms for t in lower(layout, derive(layout, Sink())).timers}
     assert timers["OT_X3"] == 88_000 and timers["OT_X8"] == 62_000
     slow, _ = made(TEXT + "sections:\n  q3: {speed: 40}\n")
-    assert dict(slow.overlap_releases)["X3"] == 114.0
+    assert dict(slow.overlaps.releases)["X3"] == 114.0
 
 
 TOGETHER = """
@@ -228,10 +230,13 @@ overlaps:
 def test_alternatives_that_come_together_go_on_as_far_as_the_longest() -> None:
     """Over r1 the 150 m end at c; the way over n1 goes on, and nobody knows over which of them a train came."""
     layout, table = made(TOGETHER)
-    over = {r.id: [s for s, _ in r.overlap.ways] for r in table.routes if r.overlap is not None}
+    over = {r.id: [s for s, _ in r.locking.overlap.ways] for r in table.routes if r.locking.overlap is not None}
     assert over == {"X-Y": ["a", "n1", "c", "d"], "X-Y.o2": ["a", "r1", "c", "d"]}
     assert [entry_speed(layout, SignalId("Y"), p) for p in overlap_paths(layout, SignalId("Y"))] == [None, 40]
-    assert {r.id: r.speed.kmh for r in table.routes if r.overlap is not None} == {"X-Y": None, "X-Y.o2": 40}
+    assert {r.id: r.signal.speed.kmh for r in table.routes if r.locking.overlap is not None} == {
+        "X-Y": None,
+        "X-Y.o2": 40,
+    }
     alone, _ = made(TOGETHER.replace("length: 200", "length: 100"))
     assert [t.section for t in overlap_paths(alone, SignalId("Y"))[1]] == ["a", "r1", "c"]
 
@@ -244,7 +249,7 @@ def speeds_at_random(seed: int) -> str | None:
     if found is None:
         return None
     out, some = [], False
-    for o in found[0].overlaps:
+    for o in found[0].overlaps.all:
         paths = overlap_paths(found[0], o.signal)
         parts = [
             f"length: {min(o.length, 150):g}",
@@ -276,7 +281,7 @@ def test_on_layouts_that_grow_at_random_derivation_audit_and_second_checker_agre
             continue
         assert audit(layout, table) == (), (seed, text)
         lengths = Lengths(Railway(loaded(text)))
-        for o in layout.overlaps:
+        for o in layout.overlaps.all:
             paths = overlap_paths(layout, o.signal)
             theirs = lengths.overlaps.get(o.signal, [])
             assert [[t.key for t in p] for p in paths] == [[(w.section, w.number) for w in p.ways] for p in theirs], (

@@ -95,12 +95,12 @@ def test_what_is_left_when_it_is_excluded_can_be_driven() -> None:
 def test_the_section_from_which_a_train_runs_is_no_flank_space_of_its_way(parts: str) -> None:
     layout, table, errors = made(LOOP.replace("PARTS", parts))
     assert errors == [] and undrivable(layout, table) == own(layout, table) == set()
-    assert "a" not in {c.name for c in table.route[RouteId("OUT-W")].space}
+    assert "a" not in {c.name for c in table.route[RouteId("OUT-W")].clear.space}
 
 
 def test_an_overlap_over_the_section_in_which_its_train_stands_is_none_for_the_route() -> None:
     layout, table, errors = made(AHEAD)
-    over = {r.id: [s for s, _ in r.overlap.ways] for r in table.routes if r.overlap is not None}
+    over = {r.id: [s for s, _ in r.locking.overlap.ways] for r in table.routes if r.locking.overlap is not None}
     both = {"X2-Z": ["q", "ra"], "X2-Z.o2": ["q", "e1"]}
     assert over == {"X-Z.o2": ["q", "e1"], **both} and errors == [] and audit(layout, table) == ()
 

@@ -48,7 +48,7 @@ def _every_pair_is_told_apart(layout: Layout, table: InterlockingTable) -> int:
             cnf.require(c.expr)
     for m in layout.machines:
         cnf.require(at_most_one(lies(m, x) for x in Position))
-    shown = [(g.id, k) for g in layout.signals for k in f.track.functions(g.id)]
+    shown = [(g.id, k) for g in layout.signalling.signals for k in f.track.functions(g.id)]
     pairs = [
         (a, b)
         for x, y in combinations(shown, 2)

@@ -128,7 +128,7 @@ def test_in_100_random_edits_no_channel_of_what_is_kept_moves() -> None:
             edited.data = json.loads(before)
             continue
         done += 1
-        layout, controller = replace(found[0], pins=pins), found[1]
+        layout, controller = replace(found[0], hardware=replace(found[0].hardware, pins=pins)), found[1]
         allocation = allocate(layout, controller)
         new = allocation.pins
         was, now, reserved = at(pins.channels), at(new.channels), at(new.reserved)
@@ -163,7 +163,11 @@ def test_without_pins_one_more_signal_moves_half_of_the_channels() -> None:
     before = at(allocate(layout, controller).pins.channels)
     after = at(allocate(*more).pins.channels)
     assert sum(after[n] != a for n, a in before.items()) > len(before) / 3
-    pinned = at(allocate(replace(more[0], pins=repinned(layout, controller)), more[1]).pins.channels)
+    pinned = at(
+        allocate(
+            replace(more[0], hardware=replace(more[0].hardware, pins=repinned(layout, controller))), more[1]
+        ).pins.channels
+    )
     assert before.items() <= pinned.items() and len(pinned) > len(before)
 
 
@@ -261,7 +265,7 @@ def test_pins_that_somebody_has_changed_are_read_and_not_overwritten(mine: Path)
     edited = pins.read_text("utf-8").replace("CLR_q1: I0.3", "CLR_q1: I3.3")
     pins.write_text(edited, "utf-8")
     layout, _ = load(str(mine), Sink())
-    assert layout is not None and layout.pins.by_variable["CLR_q1"].address == "I3.3"
+    assert layout is not None and layout.hardware.pins.by_variable["CLR_q1"].address == "I3.3"
     mine.write_text(MINE + "conditions: {ROPE: {text: rope, over: [q1]}}\n", "utf-8")
     assert "not as interlock wrote it" in run("pin", mine, code=1) and pins.read_text("utf-8") == edited
     assert "new      E_ROPE: main I0.3" in run("pin", mine, "--force")
@@ -270,9 +274,9 @@ def test_pins_that_somebody_has_changed_are_read_and_not_overwritten(mine: Path)
 def test_the_digest_and_the_proof_know_nothing_of_pins(mine: Path) -> None:
     pinned, _ = load(str(mine), Sink())
     bare, _ = load_text("mine.yaml", MINE, Sink())
-    assert pinned is not None and bare is not None and pinned.pins and not bare.pins
+    assert pinned is not None and bare is not None and pinned.hardware.pins and not bare.hardware.pins
     assert pinned.digest == bare.digest and pinned.to_text() == bare.to_text()
-    assert pinned.pins.digest != Pins().digest
+    assert pinned.hardware.pins.digest != Pins().digest
 
 
 BAD = (

@@ -85,7 +85,7 @@ def test_the_turns_of_a_station_without_rings_are_none() -> None:
         t = turned(layout)
         assert not t.cut.turns
         ends = joins(Plan(t.cut.layout), t)
-        assert len(ends) == len(layout.boundaries) + len(layout.buffers)
+        assert len(ends) == len(layout.track.boundaries) + len(layout.track.buffers)
         assert all((a == SOURCE) is not (b == SINK) for a, b in ends.values()), "every track comes in from outside"
 
 

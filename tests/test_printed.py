@@ -38,7 +38,7 @@ def station(profile: str = "generic") -> tuple[Layout, InterlockingTable]:
 
 def ways(table: InterlockingTable) -> set[tuple[object, ...]]:
     """The routes without their overlaps."""
-    return {(r.kind, r.entry, r.exit, r.traversals) for r in table.routes}
+    return {(r.kind, r.entry, r.exit, r.path.traversals) for r in table.routes}
 
 
 def lines(text: str) -> list[list[str]]:
@@ -100,9 +100,9 @@ def test_hostile_routes_of_a_row_are_those_of_its_routes() -> None:
     column = next(k for k, c in enumerate(COLUMNS) if c.key == "hostile")
     for way in printed.all:
         for r in way.rows:
-            told = grouped([(h.route, h.kind) for h in r.hostile], printed.ways, r)
+            told = grouped([(h.route, h.kind) for h in r.locking.hostile], printed.ways, r)
             meant = {q.id for x in told for q in x.way.rows if q is not r and (x.whole or q.id == x.route)}
-            assert meant == set(r.hostile.routes), r.id
+            assert meant == set(r.locking.hostile.routes), r.id
             names = {x.name() for x in told if x.way is not way}
             assert names == {re.sub(r" \(.*", "", t) for t in holds(way, r, column) if "another overlap" not in t}
 

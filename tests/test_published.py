@@ -77,7 +77,11 @@ def test_what_differs_and_what_does_not() -> None:
 @pytest.mark.parametrize(("name", "conflicts"), [("swtbahn", 1004), ("swtbahnfull", 8104)])
 def test_all_conflicts_of_swtbahn_are_derived_and_no_other(name: str, conflicts: int) -> None:
     s = compared(name).station
-    assert sum(len(r.hostile) for r in s.table.routes) == conflicts == sum(len(r["conflicts"].split()) for r in s.rows)
+    assert (
+        sum(len(r.locking.hostile) for r in s.table.routes)
+        == conflicts
+        == sum(len(r["conflicts"].split()) for r in s.rows)
+    )
 
 
 def test_all_hostile_pairs_of_the_chinese_station_are_derived_and_no_other() -> None:
@@ -85,7 +89,7 @@ def test_all_hostile_pairs_of_the_chinese_station_are_derived_and_no_other() -> 
     s = compared("czbs").station
     pairs = {(d.route, d.item) for d in compared("czbs").differences if d.column == "hostile"}
     assert pairs == {("r11", "r13"), ("r11", "r14"), ("r13", "r11"), ("r14", "r11")}
-    assert sum(len(s.derived[n].hostile) for n in s.published) > 300
+    assert sum(len(s.derived[n].locking.hostile) for n in s.published) > 300
 
 
 def test_a_chinese_throat_is_derived_whole() -> None:

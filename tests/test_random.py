@@ -79,18 +79,22 @@ def test_what_the_derivation_calls_unprotected_the_audit_reaches_however_points_
         if not named or len(machines) > 5 or any(d.code == "IL4002" for d in sink.diagnostics):
             continue
         all_trips = [
-            t for g in layout.signals for k in (False, True) if (g.shunt if k else g.main) for t in trips(layout, g, k)
+            t
+            for g in layout.signalling.signals
+            for k in (False, True)
+            if (g.shunt if k else g.main)
+            for t in trips(layout, g, k)
         ]
         for requester in named:
             point = requester.split(".")[0]
-            if point not in layout.point:
+            if point not in layout.pointwork.point:
                 continue
             leg = "N" if requester.endswith("normal") else "R"
             for trip in all_trips:
-                if not any(layout.point[point].node == m.node for m in trip.moves[:-1]):  # type: ignore[index]
+                if not any(layout.pointwork.point[point].node == m.node for m in trip.moves[:-1]):  # type: ignore[index]
                     continue
                 used = dict(trip.positions)
-                if used.get(layout.point[point].machine) == leg:  # type: ignore[index]
+                if used.get(layout.pointwork.point[point].machine) == leg:  # type: ignore[index]
                     continue
                 for choice in itertools.product(Position, repeat=len(machines)):
                     frozen = {**dict(zip(machines, choice, strict=True)), **used}
@@ -119,7 +123,7 @@ def test_voyages_and_automatic_working_on_random_layouts_are_proved(seed: int) -
     table = made[1]
     by_entry = {r.entry: r for r in reversed(table.routes) if r.kind == "main"}
     pairs = [(a, by_entry[a.exit]) for a in table.routes if a.kind == "main" and a.exit in by_entry]  # type: ignore[index]
-    apart = [(a, b) for a, b in pairs if set(a.section_ids).isdisjoint(b.section_ids)]
+    apart = [(a, b) for a, b in pairs if set(a.path.section_ids).isdisjoint(b.path.section_ids)]
     chains = [f"  V{i}: {{from: {a.entry}, to: {b.exit}}}" for i, (a, b) in enumerate(apart[:4])]
     assert chains, "choose another seed: no two routes follow each other"
     first = apart[0][0]

@@ -28,15 +28,8 @@ from interlock.frontend import load_text
 from interlock.frontend.published import WITHOUT, json_schema, language_keys
 from interlock.frontend.schema import LayoutFile
 from interlock.model.principles import KNOBS, MEANING
-from interlock.table.rows import (
-    Because,
-    HostileClass,
-    HostileRoutes,
-    InterlockingTable,
-    RouteRow,
-    TraversalRow,
-    VoyageRow,
-)
+from interlock.table.cells import Because, HostileClass, HostileRoutes
+from interlock.table.rows import InterlockingTable, RouteRow, TraversalRow, VoyageRow
 from tests.layouts import SHIPPED
 
 LANGUAGE = json_schema()

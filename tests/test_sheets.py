@@ -115,5 +115,5 @@ def test_the_page_has_block_and_signatures_for_print_and_no_day_of_its_own() -> 
     assert form.index('class="block paper"') < form.index("<table>") < form.index('class="paper signed"')
     assert "@page { size: A3 landscape" in page
     plain, _, _ = built("flank_lab")
-    assert plain.title_block is None and "Upper" not in report_html(plain, table, "", [], [], {}, {}, "")
+    assert plain.printed.title_block is None and "Upper" not in report_html(plain, table, "", [], [], {}, {}, "")
     assert layout.bare.to_text() == plain.bare.to_text()  # nothing that is proved reads it

@@ -97,7 +97,7 @@ def test_a_span_is_played_as_it_was() -> None:
     events = read(w.log).events
     whole = json.loads(trace(layout, events, 0, 1e9))
     last = whole["states"][-1]
-    assert not any(last[f"o.{s.id}"] for s in layout.sections if not s.approach), "all have gone home"
+    assert not any(last[f"o.{s.id}"] for s in layout.track.sections if not s.approach), "all have gone home"
     part = json.loads(trace(layout, events, 3600, 7200))
     assert 50 < len(part["states"]) < len(whole["states"])
     assert [s["#meta"]["text"] for s in whole["states"] if "1:00:00" <= s["#meta"]["text"][:7] < "2:00:00"] == [

@@ -54,11 +54,28 @@ def test_every_name_of_the_layout_has_spaces(made: tuple[Ready, dict[str, bytes]
     """So that no kind of element is forgotten here; what the layout does not name itself is the track's graph."""
     layout = made[0].layout
     assert layout is not None
-    named = [*(s.id for s in layout.sections), *(g.id for g in layout.signals), *(p.id for p in layout.points)]
-    named += [*(b.node for b in layout.boundaries), *(c.id for c in layout.conditions), *(z.id for z in layout.zones)]
-    named += [*(d.id for d in layout.devices), *(d.id for d in layout.distants), *layout.boards, *layout.stops]
-    named += [*(p.machine for p in layout.points), *(r.name for r in layout.named_routes), layout.name]
-    named += [*(v.name for v in layout.voyages), *(s.name for s in layout.substations)]
+    named = [
+        *(s.id for s in layout.track.sections),
+        *(g.id for g in layout.signalling.signals),
+        *(p.id for p in layout.pointwork.points),
+    ]
+    named += [
+        *(b.node for b in layout.track.boundaries),
+        *(c.id for c in layout.signalling.conditions),
+        *(z.id for z in layout.declared.zones),
+    ]
+    named += [
+        *(d.id for d in layout.signalling.devices),
+        *(d.id for d in layout.signalling.distants),
+        *layout.signalling.boards,
+        *layout.signalling.stops,
+    ]
+    named += [
+        *(p.machine for p in layout.pointwork.points),
+        *(r.name for r in layout.declared.named_routes),
+        layout.name,
+    ]
+    named += [*(v.name for v in layout.declared.voyages), *(s.name for s in layout.hardware.substations)]
     assert named and all(" " in n for n in named if not n.startswith("BF/"))
 
 
@@ -261,7 +278,7 @@ def test_the_last_word_is_the_length(item: str, section: str, metres: float) -> 
     sink = Sink()
     layout, _ = load_text("t", LINE % (item, section, section), sink)
     assert layout is not None, sink.diagnostics
-    assert {e.section: e.length for e in layout.edges}[section] == metres  # type: ignore[index]
+    assert {e.section: e.length for e in layout.track.edges}[section] == metres  # type: ignore[index]
 
 
 @pytest.mark.parametrize(
@@ -309,7 +326,7 @@ sections: {Gleis 4: {}, Gleis 5: {}}
     sink = Sink()
     layout, _ = load_text("t", text, sink)
     assert layout is not None, sink.diagnostics
-    assert {e.section: e.length for e in layout.edges if "." in e.id and e.id[-1].isdigit()} == {
+    assert {e.section: e.length for e in layout.track.edges if "." in e.id and e.id[-1].isdigit()} == {
         "Gleis Nord": 200.0,
         "Gleis 2": 300.0,
         "Gleis 4": 200.0,

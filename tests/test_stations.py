@@ -96,7 +96,7 @@ def test_loaded_trains_leave_every_cross_cut_of_the_mine_with_five() -> None:
             reached |= ends
             todo += sorted(ends)
         assert "OUT" in reached, f"cross-cut {k}"
-    assert len(table.routes) == 19 and layout.zones[0].trains == 4
+    assert len(table.routes) == 19 and layout.declared.zones[0].trains == 4
 
 
 @pytest.mark.parametrize(
@@ -119,7 +119,7 @@ def test_tracks_are_joined_end_to_end_from_either_side(near: str, far: str) -> N
 def test_trains_close_up_towards_a_buffer() -> None:
     _, table, _ = said(text_of("dead_end"))
     assert {r.id for r in table.routes} >= {"A1-A2", "A2-A3", "A3-A4", "A4-B"}
-    assert not {"A3-A4", "A4-B"} & {h.route for h in table.route[RouteId("A1-A2")].hostile}
+    assert not {"A3-A4", "A4-B"} & {h.route for h in table.route[RouteId("A1-A2")].locking.hostile}
 
 
 # --- a first signal that stands further in ---------------------------------------------------------------
@@ -150,8 +150,8 @@ def test_what_is_advised_for_a_first_signal_further_in_is_a_layout_that_is_prove
     text = FURTHER_IN.replace("{approach: w0 600}", advice["W"]).replace("W, q1 150, q2", begins)
     layout, table, _ = said(text.replace("A: {from: q1,", "A: {from: W,"))
     assert proved(layout, table)
-    assert table.route[RouteId("A-C")].approach.sections == ("q1",), "whoever is in q1 may be on his way"
-    assert [b.section for b in table.route[RouteId("D-W")].block] == ["q1"], "a departure needs it clear"
+    assert table.route[RouteId("A-C")].locking.approach.sections == ("q1",), "whoever is in q1 may be on his way"
+    assert [b.section for b in table.route[RouteId("D-W")].conditions.block] == ["q1"], "a departure needs it clear"
 
 
 # --- supervision ---------------------------------------------------------------------------------------
@@ -239,9 +239,9 @@ def test_a_slip_leads_where_the_blades_of_the_wiring_list_lead() -> None:
         layout, table, _ = said(slip(kind))
         for r in table.routes:
             path = leads.get((r.entry, r.exit), "").split()
-            lies = {p.machine: p.position for p in r.points if p.role == "path"}
-            for b in layout.blades if path else ():
-                machine, first = layout.point[b.point].machine, set(b.at) & set(path)
+            lies = {p.machine: p.position for p in r.locking.points if p.role == "path"}
+            for b in layout.pointwork.blades if path else ():
+                machine, first = layout.pointwork.point[b.point].machine, set(b.at) & set(path)
                 if len(b.at) == 2 or first:  # blades beside the path lead nowhere that matters
                     assert b.to(lies[machine]) in path and b.to(lies[machine]) not in first, (kind, r.id, b)
 

@@ -29,7 +29,7 @@ def loaded(target: str) -> tuple[Layout | None, tuple[Diagnostic, ...]]:
 
 def test_a_target_is_a_cpu_or_limits_of_ones_own() -> None:
     plain = loaded("")[0]
-    assert plain is not None and plain.target is None
+    assert plain is not None and plain.hardware.target is None
     for text, wanted in (
         ("target: {cpu: s7-313}", CPUS["s7-313"]),
         ("target: {blocks: 9, block_kb: 2, memory_kb: 3}", Target("the target", 9, 2 * KB, 3 * KB)),
@@ -37,11 +37,11 @@ def test_a_target_is_a_cpu_or_limits_of_ones_own() -> None:
         ("target: {}", None),
     ):
         layout, _ = loaded(text)
-        assert layout is not None and layout.target == wanted
+        assert layout is not None and layout.hardware.target == wanted
         assert (layout.digest == plain.digest) is (wanted is None) and layout.bare.digest == plain.bare.digest
     over = loaded("target: {cpu: s7-313, memory_kb: 64}")[0]
-    assert over is not None and over.target is not None
-    assert (over.target.blocks, over.target.memory_bytes) == (128, 64 * KB)
+    assert over is not None and over.hardware.target is not None
+    assert (over.hardware.target.blocks, over.hardware.target.memory_bytes) == (128, 64 * KB)
 
 
 @pytest.mark.parametrize("text", ["{cpu: s7-9}", "{blocks: 0}", "{blocks: many}", "{memory: 5}", "s7-313"])

@@ -289,7 +289,7 @@ def test_a_term_has_the_rule_of_its_cell_in_the_table(where: str, rule: str) -> 
     layout, _ = load_text("mine11.yaml", text, sink := Sink())
     assert layout is not None, sink.diagnostics
     table = derive(layout, sink)
-    cells = {c.because for r in table.routes for c in r.conditions}
+    cells = {c.because for r in table.routes for c in r.conditions.external}
     terms = [t for e in lower(layout, table).equations for t in e.terms if t.kind == "condition"]
     assert terms and {(t.rule, t.note) for t in terms} == {(b.rule, b.text) for b in cells}
     assert {t.rule for t in terms} == {rule}

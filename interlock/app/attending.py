@@ -67,7 +67,7 @@ class Attendant:
         """What stays locked for nobody is cancelled and released by hand, points that were trailed are confirmed."""
         seen = self.seen()
         near = {s for run in self.dispatcher.runs for s in run.way.wanted(seen)}
-        for s in self.setting.layout.sections:
+        for s in self.setting.layout.track.sections:
             name = self.setting.release.get(s.id)
             locked = self.setting.symbols.indication.get(f"locked {s.id}")
             if name is None or locked is None:

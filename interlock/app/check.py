@@ -54,7 +54,7 @@ def derived(path: str, layout: Layout, source: Source, sink: Sink) -> Checked:
     from interlock.derivation import derive
 
     table = derive(layout, sink)
-    if (layout.addresses or layout.pins) and not sink.has_errors:
+    if (layout.hardware.addresses or layout.hardware.pins) and not sink.has_errors:
         _addresses(layout, table, source, sink)
     if not sink.has_errors:
         source.check_allowed(sink)
@@ -105,8 +105,8 @@ def _addresses(layout: Layout, table: InterlockingTable, source: Source, sink: S
             sink.add("IL2015", str(error), source.at("addresses", error.variable), fix)
             return
     _changed_by_hand(source, sink)
-    new = [c for c in made.wires if c.variable not in layout.pins.by_variable]
-    if layout.pins and new:
+    new = [c for c in made.wires if c.variable not in layout.hardware.pins.by_variable]
+    if layout.hardware.pins and new:
         shown = ", ".join(f"{c.variable} {c.address}" for c in new[:8]) + (" ..." if len(new) > 8 else "")
         said = f"{shown}: not pinned yet, so that the next change may move {'it' if len(new) == 1 else 'them'}"
         sink.add("IL2023", said, source.at("name"), f"run `interlock pin {source.file}` when it is wired so")
@@ -129,9 +129,13 @@ def _contradicted(layout: Layout, clash: Clash, source: Source, sink: Sink) -> N
     if clash.where == "pin":
         sink.add("IL2022", clash.text, pinned, f"correct it, or run `interlock pin {source.file} --yes`")
         return
-    holder = {e: (s.name, i) for s in layout.substations for i, e in enumerate(s.elements)}
+    holder = {e: (s.name, i) for s in layout.hardware.substations for i, e in enumerate(s.elements)}
     place = (clash.variable,) if clash.where == "addresses" else holder.get(clash.pin.element, ())
-    at = source.at(clash.where, *place) if layout.substations or clash.where == "addresses" else source.at("name")
+    at = (
+        source.at(clash.where, *place)
+        if layout.hardware.substations or clash.where == "addresses"
+        else source.at("name")
+    )
     line = "" if pinned is None else f" ({pinned.file}, line {pinned.line})"
     fix = f"undo that here, or let it move: `interlock pin {source.file} --yes`"
     sink.add("IL2022", clash.text + line, at, fix)

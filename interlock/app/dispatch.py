@@ -114,7 +114,9 @@ class Setting:
             last = self.railway.table.route[own[-1]] if own else None  # type: ignore[index]
             here = str(e.start[-1][0])
             stays = (self.railway.approach.get(here) or f"outside.{here}") if e.start[-1][1] == OUTSIDE else here
-            ends = stays if last is None else GONE if last.exit_kind == "boundary" else str(last.section_ids[-1])
+            ends = (
+                stays if last is None else GONE if last.path.exit_kind == "boundary" else str(last.path.section_ids[-1])
+            )
             outside = e.start[0][1] == OUTSIDE
             start = here if outside else tuple((str(s), n) for s, n in e.start)
             trains.append(PlanTrain(e.train, e.length_m, start, ends))
@@ -230,14 +232,14 @@ def _run(errands: Sequence[Errand], k: int, gap: int, voyages: Sequence[str]) ->
 def _obstacles(layout: Layout, failed: Sequence[str], occupied: Sequence[str], sink: Sink) -> frozenset[object]:
     """What stands in the way of plans, as a panel would show it."""
     things: set[object] = set()
-    machines = {str(m.machine) for m in layout.points}
+    machines = {str(m.machine) for m in layout.pointwork.points}
     for word in failed:
         machine, _, at = word.partition(":")
         if machine not in machines or at not in ("", "N", "R"):
             fix = did_you_mean(machine, machines) if machine not in machines else "write P1, P1:N or P1:R"
             sink.add("IL6004", f"{word}: there is no machine or position of this name", None, fix)
         things |= {("lies", machine, x.other) for x in Position if x != at}
-    sections = {str(s.id) for s in layout.sections if not s.approach}
+    sections = {str(s.id) for s in layout.track.sections if not s.approach}
     for word in occupied:
         if word not in sections:
             sink.add("IL6004", f"there is no section {word}", None, did_you_mean(word, sections))

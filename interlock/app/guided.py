@@ -103,7 +103,7 @@ class Guide:
     def waits(self, run: Run, step: Step) -> str:
         """Why a train waits by the plan: others use a section of the step before it; empty: it may go."""
         train = next((t for t, trip in self.trips.items() if trip.run is run), "")
-        for x in dict.fromkeys(str(s) for r in step.routes for s in r.section_ids):
+        for x in dict.fromkeys(str(s) for r in step.routes for s in r.path.section_ids):
             users = [] if self._plan is None else self._users.get(x, [])
             if train in users:
                 before = users[: users.index(train)]
@@ -184,7 +184,7 @@ class Guide:
             trains.append(self._under(name, kinds[alike], held, free))
         for x in held:
             free[x] = NEVER
-        limit = min((z.trains for z in self._setting.layout.zones), default=1 << 20)
+        limit = min((z.trains for z in self._setting.layout.declared.zones), default=1 << 20)
         given = tuple(self._assigner.given.get(d.name, 0) for d in derived)
         found = Fleet(
             tuple(trains),
@@ -257,7 +257,7 @@ class Guide:
         for step, after in steps:
             if step is not None:
                 for r in step.routes:
-                    made.runs([(str(key[0]), self._setting.railway.metres[key]) for key in r.traversals])
+                    made.runs([(str(key[0]), self._setting.railway.metres[key]) for key in r.path.traversals])
             if not there and after.leg:
                 made.arrives(load.at)
                 first.append((made, work))
@@ -272,7 +272,7 @@ class Guide:
         """The steps from a place on; the shortest one where there are several."""
         found: list[tuple[Step | None, Place]] = []
         while journey.steps.get(place):
-            step = min(journey.steps[place], key=lambda s: sum(r.length for r in s.routes))
+            step = min(journey.steps[place], key=lambda s: sum(r.path.length for r in s.routes))
             found.append((step, step.after))
             place = step.after
         return found

@@ -161,7 +161,7 @@ class _Steps:
 def _slots(setting: Setting) -> tuple[str, ...]:
     """The zone that the fleet can fill, as so many places of which each train inside has one; none: there is no such
     zone.  Of several zones the tightest one is looked at."""
-    full = [z for z in setting.layout.zones if z.trains < len(setting.orders.file.fleet)]
+    full = [z for z in setting.layout.declared.zones if z.trains < len(setting.orders.file.fleet)]
     tight = min(full, key=lambda z: (z.trains, str(z.id)), default=None)
     return () if tight is None else tuple(f"{tight.id} {k}" for k in range(1, tight.trains + 1))
 

@@ -49,7 +49,7 @@ class Movement:
 
     def __init__(self, setting: Setting, train: str, demands: Demands) -> None:
         self._setting, self._demands = setting, demands
-        self._inner = {str(s) for z in setting.layout.zones for s in z.sections}
+        self._inner = {str(s) for z in setting.layout.declared.zones for s in z.sections}
         self._build = setting.orders.file.fleet[train]
         self._speed = self._build.speed / 3.6
         self._principles = setting.layout.principles

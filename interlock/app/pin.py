@@ -94,23 +94,23 @@ def pin_file(path: str, release: Sequence[str] = ()) -> Repinned:
             fix = "see io/channels.csv of a compiled layout for the variables with a wire"
             sink.add("IL2015", str(error), source.at("addresses", error.variable), fix)
             return Repinned(source, file, sink.diagnostics)
-    found = tuple(changes(layout.pins, pins))
+    found = tuple(changes(layout.hardware.pins, pins))
     text = pins_text(layout, pins)
-    return Repinned(source, file, sink.diagnostics, pins, found, text, not layout.pins, released)
+    return Repinned(source, file, sink.diagnostics, pins, found, text, not layout.hardware.pins, released)
 
 
 def repinned(layout: Layout, controller: Controller, released: Set[str] = frozenset()) -> Pins:
     """The pins of a layout, made from those that it has but for what is released.  Raises `BadAddress`."""
-    kept = _without(layout.pins, released)
+    kept = _without(layout.hardware.pins, released)
     # where layout and pin contradict each other, the layout is right, once that is allowed
-    wrong = {c.pin.variable for c in clashes(replace(layout, pins=kept), controller)}
-    return allocate(replace(layout, pins=_without(kept, wrong)), controller).pins
+    wrong = {c.pin.variable for c in clashes(replace(layout, hardware=replace(layout.hardware, pins=kept)), controller)}
+    return allocate(replace(layout, hardware=replace(layout.hardware, pins=_without(kept, wrong))), controller).pins
 
 
 def _named(layout: Layout, controller: Controller, names: Sequence[str]) -> frozenset[str]:
     """The reserved variables of these names, or of elements of these names."""
     here = {w.variable for w in wires(layout, controller)}
-    reserved = [p for n, p in layout.pins.by_variable.items() if n not in here]
+    reserved = [p for n, p in layout.hardware.pins.by_variable.items() if n not in here]
     found: set[str] = set()
     for name in names:
         those = {p.variable for p in reserved if name in (p.variable, p.element)}

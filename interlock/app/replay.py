@@ -219,7 +219,7 @@ class Replay:
         for k, (name, route) in enumerate(plan.moves, 1):
             train, r = trains[name], self.route[route]
             rest = [trains[t.name] for t in plan.trains if t.comes < k]
-            joint = self.layout.signal[r.entry].node
+            joint = self.layout.signalling.signal[r.entry].node
             head = train.under[-1] if train.under else None
             if train.gone or head is None:
                 return f"move {k}: {name} has left"

@@ -41,7 +41,7 @@ def trace(layout: Layout, events: Sequence[Event], since_s: float, until_s: floa
     happened in the span."""
     if not events or events[0].get("what") != "shift" or events[0]["layout_digest"] != layout.digest:
         raise NoShift(f"this log is no record of a shift on {layout.name} as it is now")
-    names = sorted([f"o.{s.id}" for s in layout.sections] + [f"g.{g.id}" for g in layout.signals])
+    names = sorted([f"o.{s.id}" for s in layout.track.sections] + [f"g.{g.id}" for g in layout.signalling.signals])
     names += [f"at.{m}.{x}" for m in layout.machines for x in "NR"]
     on: dict[str, int] = {f"at.{m}.N": 1 for m in layout.machines}
     states: list[dict[str, object]] = []
@@ -84,8 +84,8 @@ def _said(e: Event, on: dict[str, int]) -> str:
 
 
 def _views(layout: Layout) -> dict[str, list[list[str]]]:
-    out = {f"o.{s.id}": [["section", str(s.id), "occupied"]] for s in layout.sections}
-    out |= {f"g.{g.id}": [["signal", str(g.id), "proceed"]] for g in layout.signals}
+    out = {f"o.{s.id}": [["section", str(s.id), "occupied"]] for s in layout.track.sections}
+    out |= {f"g.{g.id}": [["signal", str(g.id), "proceed"]] for g in layout.signalling.signals}
     for m in layout.machines:
         for x in "NR":
             ends = [["point", str(p.id), x] for p in layout.machines.ends.get(MachineId(m), ())]

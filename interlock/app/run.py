@@ -125,7 +125,7 @@ class Operator:
         number, _, section = told.partition(" ")
         if not section:
             raise BadCommand("write train NUMBER SECTION for a train that stands there")
-        if all(str(s.id) != section for s in self._ready.layout.sections):
+        if all(str(s.id) != section for s in self._ready.layout.track.sections):
             raise BadCommand(f"there is no section {section}")
         if not self.numbers.stands(number, section):
             raise BadCommand(f"{section} is clear: no train stands there")

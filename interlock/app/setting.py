@@ -44,7 +44,7 @@ class Setting:
         """Sections closed to trains in this shift."""
         places = self.orders.file.places
         at = {places[b].at if b in places else b for b in self.orders.file.blocked}
-        return tuple(s.id for s in self.layout.sections if s.id in at and s.id in self.symbols.sections.blocked)
+        return tuple(s.id for s in self.layout.track.sections if s.id in at and s.id in self.symbols.sections.blocked)
 
     def heading(self, seed: int, hours: float) -> dict[str, Any]:
         """The first event of a shift."""
@@ -65,7 +65,7 @@ class Setting:
 
 def _first(layout: Layout) -> tuple[Boundary, ...]:
     """The first boundary over which trains come in; none where there is none."""
-    return tuple(b for b in layout.boundaries if b.kind is not BoundaryKind.OUT)[:1]
+    return tuple(b for b in layout.track.boundaries if b.kind is not BoundaryKind.OUT)[:1]
 
 
 def _metres(layout: Layout) -> tuple[dict[str, float], dict[str, str]]:
@@ -76,7 +76,7 @@ def _metres(layout: Layout) -> tuple[dict[str, float], dict[str, str]]:
     while todo:
         node = min(todo, key=lambda n: at[n])
         todo.remove(node)
-        for e in layout.edges_at[node]:  # type: ignore[index]
+        for e in layout.track.edges_at[node]:  # type: ignore[index]
             far = str(e.b if e.a == node else e.a)
             if at[node] + e.length < at.get(far, float("inf")):
                 at[far], before[far] = at[node] + e.length, node
@@ -92,7 +92,7 @@ def longest(layout: Layout) -> list[str]:
     node = max(at, key=lambda n: (at[n], n))
     found: dict[str, None] = {}
     while node in before:
-        joined = next(e for e in layout.edges_at[node] if before[node] in (e.a, e.b))  # type: ignore[index]
+        joined = next(e for e in layout.track.edges_at[node] if before[node] in (e.a, e.b))  # type: ignore[index]
         found[str(joined.section)] = None
         node = before[node]
     approach = [str(b.approach) for b in _first(layout) if b.approach is not None]
@@ -103,11 +103,11 @@ def distances(layout: Layout) -> dict[str, list[float]]:
     """By section: metres from the first boundary to where it begins and where it ends, along the shortest way."""
     at, _ = _metres(layout)
     found: dict[str, list[float]] = {}
-    for e in layout.edges:
+    for e in layout.track.edges:
         ends = sorted(at.get(str(n), 0.0) for n in (e.a, e.b))
         low, high = found.get(str(e.section), ends)
         found[str(e.section)] = [min(low, ends[0]), max(high, ends[1])]
-    for b in layout.boundaries:
+    for b in layout.track.boundaries:
         if b.approach is not None:
             here = at.get(str(b.node), 0.0)
             metres = b.approach_m or 400.0
@@ -134,7 +134,7 @@ def prepare(
         return checked, sink.diagnostics, None, texts
     controller = lower(layout, checked.table)
     names = load_runtime(runtime_py(controller, []))
-    release = {s.id: n for s in layout.sections if (n := f"REL_{portable(s.id)}") in names["INPUTS"]}
+    release = {s.id: n for s in layout.track.sections if (n := f"REL_{portable(s.id)}") in names["INPUTS"]}
     confirms = tuple(n for n in names["INPUTS"] if n.startswith("TC_"))
     made = Setting(layout, railway, controller.symbols, names, Track.of(layout), orders, derived, release, confirms)
     return checked, (), made, texts
@@ -151,7 +151,7 @@ def _simulable(orders: Orders, layout: Layout, derived: tuple[Derived, ...], sin
     for d in derived:
         for key, name in (("from", d.order.from_), ("to", d.order.to)):
             at, inside = orders.file.places[name].at, key == "from"
-            if any(str(s.id) == at for s in layout.sections) != inside:
+            if any(str(s.id) == at for s in layout.track.sections) != inside:
                 where = "inside the layout" if inside else "beyond a boundary"
                 text = f"in a simulated shift {name} must lie {where}"
                 sink.add("IL6012", text, orders.at("orders", d.name, key), "see the page of shifts")
@@ -163,7 +163,7 @@ def _simulable(orders: Orders, layout: Layout, derived: tuple[Derived, ...], sin
         if any(j.errand.start[0][1] != OUTSIDE for d in derived for n, j in d.journeys.items() if n == number):
             text = f"in a simulated shift train {number} must wait outside a boundary"
             sink.add("IL6012", text, orders.at("fleet", number, "at"), "see the page of shifts")
-    for b in layout.boundaries:
+    for b in layout.track.boundaries:
         if b.block is BlockKind.TOKEN:
             text = f"a direction token is exchanged at {b.node}: on such lines no shift is simulated"
             sink.add("IL6012", text, orders.root.span, "leave out `block: token` in a copy of the layout")

@@ -8,7 +8,7 @@ from interlock.dispatch.plan.railway import Railway
 from interlock.model.elements import EdgeId, SectionId
 from interlock.simulate.track import NONE, Track
 from interlock.simulate.train import Train
-from interlock.table.rows import TraversalKey
+from interlock.table.cells import TraversalKey
 
 
 def ways_under(railway: Railway, track: Track, train: Train, lies: Sequence[int]) -> tuple[TraversalKey, ...]:
@@ -33,7 +33,7 @@ def ways_under(railway: Railway, track: Track, train: Train, lies: Sequence[int]
 
 def _way(railway: Railway, track: Track, section: SectionId, under: Sequence[int]) -> TraversalKey:
     """The way through a section that has these stretches and is left where the last of them ends."""
-    edges = track.layout.edges
+    edges = track.layout.track.edges
     covered: set[EdgeId] = {edges[d >> 1].id for d in under}
     last = edges[under[-1] >> 1]
     end = last.a if under[-1] & 1 else last.b

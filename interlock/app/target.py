@@ -41,7 +41,7 @@ def too_large(size: Size, target: Target) -> list[str]:
 
 def target_notes(layout: Layout, controller: Controller, source: Source) -> tuple[Diagnostic, ...]:
     """The estimate for the layout's target as a diagnostic; none without a target."""
-    target = layout.target
+    target = layout.hardware.target
     if target is None:
         return ()
     size = estimated(layout, controller, target.tia)

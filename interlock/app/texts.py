@@ -54,7 +54,7 @@ def writers(
         else:
             out.append(partial(_delivery, layout, controller, d, header))
     out.append(partial(_mapping, layout, controller, header))
-    if layout.telegram is not TelegramForm.NONE and controller.symbols.machines.trailed:
+    if layout.hardware.telegram is not TelegramForm.NONE and controller.symbols.machines.trailed:
         out.append(partial(_telegrams, layout, controller, header))
     out.append(partial(_runtime, controller, header))
     if C99 in dialects:
@@ -101,7 +101,7 @@ def _cross_reference(controller: Controller, allocation: Allocation, dialect: Di
 
 
 def _with_pins(layout: Layout, header: list[str]) -> list[str]:
-    return [*header, f"pins {layout.pins.digest}"] if layout.pins else header
+    return [*header, f"pins {layout.hardware.pins.digest}"] if layout.hardware.pins else header
 
 
 def _mapping(layout: Layout, controller: Controller, header: list[str]) -> Written:
@@ -116,7 +116,7 @@ def _mapping(layout: Layout, controller: Controller, header: list[str]) -> Writt
 
 def _telegrams(layout: Layout, controller: Controller, header: list[str]) -> Written:
     sent = tuple(controller.symbols.machines.trailed)  # the machines that are driven
-    tagged = layout.telegram is TelegramForm.TAGGED
+    tagged = layout.hardware.telegram is TelegramForm.TAGGED
     text = print_unit(telegram_unit(layout.name, sent, tagged, header))
     place = f"st/iec/{portable(layout.name)}_telegram.st"
     return TextVerdict(place, compare_telegram(layout.name, sent, tagged, text)), {place: text.encode()}

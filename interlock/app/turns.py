@@ -32,7 +32,7 @@ class Way:
         build, load, tip = file.fleet[train], file.places[order.order.from_], file.places[order.order.to]
         self.speed, self.length = build.speed / 3.6, build.length
         journey = order.journeys[train]
-        inner = {str(s) for z in setting.layout.zones if slot.rpartition(" ")[0] == z.id for s in z.sections}
+        inner = {str(s) for z in setting.layout.declared.zones if slot.rpartition(" ")[0] == z.id for s in z.sections}
         line = next(b for b in setting.track.beyond if b.name == file.places[build.at].at)
         found = [Operation(self._seconds(line.approach_m))]
         for section, metres, turned in _sections(journey):
@@ -103,6 +103,6 @@ def _sections(journey: Journey) -> Iterator[tuple[str, float, bool]]:
         if step.turned and found:
             found[-1] = (*found[-1][:2], True)
         for r in step.routes:
-            found += [(str(key[0]), journey.railway.metres[key], False) for key in r.traversals]
+            found += [(str(key[0]), journey.railway.metres[key], False) for key in r.path.traversals]
         place = step.after
     yield from found

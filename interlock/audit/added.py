@@ -25,7 +25,8 @@ def chosen(x: Choice, t: Trip) -> bool:
 def declared(layout: Layout, a: Trip, b: Trip) -> bool:
     """Whether the author declares two paths hostile."""
     return any(
-        (chosen(x.one, a) and chosen(x.other, b)) or (chosen(x.one, b) and chosen(x.other, a)) for x in layout.barred
+        (chosen(x.one, a) and chosen(x.other, b)) or (chosen(x.one, b) and chosen(x.other, a))
+        for x in layout.declared.barred
     )
 
 
@@ -35,18 +36,18 @@ def added(layout: Layout, table: InterlockingTable, matched: Mapping[str, Trip])
         mine = matched.get(r.id)
         if mine is None:
             continue
-        others = (o for o in table.routes if o is not r and o.id in matched) if layout.barred else ()
+        others = (o for o in table.routes if o is not r and o.id in matched) if layout.declared.barred else ()
         barred = {o.id for o in others if declared(layout, mine, matched[o.id])}
-        if {c.route for c in r.barred} != barred:
+        if {c.route for c in r.locking.barred} != barred:
             yield r.id, "barred", f"declared hostile are {', '.join(sorted(barred)) or 'none'}"
-        if not barred <= set(r.hostile.routes):
+        if not barred <= set(r.locking.hostile.routes):
             yield r.id, "hostile", f"hostile by declaration are {', '.join(sorted(barred))}"
-        clear = {d.section for d in of_sections(layout.demanded) if chosen(d.routes, mine)}
-        if {c.section for c in r.demanded_clear or ()} != clear:
+        clear = {d.section for d in of_sections(layout.declared.demanded) if chosen(d.routes, mine)}
+        if {c.section for c in r.clear.demanded or ()} != clear:
             yield r.id, "sections", f"demanded clear are {', '.join(sorted(clear)) or 'none'}"
-        asked = {(d.machine, d.position) for d in of_points(layout.demanded) if chosen(d.routes, mine)}
-        lies = {(p.machine, p.position) for p in r.points}
+        asked = {(d.machine, d.position) for d in of_points(layout.declared.demanded) if chosen(d.routes, mine)}
+        lies = {(p.machine, p.position) for p in r.locking.points}
         for m, x in sorted(asked - lies):
             yield r.id, "points", f"{m} {x} is demanded"
-        for m, x in sorted({(p.machine, p.position) for p in r.points if p.role == "added"} - asked):
+        for m, x in sorted({(p.machine, p.position) for p in r.locking.points if p.role == "added"} - asked):
             yield r.id, "points", f"nobody demands {m} {x}"

@@ -16,13 +16,13 @@ Lie = Mapping[NodeId, Position]
 
 def approach_sections(layout: Layout, signal: SignalId) -> frozenset[SectionId] | None:
     """The sections of the approach; None where the signal is always approach locked."""
-    g, rules = layout.signal[signal], layout.principles
+    g, rules = layout.signalling.signal[signal], layout.principles
     found: set[SectionId] = set()
     announces = g.main and rules.caution is not Caution.NEVER
 
     def speed(section: SectionId) -> float:
         """In metres a second, as fast as a train may run there."""
-        row = layout.section.get(section)
+        row = layout.track.section.get(section)
         kmh = float(row.speed) if row is not None and row.speed is not None else rules.line_speed_kmh
         return (kmh if g.main else min(kmh, rules.shunt_speed_kmh)) / 3.6
 
@@ -37,15 +37,15 @@ def approach_sections(layout: Layout, signal: SignalId) -> frozenset[SectionId] 
     def back(edge: EdgeId, node: NodeId, run: float, stop: float, told: bool, been: Been, lie: Lie) -> None:
         """Away from the signal over an edge that ends at `node`.  No train comes over it against its one way; its
         section, in which one may stand after a restart, counts all the same.  No point moves under the train."""
-        e = layout.edge[edge]
+        e = layout.track.edge[edge]
         found.add(e.section)
         if e.one_way and e.b != node:
             return
         stop = max(stop, stops(e.section))
-        at, run = layout.far(edge, node), run + e.length
-        boundary = layout.boundary_at.get(at)
+        at, run = layout.track.far(edge, node), run + e.length
+        boundary = layout.track.boundary_at.get(at)
         onward = _onward(layout, edge, at)
-        leaves = boundary is not None or any(layout.section_of(x) != e.section for x in onward)
+        leaves = boundary is not None or any(layout.track.section_of(x) != e.section for x in onward)
         if leaves:
             if told and run >= stop:
                 return
@@ -56,36 +56,36 @@ def approach_sections(layout: Layout, signal: SignalId) -> frozenset[SectionId] 
                 found.add(boundary.approach)
             return
         for x in onward:
-            s = layout.section_of(x)
+            s = layout.track.section_of(x)
             under = _under(layout, edge, x, at, lie) if s == e.section else {}
             if under is not None and (s == e.section or s not in been):
                 least = max(stop, run + unaware(s)) if leaves and here else stop
                 back(x, at, run, least, told, been | {s}, under)
 
-    boundary = layout.boundary_at.get(g.node)
+    boundary = layout.track.boundary_at.get(g.node)
     if boundary is not None:
         if boundary.approach is None or boundary.approach_m < stops(boundary.approach):
             return None
         return frozenset({boundary.approach})
-    behind = [e.id for e in layout.edges_at[g.node] if e.id != g.into]
+    behind = [e.id for e in layout.track.edges_at[g.node] if e.id != g.into]
     if not behind:
         return None
     for edge in behind:
-        been = frozenset({layout.section_of(g.into), layout.section_of(edge)})
+        been = frozenset({layout.track.section_of(g.into), layout.track.section_of(edge)})
         back(edge, g.node, 0.0, 0.0, not announces, been, {})
     return frozenset(found)
 
 
 def _tells(layout: Layout, node: NodeId, edge: EdgeId) -> bool:
     """Whether a main signal there tells what the next one shows: not one that may be passed at identifier light."""
-    g = layout.signal_facing.get((node, edge))
-    return g is not None and g.main and g.id not in layout.identifiers
+    g = layout.signalling.facing.get((node, edge))
+    return g is not None and g.main and g.id not in layout.signalling.identifiers
 
 
 def _under(layout: Layout, edge: EdgeId, other: EdgeId, node: NodeId, lie: Lie) -> Lie | None:
     """How points lie under a train that has come from one edge to another; None where it came over this one before, in
     its other position."""
-    point = layout.point_at.get(node)
+    point = layout.pointwork.point_at.get(node)
     if point is None:
         return lie
     position = Position.NORMAL if point.normal in (edge, other) else Position.REVERSE
@@ -94,9 +94,9 @@ def _under(layout: Layout, edge: EdgeId, other: EdgeId, node: NodeId, lie: Lie) 
 
 def _onward(layout: Layout, edge: EdgeId, node: NodeId) -> list[EdgeId]:
     """The edges over which a train can have come to `node` that goes on over `edge`."""
-    point, crossing = layout.point_at.get(node), layout.crossing_at.get(node)
+    point, crossing = layout.pointwork.point_at.get(node), layout.pointwork.crossing_at.get(node)
     if point is not None:
         return [point.toe] if edge in (point.normal, point.reverse) else [point.normal, point.reverse]
     if crossing is not None:
         return [b if edge == a else a for a, b in crossing.arms if edge in (a, b)]
-    return [x.id for x in layout.edges_at[node] if x.id != edge]
+    return [x.id for x in layout.track.edges_at[node] if x.id != edge]

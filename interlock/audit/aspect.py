@@ -8,7 +8,7 @@ from interlock.audit.walk import Trip
 from interlock.model.elements import SignalId
 from interlock.model.layout import Layout
 from interlock.model.principles import Caution
-from interlock.table.rows import Shows
+from interlock.table.cells import Shows
 
 
 def aspect(layout: Layout, trip: Trip, slowest: int | None) -> tuple[Shows, SignalId | None]:
@@ -26,20 +26,20 @@ def aspect(layout: Layout, trip: Trip, slowest: int | None) -> tuple[Shows, Sign
         return Shows.CAUTION, None
     trip = trip.run
     last = trip.moves[-1]
-    out = layout.boundary_at.get(last.node)
+    out = layout.track.boundary_at.get(last.node)
     if rule is Caution.NEVER or (out is not None and (out.approach is not None or out.block != "none")):
         return Shows.CLEAR, None
     if rule is Caution.TURNOUT and _reversed(layout, trip):
         return Shows.CAUTION, None
-    onward = [e.id for e in layout.edges_at[last.node] if e.id != last.edge]
-    facing = [layout.signal_facing.get((last.node, e)) for e in onward]
+    onward = [e.id for e in layout.track.edges_at[last.node] if e.id != last.edge]
+    facing = [layout.signalling.facing.get((last.node, e)) for e in onward]
     ahead = [g for g in facing if g is not None and g.kind != "shunt"]
-    if not ahead or ahead[0].id in layout.stops:
+    if not ahead or ahead[0].id in layout.signalling.stops:
         return Shows.CAUTION, None
     return Shows.NEXT, ahead[0].id
 
 
 def _reversed(layout: Layout, trip: Trip) -> bool:
     """Whether the trip passes some point over its reverse leg."""
-    passed = [(layout.point_at.get(a.node), a.edge, b.edge) for a, b in pairwise(trip.moves)]
+    passed = [(layout.pointwork.point_at.get(a.node), a.edge, b.edge) for a, b in pairwise(trip.moves)]
     return any(p is not None and p.reverse in edges for p, *edges in passed)

@@ -34,12 +34,12 @@ def unused_places(layout: Layout, trip: Trip) -> list[Place]:
     out: list[Place] = []
     margin = layout.principles.clearance_m
     for a, b in pairs(trip):
-        point = layout.point_at.get(a.node)
+        point = layout.pointwork.point_at.get(a.node)
         if point is not None:
             unused = next(e for e in (point.normal, point.reverse) if e not in (a.edge, b.edge))
             leg = Position.NORMAL if unused == point.normal else Position.REVERSE
             out.append(Place(f"{point.id}.{leg}", a.node, unused, point.fouling + margin, point.id, leg))
-        crossing = layout.crossing_at.get(a.node)
+        crossing = layout.pointwork.crossing_at.get(a.node)
         if crossing is not None:
             for arm in crossing.arms:
                 if a.edge not in arm:
@@ -60,23 +60,23 @@ def crossovers_to_lie_normal(layout: Layout, trip: Trip) -> set[MachineId]:
     nowhere but to the arm that the trip does not use."""
     found: set[MachineId] = set()
     for a, b in pairs(trip):
-        crossing = layout.crossing_at.get(a.node)
+        crossing = layout.pointwork.crossing_at.get(a.node)
         for arm in crossing.arms if crossing is not None else ():
-            ends = [_reverse_of(layout, Move(e, layout.far(e, a.node))) for e in arm if e not in (a.edge, b.edge)]
+            ends = [_reverse_of(layout, Move(e, layout.track.far(e, a.node))) for e in arm if e not in (a.edge, b.edge)]
             found.update(m for m in ends if m is not None and None not in ends)
     return found
 
 
 def _reverse_of(layout: Layout, move: Move) -> MachineId | None:
     """The machine that a vehicle on plain track comes to next, if it comes over the reverse leg."""
-    for _ in range(len(layout.edges)):
-        point = layout.point_at.get(move.node)
+    for _ in range(len(layout.track.edges)):
+        point = layout.pointwork.point_at.get(move.node)
         if point is not None:
             return point.machine if move.edge == point.reverse else None
-        further = [e for e in layout.edges_at[move.node] if e.id != move.edge]
+        further = [e for e in layout.track.edges_at[move.node] if e.id != move.edge]
         if len(further) != 1:
             return None
-        move = Move(further[0].id, layout.far(further[0].id, move.node))
+        move = Move(further[0].id, layout.track.far(further[0].id, move.node))
     return None
 
 
@@ -103,7 +103,7 @@ def flank_space(
     possible: Space = set()
     path = {m.edge for m in (*trip.moves, *trip.over)}
     for place in unused_places(layout, trip):
-        own = {layout.section_of(e.id) for e in layout.edges_at[place.node] if e.id in path}
+        own = {layout.track.section_of(e.id) for e in layout.track.edges_at[place.node] if e.id in path}
         if (place.point, place.leg) not in waived:
             needed |= {
                 (what, signal)
@@ -138,18 +138,20 @@ def _between(layout: Layout, place: Place, frozen: Frozen) -> Space:
     seen: set[Move] = set()
     while todo:
         here = todo.pop()
-        e = layout.edge[here.edge]
+        e = layout.track.edge[here.edge]
         if here in seen or (e.one_way and here.node != e.b):
             continue
         seen.add(here)
-        rear = layout.far(here.edge, here.node)
-        ended = rear in (place.node, *layout.buffer_at, *layout.boundary_at) or _stops(layout, rear, here.edge, place)
-        before = [Move(x.id, rear) for x in layout.edges_at[rear] if x.id != here.edge and not ended]
+        rear = layout.track.far(here.edge, here.node)
+        ended = rear in (place.node, *layout.track.buffer_at, *layout.track.boundary_at) or _stops(
+            layout, rear, here.edge, place
+        )
+        before = [Move(x.id, rear) for x in layout.track.edges_at[rear] if x.id != here.edge and not ended]
         before = [m for m in before if any(x == here for x, _ in steps(layout, m, frozen))]
-        point = layout.point_at.get(rear)
-        turned = not ended and not before and point is not None and layout.section_of(point.toe) == e.section
-        inside = bool(before) and all(layout.section_of(m.edge) == e.section for m in before)
-        if rules.flank_space and e.section not in layout.undetected and not turned and not inside:
+        point = layout.pointwork.point_at.get(rear)
+        turned = not ended and not before and point is not None and layout.track.section_of(point.toe) == e.section
+        inside = bool(before) and all(layout.track.section_of(m.edge) == e.section for m in before)
+        if rules.flank_space and e.section not in layout.track.undetected and not turned and not inside:
             found.add((e.section, False))
         if _stops(layout, rear, here.edge, place):
             g = signal_facing(layout, rear, here.edge)
@@ -162,10 +164,10 @@ def _between(layout: Layout, place: Place, frozen: Frozen) -> Space:
 def _reached(layout: Layout, place: Place, frozen: Frozen) -> bool:
     goal = Move(place.edge, place.node)
     todo: list[Move] = []
-    for b in layout.boundaries:
+    for b in layout.track.boundaries:
         if b.kind is BoundaryKind.OUT:
             continue
-        e = layout.edges_at[b.node][0]
+        e = layout.track.edges_at[b.node][0]
         start = Move(e.id, e.b if e.a == b.node else e.a)
         if not _stops(layout, b.node, e.id, place) and not (e.one_way and start.node != e.b):
             todo.append(start)

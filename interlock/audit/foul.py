@@ -19,37 +19,37 @@ def foul_neighbours(layout: Layout, trip: Trip) -> set[Foul]:
     for a, b in pairs(trip):
         for unused, own, needed in _beside(layout, a, b):
             for (edge, near), gone in distances(layout, a.node, unused, needed).items():
-                behind = {layout.section_of(e.id) for e in layout.edges_at[near] if e.id != edge}
-                section = layout.section_of(edge)
+                behind = {layout.track.section_of(e.id) for e in layout.track.edges_at[near] if e.id != edge}
+                section = layout.track.section_of(edge)
                 if section not in own | behind and gone < needed:
-                    out.add((section, _way_out(layout, edge, near), near, layout.section_of(a.edge)))
+                    out.add((section, _way_out(layout, edge, near), near, layout.track.section_of(a.edge)))
     return out
 
 
 def _beside(layout: Layout, a: Move, b: Move) -> Iterator[tuple[EdgeId, set[SectionId], float]]:
     """The edges on which a vehicle near the node would stand in the way, the sections in which it would be seen
     anyway, and how far it must stay away."""
-    point, margin = layout.point_at.get(a.node), layout.principles.clearance_m
+    point, margin = layout.pointwork.point_at.get(a.node), layout.principles.clearance_m
     if point is not None:
         unused = next(e for e in (point.normal, point.reverse) if e not in (a.edge, b.edge))
-        yield unused, {layout.section_of(point.toe)}, point.fouling + margin
-    crossing = layout.crossing_at.get(a.node)
+        yield unused, {layout.track.section_of(point.toe)}, point.fouling + margin
+    crossing = layout.pointwork.crossing_at.get(a.node)
     if crossing is not None:
-        here = {layout.section_of(a.edge)}
+        here = {layout.track.section_of(a.edge)}
         for e in next(arm for arm in crossing.arms if a.edge not in arm):
-            yield e, here | {layout.section_of(e)}, layout.principles.fouling_m + margin
+            yield e, here | {layout.track.section_of(e)}, layout.principles.fouling_m + margin
 
 
 def _way_out(layout: Layout, edge: EdgeId, near: NodeId) -> tuple[MachineId, Position] | None:
     """The first point beyond, within the section, that must lie so for a vehicle to come to `near`."""
-    section = layout.section_of(edge)
-    for _ in layout.edges:
-        near = layout.far(edge, near)
-        p = layout.point_at.get(near)
+    section = layout.track.section_of(edge)
+    for _ in layout.track.edges:
+        near = layout.track.far(edge, near)
+        p = layout.pointwork.point_at.get(near)
         if p is not None:
             return None if edge == p.toe else (p.machine, Position.NORMAL if edge == p.normal else Position.REVERSE)
-        further = [e.id for e in layout.edges_at[near] if e.id != edge and e.section == section]
-        if near in layout.crossing_at or len(further) != 1:
+        further = [e.id for e in layout.track.edges_at[near] if e.id != edge and e.section == section]
+        if near in layout.pointwork.crossing_at or len(further) != 1:
             return None
         edge = further[0]
     return None

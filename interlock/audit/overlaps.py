@@ -13,16 +13,16 @@ from interlock.model.layout import Layout, of_layout
 
 def overruns(layout: Layout, trip: Trip) -> list[Trip]:
     """A train's trip with each overlap beyond its exit signal, as far as the trip itself permits."""
-    g = layout.signal.get(trip.exit)  # type: ignore[call-overload]
-    length = layout.overlap_of.get(g.id, 0.0) if g is not None else 0.0
+    g = layout.signalling.signal.get(trip.exit)  # type: ignore[call-overload]
+    length = layout.overlaps.length.get(g.id, 0.0) if g is not None else 0.0
     if g is None or trip.shunt or length <= 0:
         return [trip]
     plain = _alone(layout, g)
     joined = frozenset(
-        (a.node, layout.section_of(b.edge))
+        (a.node, layout.track.section_of(b.edge))
         for path in plain
         for a, b in itertools.pairwise(path.over)
-        if layout.section_of(a.edge) != layout.section_of(b.edge)
+        if layout.track.section_of(a.edge) != layout.track.section_of(b.edge)
     )
     inside = frozenset(short(layout, g.id))
     return [
@@ -43,7 +43,7 @@ def short(layout: Layout, signal: SignalId) -> dict[tuple[Move, ...], int]:
     """Overlaps that lie inside longer ones of the same signal and count for trains that were shown no more than a
     speed (km/h), which is lower than that of any longer one.  A train that has run to where one ends has run over all
     of it: from nowhere else does an overlap of the signal lead onto its sections."""
-    plain = _alone(layout, layout.signal[signal])
+    plain = _alone(layout, layout.signalling.signal[signal])
     found = {}
     for a in plain:
         longer = [b for b in plain if len(b.over) > len(a.over) and b.over[: len(a.over)] == a.over]
@@ -65,14 +65,14 @@ def _first_moves(layout: Layout, trip: Trip) -> dict[SectionId, int]:
     """Where an overlap comes into each of its sections."""
     found: dict[SectionId, int] = {}
     for i, m in enumerate(trip.over):
-        found.setdefault(layout.section_of(m.edge), i)
+        found.setdefault(layout.track.section_of(m.edge), i)
     return found
 
 
 def _stated(layout: Layout, g: Signal) -> list[tuple[OverlapWay | None, float]]:
     """How long the overlap of a signal is, and that of alternatives with a length of their own."""
-    own = [(w, w.length) for w in layout.overlap_ways if w.signal == g.id]
-    return [(None, layout.overlap_of[g.id]), *own]
+    own = [(w, w.length) for w in layout.overlaps.ways if w.signal == g.id]
+    return [(None, layout.overlaps.length[g.id]), *own]
 
 
 def _alone(layout: Layout, g: Signal) -> list[Trip]:
@@ -89,13 +89,13 @@ def _alone(layout: Layout, g: Signal) -> list[Trip]:
 def overlap_speed(layout: Layout, trip: Trip) -> int | None:
     """The speed (km/h) for which the overlap of a trip is made, if for one."""
     own = overlap_way(layout, trip)
-    return own.entry if own is not None else next((v for g, v in layout.entry_speeds if g == trip.exit), None)
+    return own.entry if own is not None else next((v for g, v in layout.overlaps.entry_speeds if g == trip.exit), None)
 
 
 def overlap_way(layout: Layout, trip: Trip) -> OverlapWay | None:
     """What the layout states of the overlap of a trip alone, if anything: the first entry whose sections it passes."""
-    passed = {layout.section_of(m.edge) for m in trip.over}
-    return next((w for w in layout.overlap_ways if w.signal == trip.exit and passed >= set(w.over)), None)
+    passed = {layout.track.section_of(m.edge) for m in trip.over}
+    return next((w for w in layout.overlaps.ways if w.signal == trip.exit and passed >= set(w.over)), None)
 
 
 def _overruns(
@@ -109,7 +109,7 @@ def _overruns(
 ) -> list[Trip]:
     """Long enough paths beyond the signal that do not end where another one goes on from section to section, but for
     those inside longer ones that count by themselves."""
-    e = layout.edge[g.into]
+    e = layout.track.edge[g.into]
     barred = {*trip.sections, *(in_rear(layout, trip) if trip.moves else ())}
     found: list[Trip] = []
     start = Move(g.into, e.b if e.a == g.node else e.a)
@@ -117,42 +117,46 @@ def _overruns(
     while todo:
         moves, positions, gone = todo.pop()
         here = moves[-1]
-        section = layout.section_of(here.edge)
-        if (g.id, section) in layout.overlap_bars or (g.id, here.edge) in layout.overlap_bars:
+        section = layout.track.section_of(here.edge)
+        if (g.id, section) in layout.overlaps.bars or (g.id, here.edge) in layout.overlaps.bars:
             continue
-        if here.node in layout.buffer_at and layout.buffer_at[here.node].kind == "derail":
+        if here.node in layout.track.buffer_at and layout.track.buffer_at[here.node].kind == "derail":
             continue
-        ends = here.node in layout.boundary_at or here.node in layout.buffer_at
-        beside = () if here.node in layout.crossing_at else layout.edges_at[here.node]
-        at_joint = ends or any(layout.section_of(e.id) != section for e in beside)  # even if no train goes on there
+        ends = here.node in layout.track.boundary_at or here.node in layout.track.buffer_at
+        beside = () if here.node in layout.pointwork.crossing_at else layout.track.edges_at[here.node]
+        at_joint = ends or any(
+            layout.track.section_of(e.id) != section for e in beside
+        )  # even if no train goes on there
         next_signal = [h for m, _ in steps(layout, here) if (h := signal_facing(layout, here.node, m.edge)) is not None]
         through = length == float("inf") and any(h.kind != "shunt" for h in next_signal)
-        onward = {layout.section_of(m.edge) for m, _ in steps(layout, here)} - {section}
+        onward = {layout.track.section_of(m.edge) for m, _ in steps(layout, here)} - {section}
         goes_on = any((here.node, s) in joined for s in onward)
         goes_on &= not (moves in inside and gone >= _length_of(layout, trip, moves))
         if ends or (at_joint and (gone >= length or through) and not goes_on):
             wanted = dict(trip.positions)
             clash = any(wanted.setdefault(m, x) is not x for m, x in positions)
-            over = {layout.section_of(m.edge) for m in moves}
+            over = {layout.track.section_of(m.edge) for m in moves}
             if checked:
                 clash = clash or any(wanted.get(m) == "R" for m in layout.machines.by_hand)
-                clash = clash or bool(over & layout.undetected)
-            diamonds = [m.node for m in (*trip.moves, *moves) if m.node in layout.crossing_at]
+                clash = clash or bool(over & layout.track.undetected)
+            diamonds = [m.node for m in (*trip.moves, *moves) if m.node in layout.pointwork.crossing_at]
             if not clash and not over & barred and len(diamonds) == len(set(diamonds)):
                 mine = tuple(sorted(dict(positions).items()))
                 found.append(replace(trip, over=moves, over_positions=mine))
             continue
         for m, needs in steps(layout, here):
-            beyond = layout.section_of(m.edge)
+            beyond = layout.track.section_of(m.edge)
             if any(m.edge == x.edge for x in moves):
                 continue
-            if beyond != section and any(layout.section_of(x.edge) == beyond for x in moves):
+            if beyond != section and any(layout.track.section_of(x.edge) == beyond for x in moves):
                 continue
-            todo.append(((*moves, m), (*positions, needs) if needs else positions, gone + layout.edge[m.edge].length))
+            todo.append(
+                ((*moves, m), (*positions, needs) if needs else positions, gone + layout.track.edge[m.edge].length)
+            )
     return found
 
 
 def _length_of(layout: Layout, trip: Trip, moves: tuple[Move, ...]) -> float:
     """The metres asked of the overlap over some moves."""
     own = overlap_way(layout, replace(trip, over=moves))
-    return layout.overlap_of[SignalId(trip.exit)] if own is None else own.length
+    return layout.overlaps.length[SignalId(trip.exit)] if own is None else own.length

@@ -16,18 +16,18 @@ def own_train_in_the_way(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[st
     """What of a route can never be had while its train stands before its entry signal."""
     parts = trip.parts
     over = [next(iter(in_rear(layout, trip)), None), *trip.run.sections]
-    for z in layout.zones:
+    for z in layout.declared.zones:
         entries = sum(a not in z.sections and b in z.sections for a, b in pairwise(over))
         if entries and entries + (over[0] in z.sections) > z.trains:
             yield f"no room in {z.id}"
     for rear in in_rear(layout, trip):
         taken = {s for p in parts for s in p.sections if s != p.berth}
-        taken |= {layout.section_of(m.edge) for p in parts for m in p.over}
+        taken |= {layout.track.section_of(m.edge) for p in parts for m in p.over}
         if rear in taken:
             yield f"{rear} is taken by its own train"
         ways = _ways_to(layout, trip, rear)
         under = set.intersection(*(w[0] for w in ways)) if ways else set()
-        frozen = {p.machine: p.position for p in r.points}
+        frozen = {p.machine: p.position for p in r.locking.points}
         if any(frozen.get(m, x) is not x for m, x in under):
             yield "its own train stands on points that it needs otherwise"
         held = under | set(frozen.items())
@@ -42,16 +42,16 @@ def _ways_to(layout: Layout, trip: Trip, rear: SectionId) -> list[tuple[set[tupl
     """For each way on which a train may have come to the signal within the section before it: the machines on which it
     may stand, as they lie then, and the diamonds."""
     start = trip.moves[0]
-    node = layout.far(start.edge, start.node)
+    node = layout.track.far(start.edge, start.node)
     found = []
     todo: list[tuple[tuple[Move, ...], set[tuple[MachineId, Position]]]] = [
-        ((Move(e.id, node),), set()) for e in layout.edges_at[node] if e.section == rear
+        ((Move(e.id, node),), set()) for e in layout.track.edges_at[node] if e.section == rear
     ]
     while todo:
         moves, under = todo.pop()
         here = moves[-1]
-        back = layout.far(here.edge, here.node)
-        before = [e.id for e in layout.edges_at[back] if e.id != here.edge and e.section == rear]
+        back = layout.track.far(here.edge, here.node)
+        before = [e.id for e in layout.track.edges_at[back] if e.id != here.edge and e.section == rear]
         onward = [
             ((*moves, Move(e, back)), under | ({needs} if needs is not None else set()))
             for e in before
@@ -59,9 +59,9 @@ def _ways_to(layout: Layout, trip: Trip, rear: SectionId) -> list[tuple[set[tupl
             if m == here and all(x.edge != e for x in moves)
         ]
         todo += onward
-        end = layout.buffer_at.get(back)
+        end = layout.track.buffer_at.get(back)
         if not onward and (
             end is None or end.kind is BufferKind.STOP
         ):  # none comes from off the rails, or out of a trap
-            found.append((under, {m.node for m in moves[1:] if m.node in layout.crossing_at}))
+            found.append((under, {m.node for m in moves[1:] if m.node in layout.pointwork.crossing_at}))
     return found

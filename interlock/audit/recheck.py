@@ -21,7 +21,8 @@ from interlock.audit.own_train import own_train_in_the_way
 from interlock.audit.walk import Move, Trip, in_rear, left_standing, past_signals, standing_place, trips
 from interlock.model.elements import MachineId, NodeId, Position, RouteId, SectionId, Signal, SignalId
 from interlock.model.layout import Layout
-from interlock.table.rows import InterlockingTable, Role, RouteRow
+from interlock.table.cells import Role
+from interlock.table.rows import InterlockingTable, RouteRow
 
 
 @dataclass(frozen=True)
@@ -39,9 +40,9 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
     matched: dict[str, Trip] = {}
     every = [
         over
-        for g in layout.signals
+        for g in layout.signalling.signals
         for k in _functions(g)
-        if g.id not in layout.boards and (k or g.id not in layout.stops)
+        if g.id not in layout.signalling.boards and (k or g.id not in layout.signalling.stops)
         for t in trips(layout, g, k)
         for over in overruns(layout, t)
     ]
@@ -49,23 +50,23 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
     told_nothing = without_speed(layout, (t for t in every if not t.shunt))
     called = [t for t in told_nothing if not _unwanted(layout, t)]
     mine += [replace(t, call_on=True) for t in called if _calls_on(layout, t)]
-    passed = [replace(t, identifier=True) for t in called if t.entry in layout.identifiers]
-    past = _past(layout, [t for t in told_nothing if t.exit in layout.identifiers], passed)
+    passed = [replace(t, identifier=True) for t in called if t.entry in layout.signalling.identifiers]
+    past = _past(layout, [t for t in told_nothing if t.exit in layout.signalling.identifiers], passed)
     mine += [*past, *dict.fromkeys(p for t in past for p in t.parts[1:])]
     between: dict[tuple[str, str], list[Trip]] = {}
     for t in mine:
         between.setdefault((t.entry, t.exit), []).append(t)
-    for r in sorted(table.routes, key=lambda r: len(r.passed or ())):  # parts beyond a signal first
+    for r in sorted(table.routes, key=lambda r: len(r.path.passed or ())):  # parts beyond a signal first
         left = between.get((r.entry, r.exit), [])
         same = [
             t
             for t in left
             if (t.shunt, t.call_on, t.identifier) == tuple(r.kind == k for k in ("shunt", "call-on", "identifier"))
-            and t.onward == (None if r.onward is None else matched.get(r.onward))
-            and t.berth == r.berth
-            and t.sections == r.section_ids
+            and t.onward == (None if r.path.onward is None else matched.get(r.path.onward))
+            and t.berth == r.path.berth
+            and t.sections == r.path.section_ids
             and _path_positions(r) == dict(t.positions)
-            and tuple(s for s, _ in (r.overlap.ways if r.overlap else ())) == _sections(layout, t.over)
+            and tuple(s for s, _ in (r.locking.overlap.ways if r.locking.overlap else ())) == _sections(layout, t.over)
             and _overlap_positions(r, t) == dict(t.over_positions)
         ]
         if len(same) != 1:
@@ -99,7 +100,7 @@ def _past(layout: Layout, ahead: list[Trip], last: list[Trip]) -> list[Trip]:
     begin."""
     found: list[Trip] = []
     while last:
-        longer = [replace(t, identifier=True) for t in ahead if t.entry in layout.identifiers]
+        longer = [replace(t, identifier=True) for t in ahead if t.entry in layout.signalling.identifiers]
         every = past_signals(layout, [*ahead, *longer], last)
         every = [t for t in every if not _unwanted(layout, t.run)]
         found += [t for t in every if not t.identifier]
@@ -109,23 +110,29 @@ def _past(layout: Layout, ahead: list[Trip], last: list[Trip]) -> list[Trip]:
 
 def _swings(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) -> Iterator[Finding]:
     """The overlaps that may take each other's place: those that every way to the signal has."""
-    for g in (o.signal for o in layout.overlaps if o.swing):
-        rows = [r for r in table.routes if r.overlap is not None and r.overlap.signal == g and r.id in matched]
+    for g in (o.signal for o in layout.overlaps.all if o.swing):
+        rows = [
+            r
+            for r in table.routes
+            if r.locking.overlap is not None and r.locking.overlap.signal == g and r.id in matched
+        ]
         beyond: dict[tuple[object, ...], set[tuple[Move, ...]]] = {}
         for r in rows:
             t = matched[r.id]
             beyond.setdefault((t.entry, t.call_on, t.moves), set()).add(t.over)
         common = set.intersection(*beyond.values()) if beyond else set()
-        number = {matched[r.id].over: r.overlap.option for r in rows if r.overlap is not None}
+        number = {matched[r.id].over: r.locking.overlap.option for r in rows if r.locking.overlap is not None}
         for r in rows:
-            mine = {number[o] for o in common if len(common) > 1} - {r.overlap.option if r.overlap else 0}
-            if r.overlap is not None and set(r.overlap.swings) != mine:
+            mine = {number[o] for o in common if len(common) > 1} - {
+                r.locking.overlap.option if r.locking.overlap else 0
+            }
+            if r.locking.overlap is not None and set(r.locking.overlap.swings) != mine:
                 yield Finding(r.id, "swings", f"the overlap may swing to {sorted(mine) or 'none'}")
 
 
 def _calls_on(layout: Layout, t: Trip) -> bool:
     """Whether a train's trip can be run by calling on, too."""
-    return not t.shunt and layout.signal[SignalId(t.entry)].call_on
+    return not t.shunt and layout.signalling.signal[SignalId(t.entry)].call_on
 
 
 def _functions(g: Signal) -> list[bool]:
@@ -134,21 +141,21 @@ def _functions(g: Signal) -> list[bool]:
 
 def _unwanted(layout: Layout, t: Trip) -> bool:
     """Whether the layout excludes a path."""
-    return any(chosen(x, t) for x in layout.excluded)
+    return any(chosen(x, t) for x in layout.declared.excluded)
 
 
 def _sections(layout: Layout, moves: tuple[Move, ...]) -> tuple[SectionId, ...]:
-    return tuple(dict.fromkeys(layout.section_of(m.edge) for m in moves))
+    return tuple(dict.fromkeys(layout.track.section_of(m.edge) for m in moves))
 
 
 def _overlap_positions(r: RouteRow, t: Trip) -> dict[MachineId, Position]:
     """The table's positions of the machines that lie under the audit's overlap."""
     under = {m for m, _ in t.over_positions}
-    return {p.machine: p.position for p in r.points if p.machine in under or p.role == "overlap"}
+    return {p.machine: p.position for p in r.locking.points if p.machine in under or p.role == "overlap"}
 
 
 def _path_positions(r: RouteRow) -> dict[MachineId, Position]:
-    return {p.machine: p.position for p in r.points if p.role == "path"}
+    return {p.machine: p.position for p in r.locking.points if p.role == "path"}
 
 
 def _row(layout: Layout, r: RouteRow, trip: Trip, come: frozenset[SectionId] | None) -> Iterator[Finding]:
@@ -156,50 +163,58 @@ def _row(layout: Layout, r: RouteRow, trip: Trip, come: frozenset[SectionId] | N
     wanted = tuple(s for s in trip.sections if s != trip.berth)
     if trip.call_on:
         wanted = tuple(s for s in trip.sections if s == trip.sections[0] or standing_place(layout, s))
-    if tuple(c.section for c in r.sections) != wanted:
+    if tuple(c.section for c in r.clear.sections) != wanted:
         yield Finding(r.id, "sections", f"the path lies over {', '.join(trip.sections)}")
-    if tuple(s.section for s in r.release) != trip.sections:
+    if tuple(s.section for s in r.locking.release) != trip.sections:
         yield Finding(r.id, "release", "the order is not that of the path")
-    boundary = layout.boundary_at.get(r.entry_node)
-    rear = {e.section for e in layout.edges_at[r.entry_node]} - {trip.sections[0]}
+    boundary = layout.track.boundary_at.get(r.path.entry_node)
+    rear = {e.section for e in layout.track.edges_at[r.path.entry_node]} - {trip.sections[0]}
     want = boundary.approach if boundary is not None else next(iter(rear), None)
-    if r.approach.section != want:
+    if r.locking.approach.section != want:
         yield Finding(r.id, "approach", f"{want} lies in rear of {r.entry}")
-    if frozenset(r.approach.sections) != (come or frozenset()):
+    if frozenset(r.locking.approach.sections) != (come or frozenset()):
         where = f"a train may come from {', '.join(sorted(come))}" if come is not None else "it is always locked"
         yield Finding(r.id, "approach", where)
     foul = foul_neighbours(layout, trip)
-    if {(c.section, c.when) for c in r.foul} != {(s, w) for s, w, *_ in foul}:
+    if {(c.section, c.when) for c in r.clear.foul} != {(s, w) for s, w, *_ in foul}:
         told = sorted(f"{s}{f' with {w[0]} {w[1]}' if w else ''}" for s, w, *_ in foul)
         yield Finding(r.id, "foul", f"foul sections are {', '.join(told) or 'none'}")
     taken = {*trip.sections, *_sections(layout, trip.over)}
-    secured = {d.id for d in layout.devices if set(d.over) & taken}
-    if {p.machine for p in r.points if p.role == "device"} != secured:
+    secured = {d.id for d in layout.signalling.devices if set(d.over) & taken}
+    if {p.machine for p in r.locking.points if p.role == "device"} != secured:
         yield Finding(r.id, "devices", f"to be closed are {', '.join(sorted(secured)) or 'none'}")
-    if (r.aspect.shows, r.aspect.next) != (shown := aspect(layout, trip, _slowest(layout, trip))):
+    if (r.signal.aspect.shows, r.signal.aspect.next) != (shown := aspect(layout, trip, _slowest(layout, trip))):
         yield Finding(r.id, "aspect", f"an open {r.entry} shows {shown[0]}")
-    out = {b.node for b in layout.boundaries if b.block == "token" and b.node == trip.moves[-1].node and not trip.shunt}
-    if ({r.token.boundary} if r.token else set()) != out:
+    out = {
+        b.node
+        for b in layout.track.boundaries
+        if b.block == "token" and b.node == trip.moves[-1].node and not trip.shunt
+    }
+    if ({r.conditions.token.boundary} if r.conditions.token else set()) != out:
         yield Finding(r.id, "token", f"the direction is needed at {', '.join(out) or 'no boundary'}")
-    if r.speed.kmh != (slowest := _slowest(layout, trip)):
+    if r.signal.speed.kmh != (slowest := _slowest(layout, trip)):
         yield Finding(r.id, "speed", f"the lowest speed along the path is {slowest}")
-    if r.closing.whole != (left := _left_behind(layout, trip, rear)):
+    if r.signal.closing.whole != (left := _left_behind(layout, trip, rear)):
         yield Finding(r.id, "closing", f"{r.entry} closes with {f'{left} clear' if left else 'the first axle'}")
     over = [next(iter(rear), None), *trip.run.sections]
-    into = {z.id: sum(a not in z.sections and b in z.sections for a, b in pairwise(over)) for z in layout.zones}
-    if {c.zone: c.entries for c in r.zones} != {z: n for z, n in into.items() if n}:
+    into = {
+        z.id: sum(a not in z.sections and b in z.sections for a, b in pairwise(over)) for z in layout.declared.zones
+    }
+    if {c.zone: c.entries for c in r.conditions.zones} != {z: n for z, n in into.items() if n}:
         yield Finding(r.id, "zones", f"leads into {', '.join(z for z, n in into.items() if n) or 'none'}")
     leaves = None if trip.shunt else trip.moves[-1].node
     needed = {
-        c.id for c in layout.conditions if r.entry in c.signals or set(c.over) & set(trip.sections) or leaves in c.exits
+        c.id
+        for c in layout.signalling.conditions
+        if r.entry in c.signals or set(c.over) & set(trip.sections) or leaves in c.exits
     }
-    if {c.condition for c in r.conditions} != needed:
+    if {c.condition for c in r.conditions.external} != needed:
         yield Finding(r.id, "conditions", f"required are {', '.join(sorted(needed)) or 'none'}")
 
 
 def _flank(layout: Layout, r: RouteRow, trip: Trip, movements: Movements) -> Iterator[Finding]:
-    frozen = {p.machine: p.position for p in r.points}
-    waived = {(w.point, w.leg) for w in layout.waivers}
+    frozen = {p.machine: p.position for p in r.locking.points}
+    waived = {(w.point, w.leg) for w in layout.declared.waivers}
     for place in open_flanks(layout, trip, frozen):
         if (place.point, place.leg) not in waived:
             yield Finding(r.id, "flank", f"a vehicle can reach {place.name}")
@@ -207,7 +222,7 @@ def _flank(layout: Layout, r: RouteRow, trip: Trip, movements: Movements) -> Ite
         if frozen.get(m) is not Position.NORMAL:
             yield Finding(r.id, "flank", f"the crossover {m} of a scissors does not lie normal")
     needed_clear, possible = flank_space(layout, trip, frozen, waived, movements)
-    asked = {(c.name, c.lamp) for c in r.space}
+    asked = {(c.name, c.lamp) for c in r.clear.space}
     if not needed_clear <= asked <= possible:
         odd = sorted(name for name, _ in (needed_clear - asked) | (asked - possible))
         yield Finding(r.id, "space", f"differs in {', '.join(odd)}")
@@ -218,24 +233,30 @@ def _driven(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) 
     none does."""
     holders: dict[MachineId, dict[RouteId, Position]] = {}
     for r in table.routes:
-        for d in r.points:
+        for d in r.locking.points:
             holders.setdefault(d.machine, {})[r.id] = d.position
     for r in table.routes if layout.principles.drive_points else ():
-        apart = {r.id, *r.hostile.routes, *(o.id for o in table.routes if _with(table, o, r) or _with(table, r, o))}
+        apart = {
+            r.id,
+            *r.locking.hostile.routes,
+            *(o.id for o in table.routes if _with(table, o, r) or _with(table, r, o)),
+        }
         beside: dict[MachineId, Position] = {}
-        for p in (p for s in matched[r.id].sections for p in layout.points_in.get(s, ())) if r.id in matched else ():
+        for p in (
+            (p for s in matched[r.id].sections for p in layout.machines.points_in.get(s, ())) if r.id in matched else ()
+        ):
             ways = {x for o, x in holders.get(p.machine, {}).items() if o not in apart} or {Position.NORMAL}
             if p.machine not in frozen_machines(r) and len(ways) == 1:
                 (beside[p.machine],) = ways
-        if r.id in matched and {p.machine: p.position for p in r.driven} != beside:
+        if r.id in matched and {p.machine: p.position for p in r.locking.driven} != beside:
             where = ", ".join(f"{m} {x}" for m, x in sorted(beside.items()))
             yield Finding(r.id, "driven", f"driven along are {where or 'no points'}")
 
 
 def _with(table: InterlockingTable, r: RouteRow, part: RouteRow) -> bool:
     """Whether a route leads past a signal, or several one after the other, over another."""
-    while r.onward is not None:
-        r = table.route[r.onward]
+    while r.path.onward is not None:
+        r = table.route[r.path.onward]
         if r.id == part.id:
             return True
     return False
@@ -259,8 +280,8 @@ def _in_the_way(layout: Layout, table: InterlockingTable, matched: dict[str, Tri
         for section in {*matched[r.id].sections, *in_rear(layout, matched[r.id])} if r.id in matched else ():
             there.setdefault(section, []).append(r)
     for r in table.routes:
-        hostile = {*r.hostile.routes} if r.space else set()
-        for c in r.space:
+        hostile = {*r.locking.hostile.routes} if r.clear.space else set()
+        for c in r.clear.space:
             for other in there.get(SectionId(c.name), ()) if not c.lamp else ():
                 if other.id not in hostile and other is not r and other.entry != r.exit:
                     yield Finding(r.id, "space", f"a train of {other.id} may be in {c.name}")
@@ -272,11 +293,11 @@ def _slowest(layout: Layout, trip: Trip) -> int | None:
     if trip.onward is not None:
         both = (_slowest(layout, replace(trip, onward=None)), _slowest(layout, trip.onward))
         return min((v for v in both if v is not None), default=None)
-    limits = [layout.section[s].speed for s in trip.sections]
+    limits = [layout.track.section[s].speed for s in trip.sections]
     if trip.over:
         limits.append(overlap_speed(layout, trip))
     over = {m.edge for m in trip.moves}
-    here = [p for s in trip.sections for p in layout.points_in.get(s, ())]
+    here = [p for s in trip.sections for p in layout.machines.points_in.get(s, ())]
     limits += [p.speed for p in here if p.reverse in over and p.toe in over]
     return min((v for v in limits if v is not None), default=None)
 
@@ -293,7 +314,7 @@ def _left_behind(layout: Layout, trip: Trip, rear: set[SectionId]) -> SectionId 
 
 def frozen_machines(r: RouteRow) -> set[MachineId]:
     """The machines that a route locks."""
-    return {p.machine for p in r.points}
+    return {p.machine for p in r.locking.points}
 
 
 _DIGITS = bytes.maketrans(b"\0\1", b"01")
@@ -320,21 +341,23 @@ class _Ground:
 
 
 def _ground(layout: Layout, row: RouteRow, trip: Trip) -> _Ground:
-    special = (m.node for m in trip.moves[:-1] if m.node in layout.crossing_at or m.node in layout.point_at)
+    special = (
+        m.node for m in trip.moves[:-1] if m.node in layout.pointwork.crossing_at or m.node in layout.pointwork.point_at
+    )
     return _Ground(
         row,
         trip.entry,
         frozenset(trip.sections),
         frozenset(special),
         frozenset(foul_neighbours(layout, trip)),
-        frozenset(n for m in (*trip.moves, *trip.over) for n in (m.node, layout.far(m.edge, m.node))),
-        {p.machine: p.position for p in row.points},
+        frozenset(n for m in (*trip.moves, *trip.over) for n in (m.node, layout.track.far(m.edge, m.node))),
+        {p.machine: p.position for p in row.locking.points},
         trip.exit,
         trip.shunt,
         frozenset(trip.moves),
         frozenset(_sections(layout, trip.over)),
         frozenset(trip.over),
-        frozenset(m.node for m in trip.over[:-1] if m.node in layout.crossing_at),
+        frozenset(m.node for m in trip.over[:-1] if m.node in layout.pointwork.crossing_at),
         _by_section(layout, (*trip.moves, *trip.over)),
     )
 
@@ -342,7 +365,7 @@ def _ground(layout: Layout, row: RouteRow, trip: Trip) -> _Ground:
 def _by_section(layout: Layout, moves: Iterable[Move]) -> dict[SectionId, frozenset[Move]]:
     found: dict[SectionId, set[Move]] = {}
     for m in moves:
-        found.setdefault(layout.section_of(m.edge), set()).add(m)
+        found.setdefault(layout.track.section_of(m.edge), set()).add(m)
     return {s: frozenset(those) for s, those in found.items()}
 
 
@@ -353,7 +376,7 @@ def _held_over(grounds: Sequence[_Ground]) -> HeldOver:
     """By section and way through it the machines that some route over it holds, but for what the author added."""
     found: dict[tuple[SectionId, frozenset[Move]], set[tuple[MachineId, Position]]] = {}
     for g in grounds:
-        holds = {(p.machine, p.position) for p in g.row.points if p.role is not Role.ADDED}
+        holds = {(p.machine, p.position) for p in g.row.locking.points if p.role is not Role.ADDED}
         for way in g.ways.items():
             found.setdefault(way, set()).update(holds)
     return found
@@ -366,7 +389,7 @@ def _hostile(layout: Layout, table: InterlockingTable, matched: dict[str, Trip])
     size, own, held = len(grounds), _onward(grounds, number, pairs, certain), _held_over(grounds)
     lists = bytearray(size * size)  # row by row whom it lists, column by column who lists it
     for i, g in enumerate(grounds):
-        for j in map(number.get, g.row.hostile.routes):
+        for j in map(number.get, g.row.locking.hostile.routes):
             if j is not None:
                 lists[i * size + j] = 1
     listed = [_number(lists[i * size : (i + 1) * size]) for i in range(size)]
@@ -395,8 +418,8 @@ def _onward(
     """Of those that lead past signals, what they lock beyond them: whatever that may clash with, they may, but with
     itself, which is set with them."""
     found: dict[int, list[int]] = {}
-    for i in sorted(range(len(grounds)), key=lambda i: len(grounds[i].row.passed or ())):
-        k = number.get(grounds[i].row.onward or RouteId(""))
+    for i in sorted(range(len(grounds)), key=lambda i: len(grounds[i].row.path.passed or ())):
+        k = number.get(grounds[i].row.path.onward or RouteId(""))
         if k is None:
             continue
         found[i] = [k, *found.get(k, ())]
@@ -469,8 +492,8 @@ def _bits(x: int) -> Iterator[int]:
 
 def _same_way(layout: Layout, a: frozenset[Move], b: frozenset[Move], section: SectionId) -> bool:
     """Both pass a section over the same edges in the same direction."""
-    return {m for m in a if layout.section_of(m.edge) == section} == {
-        m for m in b if layout.section_of(m.edge) == section
+    return {m for m in a if layout.track.section_of(m.edge) == section} == {
+        m for m in b if layout.track.section_of(m.edge) == section
     }
 
 
@@ -521,7 +544,7 @@ def _cannot_both(layout: Layout, a: _Ground, b: _Ground, held: HeldOver) -> Clas
 def _voyages(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) -> Iterator[Finding]:
     """Each voyage is a chain from its entry to its exit; whom it meets head-on is seen from the moves of both."""
     moves: dict[str, list[Move]] = {}
-    for v in layout.voyages:
+    for v in layout.declared.voyages:
         row = next((x for x in table.voyages if x.name == v.name), None)
         chain = [matched[r] for r in row.routes if r in matched] if row is not None else []
         if row is None or len(chain) != len(row.routes):
@@ -536,9 +559,9 @@ def _voyages(layout: Layout, table: InterlockingTable, matched: dict[str, Trip])
             yield Finding(v.name, "voyage", "a route is of another kind")
         moves[v.name] = [m for t in chain for m in t.moves]
     for row in table.voyages:
-        back = {(m.edge, layout.far(m.edge, m.node)): m.edge for m in moves.get(row.name, ())}
+        back = {(m.edge, layout.track.far(m.edge, m.node)): m.edge for m in moves.get(row.name, ())}
         met = {
-            name: {layout.section_of(back[m.edge, m.node]) for m in theirs if (m.edge, m.node) in back}
+            name: {layout.track.section_of(back[m.edge, m.node]) for m in theirs if (m.edge, m.node) in back}
             for name, theirs in moves.items()
             if name != row.name
         }

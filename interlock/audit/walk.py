@@ -62,7 +62,7 @@ class Trip:
 def in_rear(layout: Layout, trip: Trip) -> frozenset[SectionId]:
     """The section before a trip's signal, in which its train stands; none at a boundary."""
     start = trip.moves[0]
-    near = layout.edges_at[layout.far(start.edge, start.node)]
+    near = layout.track.edges_at[layout.track.far(start.edge, start.node)]
     return frozenset(e.section for e in near if e.id != start.edge)
 
 
@@ -77,11 +77,11 @@ def past_signals(layout: Layout, ahead: list[Trip], beyond: list[Trip]) -> list[
         b = part.run
         for t in ahead:
             clash = any(dict(t.positions).get(m, x) is not x for m, x in b.positions)
-            over = {n for m in (*t.moves[:-1], *b.moves[:-1]) for n in [m.node] if n in layout.crossing_at}
-            twice = len(over) < sum(m.node in layout.crossing_at for m in (*t.moves[:-1], *b.moves[:-1]))
+            over = {n for m in (*t.moves[:-1], *b.moves[:-1]) for n in [m.node] if n in layout.pointwork.crossing_at}
+            twice = len(over) < sum(m.node in layout.pointwork.crossing_at for m in (*t.moves[:-1], *b.moves[:-1]))
             if t.exit != b.entry or clash or twice or (in_rear(layout, t) | set(t.sections)) & set(b.sections):
                 continue
-            if layout.overlap_of.get(b.entry, 0.0) > 0 and not (t.over and set(t.over) <= set(b.moves)):  # type: ignore[call-overload]
+            if layout.overlaps.length.get(b.entry, 0.0) > 0 and not (t.over and set(t.over) <= set(b.moves)):  # type: ignore[call-overload]
                 continue
             key = (t.entry, t.identifier, t.moves, part)
             if key not in found or len(t.over) > len(found[key].over):
@@ -97,17 +97,17 @@ def steps(
     A frozen point leads a facing vehicle one way only; a trailing vehicle runs through any point.  `against`: also
     where no train runs in that direction.
     """
-    for e in layout.edges_at[at.node]:
+    for e in layout.track.edges_at[at.node]:
         if e.id == at.edge:
             continue
         ahead = Move(e.id, e.b if e.a == at.node else e.a)
         if e.one_way and ahead.node != e.b and not against:
             continue
         needs: tuple[MachineId, Position] | None = None
-        crossing = layout.crossing_at.get(at.node)
+        crossing = layout.pointwork.crossing_at.get(at.node)
         if crossing is not None and not any(at.edge in arm and e.id in arm for arm in crossing.arms):
             continue
-        point = layout.point_at.get(at.node)
+        point = layout.pointwork.point_at.get(at.node)
         if point is not None:
             if point.toe not in (at.edge, e.id):
                 continue
@@ -121,20 +121,20 @@ def steps(
 
 def signal_facing(layout: Layout, node: NodeId, onto: EdgeId) -> Signal | None:
     """The signal that a vehicle meets at a node before it goes onto an edge."""
-    return layout.signal_facing.get((node, onto))
+    return layout.signalling.facing.get((node, onto))
 
 
 def turning_place(layout: Layout, section: SectionId) -> bool:
     """Whether shunting movements end in a section before a boundary, although the layout says that it is no berth."""
-    under = any(section in d.over for d in layout.devices)
-    return left_standing(layout, section) and section in layout.no_berths and not under
+    under = any(section in d.over for d in layout.signalling.devices)
+    return left_standing(layout, section) and section in layout.declared.no_berths and not under
 
 
 @of_layout
 def standing_place(layout: Layout, section: SectionId) -> bool:
     """Whether shunting movements end in a section and may find vehicles there: none that a device lies over, none that
     the layout says is no berth."""
-    barred = section in layout.no_berths or any(section in d.over for d in layout.devices)
+    barred = section in layout.declared.no_berths or any(section in d.over for d in layout.signalling.devices)
     return left_standing(layout, section) and not barred
 
 
@@ -142,11 +142,11 @@ def left_standing(layout: Layout, section: SectionId) -> bool:
     """Whether vehicles may be left in a section: plain track, and every way out over a joint has a signal, one of them
     for shunting."""
     kinds = []
-    for e in layout.edges_in.get(section, ()):
+    for e in layout.track.edges_in.get(section, ()):
         for node in (e.a, e.b):
-            if node in layout.point_at or node in layout.crossing_at:
+            if node in layout.pointwork.point_at or node in layout.pointwork.crossing_at:
                 return False
-            for onward in layout.edges_at[node]:
+            for onward in layout.track.edges_at[node]:
                 if onward.section != section:
                     g = signal_facing(layout, node, onward.id)
                     if g is None:
@@ -157,7 +157,7 @@ def left_standing(layout: Layout, section: SectionId) -> bool:
 
 def trips(layout: Layout, g: Signal, shunt: bool) -> list[Trip]:
     """Every path of a signal for trains or for shunting movements, by exhaustive walk over edges."""
-    e = layout.edge[g.into]
+    e = layout.track.edge[g.into]
     first = Move(g.into, e.b if e.a == g.node else e.a)
     if e.one_way and first.node != e.b:
         return []
@@ -166,33 +166,37 @@ def trips(layout: Layout, g: Signal, shunt: bool) -> list[Trip]:
     while todo:
         moves, positions = todo.pop()
         here = moves[-1]
-        boundary = layout.boundary_at.get(here.node)
-        section = layout.section_of(here.edge)
-        leaves_section = boundary is not None or any(e.section != section for e in layout.edges_at[here.node])
+        boundary = layout.track.boundary_at.get(here.node)
+        section = layout.track.section_of(here.edge)
+        leaves_section = boundary is not None or any(e.section != section for e in layout.track.edges_at[here.node])
         place = shunt and leaves_section and standing_place(layout, section)
         place = place or (shunt and boundary is not None and turning_place(layout, section))
         if boundary is not None and not place and (shunt or boundary.kind is BoundaryKind.IN):
             continue
-        if here.node in layout.buffer_at and layout.buffer_at[here.node].kind != "stop":
+        if here.node in layout.track.buffer_at and layout.track.buffer_at[here.node].kind != "stop":
             continue
-        ending = here.node in layout.boundary_at or here.node in layout.buffer_at
+        ending = here.node in layout.track.boundary_at or here.node in layout.track.buffer_at
         options = list(steps(layout, here))
         ahead = next((signal_facing(layout, here.node, m.edge) for m, _ in options), None)
         if ahead is not None and not shunt and not ahead.main:
             ahead = None
         if ending or place or ahead is not None:
             exit_ = (
-                str(ahead.id) if ahead else str(here.node) if here.node in layout.buffer_at or not place else section
+                str(ahead.id)
+                if ahead
+                else str(here.node)
+                if here.node in layout.track.buffer_at or not place
+                else section
             )
-            sections = tuple(dict.fromkeys(layout.section_of(m.edge) for m in moves))
-            runs = [layout.section_of(m.edge) for m in moves]
+            sections = tuple(dict.fromkeys(layout.track.section_of(m.edge) for m in moves))
+            runs = [layout.track.section_of(m.edge) for m in moves]
             split = sum(1 for a, b in itertools.pairwise(runs) if a != b) + 1 != len(sections)
             wanted: dict[MachineId, Position] = {}
             clash = any(wanted.setdefault(m, x) is not x for m, x in positions)
             clash = clash or any(wanted.get(m) == "R" for m in layout.machines.by_hand)
-            diamonds = [m.node for m in moves[:-1] if m.node in layout.crossing_at]
+            diamonds = [m.node for m in moves[:-1] if m.node in layout.pointwork.crossing_at]
             if not split and not clash and len(diamonds) == len(set(diamonds)):
-                blind = [s for s in sections if s in layout.undetected]
+                blind = [s for s in sections if s in layout.track.undetected]
                 stands = shunt and len(sections) > 1 and standing_place(layout, section)
                 if blind and not (stands and blind == [section]):
                     continue
@@ -216,9 +220,9 @@ def distances(layout: Layout, node: NodeId, leg: EdgeId, limit: float) -> dict[t
         if (edge, near) in out:
             continue
         out[edge, near] = gone
-        far = layout.far(edge, near)
+        far = layout.track.far(edge, near)
         if far != node:
-            reached = gone + layout.edge[edge].length
+            reached = gone + layout.track.edge[edge].length
             todo.extend(
                 (m.edge, far, reached) for m, _ in steps(layout, Move(edge, far), against=True) if reached < limit
             )
@@ -231,10 +235,10 @@ def signal_distance(layout: Layout, node: NodeId, leg: EdgeId, g: Signal, limit:
     todo: list[tuple[EdgeId, NodeId, float]] = [(leg, node, 0.0)]
     while todo:
         edge, near, gone = todo.pop()
-        far = layout.far(edge, near)
-        total = gone + layout.edge[edge].length
+        far = layout.track.far(edge, near)
+        total = gone + layout.track.edge[edge].length
         if total >= limit or best.get(far, limit) <= total:
             continue
         best[far] = total
-        todo.extend((e.id, far, total) for e in layout.edges_at[far] if e.id != edge)
+        todo.extend((e.id, far, total) for e in layout.track.edges_at[far] if e.id != edge)
     return best.get(g.node)

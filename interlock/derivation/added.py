@@ -14,7 +14,7 @@ from interlock.derivation.routes import Path
 from interlock.diag import Element, Sink
 from interlock.model.elements import Choice, Demanded, Position, RouteId, SectionId
 from interlock.model.layout import Layout
-from interlock.table.rows import BarredCell, Because, ClearCell, PointDemand, Role, RouteKind
+from interlock.table.cells import BarredCell, Because, ClearCell, PointDemand, Role, RouteKind
 
 Barred = Mapping[RouteId, tuple[BarredCell, ...]]
 Demands = Mapping[RouteId, tuple[PointDemand, ...]]
@@ -38,7 +38,7 @@ def chosen(choice: Choice, paths: Sequence[Path]) -> list[Path]:
 def derive_barred(layout: Layout, paths: Sequence[Path], sink: Sink) -> Barred:
     """For each route those that are declared hostile to it, in order of number."""
     found: dict[RouteId, dict[int, BarredCell]] = {}
-    for i, b in enumerate(layout.barred):
+    for i, b in enumerate(layout.declared.barred):
         why = Because("R6", f"declared hostile: {b.reason}")
         pairs = [(p, q) for p, q in product(chosen(b.one, paths), chosen(b.other, paths)) if p is not q]
         if not pairs:
@@ -54,7 +54,7 @@ def derive_barred(layout: Layout, paths: Sequence[Path], sink: Sink) -> Barred:
 def with_added(layout: Layout, paths: Sequence[Path], derived: Demands, sink: Sink) -> Demands:
     """The demands of all routes with those that the author adds."""
     found = {r: list(demands) for r, demands in derived.items()}
-    for i, d in enumerate(layout.demanded):
+    for i, d in enumerate(layout.declared.demanded):
         if not isinstance(d, Demanded):
             continue
         those, idle = chosen(d.routes, paths), []
@@ -81,7 +81,7 @@ def with_added(layout: Layout, paths: Sequence[Path], derived: Demands, sink: Si
 def demanded_clear(layout: Layout, paths: Sequence[Path], sink: Sink) -> Mapping[RouteId, tuple[ClearCell, ...]]:
     """For each route the sections beside or beyond its path that the author has it find clear, as they are written."""
     found: dict[RouteId, dict[SectionId, ClearCell]] = {}
-    for i, d in enumerate(layout.demanded):
+    for i, d in enumerate(layout.declared.demanded):
         if isinstance(d, Demanded):
             continue
         those, about = chosen(d.routes, paths), Element("demand", i)
@@ -100,11 +100,11 @@ def demanded_clear(layout: Layout, paths: Sequence[Path], sink: Sink) -> Mapping
 
 def _never_clear(layout: Layout, p: Path, s: SectionId) -> str:
     """Why a section cannot be clear while a route is open; empty where it can."""
-    if s in layout.undetected:
+    if s in layout.track.undetected:
         return "it has no detection"
     if any(t.section == s for t in p.ways):
         return "it lies on the way, where what must be clear is known and its own movement comes to stand"
-    rear = {e.section for e in layout.edges_at[p.entry_node]}
+    rear = {e.section for e in layout.track.edges_at[p.entry_node]}
     return "the movement stands there when its signal opens" if s in rear else ""
 
 
@@ -124,7 +124,7 @@ def _contradicts(layout: Layout, d: Demanded, p: Path, lies: PointDemand | None,
 def idle_barred(layout: Layout, paths: Sequence[Path], hostile: Mapping[RouteId, int], sink: Sink) -> None:
     """Reports declarations of which all routes are hostile anyway; `hostile`: those of each route as derived, as bits
     by number less one."""
-    for i, b in enumerate(layout.barred):
+    for i, b in enumerate(layout.declared.barred):
         pairs = [(p, q) for p, q in product(chosen(b.one, paths), chosen(b.other, paths)) if p is not q]
         if pairs and all(hostile[p.id] >> (q.number - 1) & 1 for p, q in pairs):
             text = f"the declaration adds nothing ({b.reason}): these routes are hostile anyway"

@@ -15,7 +15,7 @@ from interlock.diag import Element, Sink
 from interlock.model.bits import bits_of
 from interlock.model.elements import MachineId, Point, PointId, Position, RouteId, SectionId
 from interlock.model.layout import Layout
-from interlock.table.rows import Because, PointDemand, Role
+from interlock.table.cells import Because, PointDemand, Role
 
 Hostile = Callable[[RouteId], int]
 """For a route the hostile ones, as bits by number less one."""
@@ -72,7 +72,7 @@ class Beside:
         """The points of sections that a route does not hold."""
         held = {d.machine for d in self._demands[path.id]}
         for s in dict.fromkeys(sections):
-            yield from ((s, p) for p in self._layout.points_in.get(s, ()) if p.machine not in held)
+            yield from ((s, p) for p in self._layout.machines.points_in.get(s, ()) if p.machine not in held)
 
 
 def _listed(routes: Iterable[str]) -> str:

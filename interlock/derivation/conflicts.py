@@ -16,7 +16,7 @@ from interlock.derivation.routes import Path
 from interlock.model.bits import bits_of
 from interlock.model.elements import MachineId, Position, RouteId, SectionId
 from interlock.model.traversal import Traversal
-from interlock.table.rows import (
+from interlock.table.cells import (
     Because,
     Hostile,
     HostileClass,
@@ -26,8 +26,8 @@ from interlock.table.rows import (
     Role,
     RouteKind,
     TraversalKey,
-    TraversalRow,
 )
+from interlock.table.rows import TraversalRow
 
 
 class Conflicts:

@@ -33,7 +33,7 @@ from interlock.model.elements import (
 from interlock.model.layout import Layout
 from interlock.model.principles import FlankChoice
 from interlock.model.traversal import Traversal, onward_edges
-from interlock.table.rows import Because, FlankCell, Provider, ProviderKind
+from interlock.table.cells import Because, FlankCell, Provider, ProviderKind
 
 _PASSIVE = (ProviderKind.BUFFER, ProviderKind.BOUNDARY, ProviderKind.ONE_WAY)
 _BY_SIGNAL = (*_PASSIVE, ProviderKind.SIGNAL)
@@ -57,9 +57,9 @@ def requesters(layout: Layout, t: Traversal) -> tuple[Requester, ...]:
     """The requesters of one way through a section."""
     out: list[Requester] = []
     margin = layout.principles.clearance_m
-    waived = {(w.point, w.leg): w.reason for w in layout.waivers}
+    waived = {(w.point, w.leg): w.reason for w in layout.declared.waivers}
     for pid, position in t.points:
-        p = layout.point[pid]
+        p = layout.pointwork.point[pid]
         leg = position.other
         out.append(
             Requester(
@@ -72,7 +72,7 @@ def requesters(layout: Layout, t: Traversal) -> tuple[Requester, ...]:
             )
         )
     for cid, arm in t.crossings:
-        c = layout.crossing[cid]
+        c = layout.pointwork.crossing[cid]
         partners = _partners(layout, c, c.arms[1 - arm])
         for side, edge, partner in zip("ab", c.arms[1 - arm], partners, strict=True):
             name, clear_of = f"{cid}.{2 - arm}{side}", layout.principles.fouling_m + margin
@@ -92,12 +92,12 @@ def _partners(layout: Layout, c: Crossing, arm: tuple[EdgeId, EdgeId]) -> tuple[
 
 def _next_point(layout: Layout, node: NodeId, edge: EdgeId) -> tuple[Point | None, EdgeId]:
     """The first point over an edge away from a node, if nothing but plain track lies between, and the edge to it."""
-    for _ in layout.edges:
-        node = layout.far(edge, node)
-        if node in layout.point_at:
-            return layout.point_at[node], edge
-        onward = [e.id for e in layout.edges_at[node] if e.id != edge]
-        if node in layout.crossing_at or len(onward) != 1:
+    for _ in layout.track.edges:
+        node = layout.track.far(edge, node)
+        if node in layout.pointwork.point_at:
+            return layout.pointwork.point_at[node], edge
+        onward = [e.id for e in layout.track.edges_at[node] if e.id != edge]
+        if node in layout.pointwork.crossing_at or len(onward) != 1:
             break
         edge = onward[0]
     return None, edge
@@ -135,29 +135,29 @@ class Options:
 def _outward(
     layout: Layout, r: Requester, allowed: Allowed, edge: EdgeId, node: NodeId, gone: float, seen: frozenset[NodeId]
 ) -> Iterator[tuple[Provider, ...]]:
-    e = layout.edge[edge]
+    e = layout.track.edge[edge]
     if e.one_way and e.a == node:
         yield (Provider(ProviderKind.ONE_WAY, e.section),)
         return
-    far = layout.far(edge, node)
+    far = layout.track.far(edge, node)
     gone += e.length
     if far in seen:
         yield ()  # a closed ring: nothing comes from outside
         return
     seen = seen | {far}
-    if far in layout.buffer_at:
+    if far in layout.track.buffer_at:
         yield (Provider(ProviderKind.BUFFER, far),)
         return
-    signal = layout.signal_facing.get((far, edge))
+    signal = layout.signalling.facing.get((far, edge))
     if signal is not None and gone >= r.clear_of:
         yield (Provider(ProviderKind.SIGNAL, signal.id),)
         return
-    boundary = layout.boundary_at.get(far)
+    boundary = layout.track.boundary_at.get(far)
     if boundary is not None:
         if boundary.kind is BoundaryKind.OUT:
             yield (Provider(ProviderKind.BOUNDARY, far),)
         return
-    point = layout.point_at.get(far)
+    point = layout.pointwork.point_at.get(far)
     if point is None:
         for nxt in onward_edges(layout, far, edge):
             yield from _outward(layout, r, allowed, nxt, far, gone, seen)
@@ -175,7 +175,7 @@ def _outward(
         turned = None
     beyond = _outward(layout, r, allowed, point.toe, far, gone, seen)
     first = next(beyond, None)
-    by_signal = layout.principles.flank_by is FlankChoice.SIGNAL and r.node not in layout.crossing_at
+    by_signal = layout.principles.flank_by is FlankChoice.SIGNAL and r.node not in layout.pointwork.crossing_at
     preferred = _BY_SIGNAL if by_signal else _PASSIVE
     held = turned is not None and _guards(layout, point, position.other)
     ends = first is not None and any(p.kind is ProviderKind.BUFFER for p in first)  # vehicles may stand before it
@@ -191,7 +191,7 @@ def _outward(
 
 def _guards(layout: Layout, point: Point, leg: Position) -> bool:
     """Whether a point is there for nothing but to turn vehicles away: a derailer, or one with a trap at that leg."""
-    buffer = layout.buffer_at.get(layout.far(point.leg(leg), point.node))
+    buffer = layout.track.buffer_at.get(layout.track.far(point.leg(leg), point.node))
     return buffer is not None and buffer.kind is not BufferKind.STOP
 
 
@@ -206,34 +206,34 @@ def space(layout: Layout, r: Requester, providers: Sequence[Provider]) -> dict[t
     rules = layout.principles
 
     def between(section: SectionId) -> None:
-        if rules.flank_space and section != r.section and section not in layout.undetected:
+        if rules.flank_space and section != r.section and section not in layout.track.undetected:
             found.setdefault((section, False), f"{section} lies between {r.name} and its protection")
 
     todo: list[tuple[EdgeId, NodeId, float]] = [(r.edge, r.node, 0.0)]
     seen: dict[tuple[EdgeId, NodeId], float] = {}  # by the shortest way: there a signal counts least
     while todo:
         edge, node, gone = todo.pop()
-        e = layout.edge[edge]
+        e = layout.track.edge[edge]
         if seen.get((edge, node), inf) <= gone or (e.one_way and e.a == node):
             continue
         seen[edge, node] = gone
-        far = layout.far(edge, node)
+        far = layout.track.far(edge, node)
         gone += e.length
-        signal = layout.signal_facing.get((far, edge))
+        signal = layout.signalling.facing.get((far, edge))
         onward: Sequence[EdgeId] = ()
         if signal is not None and gone >= r.clear_of:
             between(e.section)
             if rules.flank_lamp and rules.lamp_proof:
                 found.setdefault((signal.id, True), f"{signal.id} protects {r.name} only while its stop lamp is intact")
-        elif far == r.node or far in layout.buffer_at or far in layout.boundary_at:
+        elif far == r.node or far in layout.track.buffer_at or far in layout.track.boundary_at:
             between(e.section)
         elif _turns_away(layout, far, edge, providers):
-            if layout.section_of(layout.point_at[far].toe) != e.section:
+            if layout.track.section_of(layout.pointwork.point_at[far].toe) != e.section:
                 between(e.section)
         else:
             onward = onward_edges(layout, far, edge)
         for x in onward:
-            if layout.section_of(x) != e.section:
+            if layout.track.section_of(x) != e.section:
                 between(e.section)
             todo.append((x, far, gone))
     return found
@@ -241,7 +241,7 @@ def space(layout: Layout, r: Requester, providers: Sequence[Provider]) -> dict[t
 
 def _turns_away(layout: Layout, node: NodeId, leg: EdgeId, providers: Sequence[Provider]) -> bool:
     """Whether the point at a node is one of the providers, turned away from a leg."""
-    point = layout.point_at.get(node)
+    point = layout.pointwork.point_at.get(node)
     position = point.position_of(leg) if point is not None else None
     if point is None or position is None:
         return False

@@ -13,7 +13,7 @@ from interlock.model.overlap import route_speed
 from interlock.model.principles import Caution, Closes
 from interlock.model.times import approach_release_s
 from interlock.model.traversal import path_speed, topology
-from interlock.table.rows import (
+from interlock.table.cells import (
     ApproachCell,
     AspectCell,
     Because,
@@ -76,7 +76,7 @@ def derive_block(layout: Layout, path: Path) -> tuple[BlockCell, ...]:
     """Where a section beyond the boundary is detected, it must be clear."""
     if path.exit_kind is not ExitKind.BOUNDARY:
         return ()
-    boundary = layout.boundary_at[path.ways[-1].exit]
+    boundary = layout.track.boundary_at[path.ways[-1].exit]
     if boundary.approach is None:
         return ()
     return (BlockCell(boundary.approach, Because("R12", f"{boundary.approach} beyond {path.exit} must be clear")),)
@@ -86,7 +86,7 @@ def derive_token(layout: Layout, path: Path) -> TokenCell | None:
     """The direction of the line beyond must be ours, where a token tells it."""
     if path.exit_kind is not ExitKind.BOUNDARY or path.kind is RouteKind.SHUNT:
         return None
-    boundary = layout.boundary_at[path.ways[-1].exit]
+    boundary = layout.track.boundary_at[path.ways[-1].exit]
     if boundary.block is not BlockKind.TOKEN:
         return None
     why = f"the direction of the line beyond {boundary.node} is ours"
@@ -117,7 +117,7 @@ def derive_aspect(layout: Layout, path: Path) -> AspectCell:
             why = f"over {', '.join(turned)} reversed, before {path.parts[-1].entry}"
             return AspectCell(Shows.CAUTION, None, Because("R11", why))
     last = path.parts[-1]
-    boundary = layout.boundary_at.get(last.ways[-1].exit)
+    boundary = layout.track.boundary_at.get(last.ways[-1].exit)
     if boundary is not None and boundary.checked:
         return AspectCell(Shows.CLEAR, None, Because("R11", f"the line beyond {last.exit} is checked"))
     turned = [p for t in path.run for p, x in t.points if x is Position.REVERSE]
@@ -126,7 +126,7 @@ def derive_aspect(layout: Layout, path: Path) -> AspectCell:
     if last.exit_kind is not ExitKind.SIGNAL:
         return AspectCell(Shows.CAUTION, None, Because("R11", f"nothing is known beyond {last.exit}"))
     next_ = SignalId(last.exit)
-    if not layout.opens(next_, False):
+    if not layout.signalling.opens(next_, False):
         return AspectCell(Shows.CAUTION, None, Because("R11", f"trains end at {next_}: it never opens for one"))
     return AspectCell(Shows.NEXT, next_, Because("R11", f"{next_} is the next main signal"))
 
@@ -176,7 +176,7 @@ def derive_zones(layout: Layout, path: Path) -> tuple[ZoneCell, ...]:
     behind = topology(layout).beyond(first.section, path.entry_node)
     over = [behind, *(t.section for t in path.run)]
     out = []
-    for z in layout.zones:
+    for z in layout.declared.zones:
         entries = sum(b in z.sections and a not in z.sections for a, b in pairwise(over))
         if entries:
             why = f"no more than {z.trains} trains in {z.id}: fewer when this route is set"
@@ -188,7 +188,7 @@ def derive_conditions(layout: Layout, path: Path) -> tuple[ConditionCell, ...]:
     """External inputs that the route requires."""
     out = []
     sections = {t.section for t in path.ways}
-    for c in layout.conditions:
+    for c in layout.signalling.conditions:
         hit = sorted(sections & set(c.over))
         if hit:
             out.append(ConditionCell(c.id, Because("R17", f"required by every route over {', '.join(hit)}")))

@@ -20,7 +20,7 @@ from interlock.model.elements import MachineId, Position, SectionId
 from interlock.model.foul import FoulJoint, foul_joints
 from interlock.model.layout import Layout
 from interlock.model.traversal import Traversal, topology
-from interlock.table.rows import (
+from interlock.table.cells import (
     Because,
     Exclusion,
     FlankCell,
@@ -31,8 +31,8 @@ from interlock.table.rows import (
     Role,
     SpaceCell,
     TraversalKey,
-    TraversalRow,
 )
+from interlock.table.rows import TraversalRow
 
 Locks = Mapping[TraversalKey, TraversalRow]
 Held = Mapping[TraversalKey, frozenset[tuple[MachineId, Position]]]
@@ -168,8 +168,8 @@ def _row(
     held: Held = NOTHING_HELD,
 ) -> TraversalRow:
     demands = {
-        layout.point[p].machine: PointDemand(
-            layout.point[p].machine,
+        layout.pointwork.point[p].machine: PointDemand(
+            layout.pointwork.point[p].machine,
             x,
             Role.PATH,
             t.section,
@@ -180,13 +180,13 @@ def _row(
     for c in flank:
         for machine, position in (point_demands(c.providers) or {}).items():
             demands.setdefault(machine, PointDemand(machine, position, Role.FLANK, t.section, c.because))
-    for device in layout.devices:
+    for device in layout.signalling.devices:
         if t.section in device.over:
             why = Because("R13", f"{device.kind} {device.id} lies over {t.section}")
             demands[device.id] = PointDemand(device.id, Position.REVERSE, Role.DEVICE, t.section, why)
     exclusions: list[Exclusion] = []
     for cid, arm in t.crossings:
-        across = layout.section_of(layout.crossing[cid].arms[1 - arm][0])
+        across = layout.track.section_of(layout.pointwork.crossing[cid].arms[1 - arm][0])
         if across != t.section:
             numbers = tuple(sorted(n for (s, n), o in used.items() if s == across and (cid, 1 - arm) in o.crossings))
             exclusions.append(Exclusion(across, False, numbers, Because("R6", f"the ways cross on the diamond {cid}")))

@@ -13,7 +13,7 @@ from interlock.diag import Element, Sink
 from interlock.diag.suggest import did_you_mean
 from interlock.model.elements import NamedRoute, RouteId, SectionId
 from interlock.model.layout import Layout
-from interlock.table.rows import RouteKind
+from interlock.table.cells import RouteKind
 
 _KINDS = {False: RouteKind.MAIN, True: RouteKind.SHUNT, None: RouteKind.CALL_ON}
 
@@ -21,8 +21,8 @@ _KINDS = {False: RouteKind.MAIN, True: RouteKind.SHUNT, None: RouteKind.CALL_ON}
 def derive_names(layout: Layout, paths: Sequence[Path], sink: Sink) -> dict[RouteId, tuple[str, ...]]:
     """The names of each route that has any; without a kind, a name is the train route's where there is one."""
     out: dict[RouteId, tuple[str, ...]] = {}
-    stated = {name: _KINDS[shunt] for name, shunt in layout.named_kinds}
-    for n in layout.named_routes:
+    stated = {name: _KINDS[shunt] for name, shunt in layout.declared.named_kinds}
+    for n in layout.declared.named_routes:
         fits = [p for p in paths if _fits(n, p)]
         kinds = {p.kind for p in fits}
         of = {stated[n.name]} if n.name in stated else kinds - {RouteKind.SHUNT} or kinds
@@ -43,7 +43,7 @@ def derive_automatic(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple
     As the layout names them; where the principle `priorities` asks for it, the class of priority comes first.
     """
     out: list[Path] = []
-    for n in layout.automatic:
+    for n in layout.declared.automatic:
         fits = [p for p in paths if p.kind is RouteKind.MAIN and _fits(n, p)]
         at = Element("automatic", int(n.name))
         if fits:

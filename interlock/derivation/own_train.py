@@ -16,7 +16,8 @@ from interlock.diag.called import called
 from interlock.model.elements import BufferKind, MachineId, Position, RouteId, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.traversal import Traversal, topology
-from interlock.table.rows import RouteKind, RouteRow
+from interlock.table.cells import RouteKind
+from interlock.table.rows import RouteRow
 
 
 def check_own_train(layout: Layout, rows: Sequence[RouteRow], locks: Locks, sink: Sink) -> None:
@@ -37,7 +38,7 @@ def check_own_train(layout: Layout, rows: Sequence[RouteRow], locks: Locks, sink
         text = f"{which} can never be set: {why}"
         last = _parts(those[0], row)[-1]
         kind = "shunt" if shunt else "main"
-        barred = f"{{from: {signal}, to: {last.exit}, via: [{last.section_ids[-1]}], kind: {kind}, reason: ...}}"
+        barred = f"{{from: {signal}, to: {last.exit}, via: [{last.path.section_ids[-1]}], kind: {kind}, reason: ...}}"
         sink.add(
             "IL4016",
             text,
@@ -49,15 +50,15 @@ def check_own_train(layout: Layout, rows: Sequence[RouteRow], locks: Locks, sink
 
 def _parts(r: RouteRow, row: Mapping[RouteId, RouteRow]) -> list[RouteRow]:
     """A route, and what is set with it past one signal after the other."""
-    return [r] if r.onward is None else [r, *_parts(row[r.onward], row)]
+    return [r] if r.path.onward is None else [r, *_parts(row[r.path.onward], row)]
 
 
 def _in_its_way(layout: Layout, parts: Sequence[RouteRow], locks: Locks) -> Iterator[tuple[str, str]]:
     """Why a route is not free while its train stands before its signal, and what would help; nothing where it is."""
     r, topo = parts[0], topology(layout)
-    rear = topo.beyond(r.section_ids[0], r.entry_node)
-    for c in (c for p in parts for c in p.zones):
-        zone = next(z for z in layout.zones if z.id == c.zone)
+    rear = topo.beyond(r.path.section_ids[0], r.path.entry_node)
+    for c in (c for p in parts for c in p.conditions.zones):
+        zone = next(z for z in layout.declared.zones if z.id == c.zone)
         if c.entries > zone.trains - (rear in zone.sections):
             train = f"its train stands in it before {r.entry}" if rear in zone.sections else "its train comes in twice"
             yield f"{called('zone', c.zone)} has room for {zone.trains}, and {train}", f"raise the maximum of {c.zone}"
@@ -72,20 +73,20 @@ def _in_rear(layout: Layout, parts: Sequence[RouteRow], rear: SectionId, locks: 
     """What a route asks for that a train in the section before its signal is in the way of."""
     r = parts[0]
     apart = f"divide {rear} by a joint, so that the train stands clear"
-    if any(rear in p.section_ids and rear != p.berth for p in parts):
+    if any(rear in p.path.section_ids and rear != p.path.berth for p in parts):
         yield f"{rear} must be free for its way", f"let the way end before {rear}, at a signal or board further back"
-    if any(rear == s for p in parts if p.overlap for s, _ in p.overlap.ways):
+    if any(rear == s for p in parts if p.locking.overlap for s, _ in p.locking.overlap.ways):
         yield f"{rear} must be free for its overlap", f"shorten the overlap of {parts[-1].exit}"
     under = _under(layout, rear, r)
-    held = {**under, **{p.machine: p.position for x in parts for p in x.points}}
+    held = {**under, **{p.machine: p.position for x in parts for p in x.locking.points}}
     for m, x in held.items():
         if under.get(m, x) is not x:
             yield f"machine {m}, on which it stands, must lie {x}", apart
-    for f in (f for p in parts for f in p.foul):
+    for f in (f for p in parts for f in p.clear.foul):
         if f.section == rear and (f.when is None or held.get(f.when[0]) is f.when[1]):
             yield f"{rear} must be free: {f.because.text}", "move the joint out of the fouling point"
-    stands = {k[1] for k, lock in locks.items() if k[0] == rear and r.entry_node in (lock.entry, lock.exit)}
-    taken = [key for p in parts for key in (*p.traversals, *(p.overlap.ways if p.overlap else ()))]
+    stands = {k[1] for k, lock in locks.items() if k[0] == rear and r.path.entry_node in (lock.entry, lock.exit)}
+    taken = [key for p in parts for key in (*p.path.traversals, *(p.locking.overlap.ways if p.locking.overlap else ()))]
     for ex in (ex for key in taken for ex in locks[key].exclusions):
         if ex.section == rear and (ex.whole or (stands and stands <= {*ex.numbers})):
             yield f"{rear} must be free: {ex.because.text}", apart
@@ -94,11 +95,11 @@ def _in_rear(layout: Layout, parts: Sequence[RouteRow], rear: SectionId, locks: 
 def _under(layout: Layout, rear: SectionId, r: RouteRow) -> Mapping[MachineId, Position]:
     """The machines on which the train stands whichever way it came to the signal, and how they lie then: from off the
     rails, and out of a trap, none comes."""
-    nowhere = {n for n, b in layout.buffer_at.items() if b.kind is not BufferKind.STOP}
+    nowhere = {n for n, b in layout.track.buffer_at.items() if b.kind is not BufferKind.STOP}
     ways = [t for t in topology(layout).traversals[rear] if not nowhere & {t.entry, t.exit}]
-    came = [_machines(layout, t) for t in ways if r.entry_node in (t.entry, t.exit)]
+    came = [_machines(layout, t) for t in ways if r.path.entry_node in (t.entry, t.exit)]
     return dict(set.intersection(*came)) if came else {}
 
 
 def _machines(layout: Layout, t: Traversal) -> set[tuple[MachineId, Position]]:
-    return {(layout.point[p].machine, x) for p, x in t.points}
+    return {(layout.pointwork.point[p].machine, x) for p, x in t.points}

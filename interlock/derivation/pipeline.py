@@ -36,15 +36,15 @@ from interlock.model.elements import BufferKind, RouteId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.overlap import entry_speed
 from interlock.model.traversal import topology
+from interlock.table.cells import Because, ClearCell, FoulCell, OverlapCell, RouteKind, TraversalKey
 from interlock.table.rows import (
-    Because,
-    ClearCell,
-    FoulCell,
     InterlockingTable,
-    OverlapCell,
-    RouteKind,
+    RouteClear,
+    RouteConditions,
+    RouteLocking,
+    RoutePath,
     RouteRow,
-    TraversalKey,
+    RouteSignal,
     TraversalRow,
 )
 
@@ -53,7 +53,7 @@ LONG_ROUTE = 3  # sections; document B 2.2
 
 def _cannot_swing(layout: Layout, swinging: Collection[SignalId], sink: Sink) -> None:
     """IL4009, for overlaps that shall swing, but have no second way."""
-    for o in layout.overlaps:
+    for o in layout.overlaps.all:
         if o.swing and o.signal not in swinging:
             text = f"the overlap of {o.signal} cannot swing: not every way to {o.signal} permits two alternatives of it"
             sink.add(
@@ -89,37 +89,45 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             kind=p.kind,
             names=names.get(p.id, ()),
             entry=p.entry,
-            entry_node=p.entry_node,
             exit=p.exit,
-            exit_kind=p.exit_kind,
-            variant=p.variant,
-            traversals=tuple(t.key for t in p.ways),
-            berth=p.berth,
-            length=sum(t.length for t in p.run),
-            points=demands[p.id],
-            driven=beside.driven[p.id],
-            sections=_clear(layout, p),
-            foul=_foul(p, by_key),
-            flank=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].flank)),
-            space=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].space)),
-            hostile=hostile.of(p),
-            barred=barred.get(p.id, ()),
-            overlap=_overlap(layout, p, swinging),
-            aspect=derive_aspect(layout, p),
-            closing=derive_closing(layout, p),
-            speed=derive_speed(layout, p),
-            conditions=derive_conditions(layout, p),
-            zones=derive_zones(layout, p),
-            block=derive_block(layout, p),
-            token=derive_token(layout, p),
-            approach=derive_approach(layout, p),
-            release=derive_release(layout, p),
             listed=_way(p) not in hidden,
             because=Because("R1", _found(layout, p)),
-            onward=None if p.onward is None else p.onward.id,
-            destination=None if p.onward is None else p.parts[-1].exit,
-            passed=None if p.onward is None else tuple(q.entry for q in p.parts[1:]),
-            demanded_clear=asked_clear.get(p.id),
+            path=RoutePath(
+                entry_node=p.entry_node,
+                exit_kind=p.exit_kind,
+                variant=p.variant,
+                traversals=tuple(t.key for t in p.ways),
+                berth=p.berth,
+                length=sum(t.length for t in p.run),
+                onward=None if p.onward is None else p.onward.id,
+                destination=None if p.onward is None else p.parts[-1].exit,
+                passed=None if p.onward is None else tuple(q.entry for q in p.parts[1:]),
+            ),
+            locking=RouteLocking(
+                points=demands[p.id],
+                driven=beside.driven[p.id],
+                flank=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].flank)),
+                hostile=hostile.of(p),
+                barred=barred.get(p.id, ()),
+                overlap=_overlap(layout, p, swinging),
+                approach=derive_approach(layout, p),
+                release=derive_release(layout, p),
+            ),
+            clear=RouteClear(
+                sections=_clear(layout, p),
+                foul=_foul(p, by_key),
+                space=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].space)),
+                demanded=asked_clear.get(p.id),
+            ),
+            conditions=RouteConditions(
+                external=derive_conditions(layout, p),
+                zones=derive_zones(layout, p),
+                block=derive_block(layout, p),
+                token=derive_token(layout, p),
+            ),
+            signal=RouteSignal(
+                aspect=derive_aspect(layout, p), closing=derive_closing(layout, p), speed=derive_speed(layout, p)
+            ),
         )
         for p in paths
     )
@@ -133,7 +141,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
 def _named(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[Mapping[RouteId, tuple[str, ...]], set[_Way]]:
     """The names of routes, and what the author does not have printed."""
     names = derive_names(layout, paths, sink)
-    return names, {_way(p) for p in paths if set(names.get(p.id, ())) & set(layout.unlisted)}
+    return names, {_way(p) for p in paths if set(names.get(p.id, ())) & set(layout.declared.unlisted)}
 
 
 def _way(p: Path) -> _Way:
@@ -180,7 +188,7 @@ def _clear(layout: Layout, path: Path) -> tuple[ClearCell, ...]:
 def _swinging(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> dict[SignalId, tuple[int, ...]]:
     """The alternatives of each overlap that may swing: those that every path to its signal permits (R4)."""
     common: dict[SignalId, dict[tuple[object, ...], set[int]]] = {}
-    swing = {o.signal for o in layout.overlaps if o.swing}
+    swing = {o.signal for o in layout.overlaps.all if o.swing}
     for p in paths:
         g = SignalId(p.exit)
         if p.overlap and g in swing:
@@ -200,7 +208,7 @@ def _overlap(layout: Layout, path: Path, swinging: Mapping[SignalId, tuple[int, 
     kmh = entry_speed(layout, SignalId(path.exit), path.overlap)
     made = "" if kmh is None else f", made for {kmh} km/h"
     why = Because("R4", f"a train may overrun {path.exit} over {over}: {metres:g} m to the next joint{made}")
-    if isinf(layout.overlap_of[SignalId(path.exit)]):
+    if isinf(layout.overlaps.length[SignalId(path.exit)]):
         why = Because("R2", f"successive route: a train that does not stop before {path.exit} runs on over {over}")
     swings = tuple(k for k in swinging.get(SignalId(path.exit), ()) if k != path.option)
     return OverlapCell(SignalId(path.exit), path.option, swings, tuple(t.key for t in path.overlap), metres, why)
@@ -212,9 +220,9 @@ def _foul(path: Path, locks: Mapping[TraversalKey, TraversalRow]) -> tuple[FoulC
 
 def _end(layout: Layout, p: Path) -> str:
     """What stands where a route ends, with its name."""
-    if p.exit not in layout.boards:
+    if p.exit not in layout.signalling.boards:
         return called(str(p.exit_kind), p.exit)
-    return called("stop board" if p.exit in layout.stops else "limit-of-shunt board", p.exit)
+    return called("stop board" if p.exit in layout.signalling.stops else "limit-of-shunt board", p.exit)
 
 
 def _never_set(
@@ -234,8 +242,8 @@ def _foul_themselves(rows: Sequence[RouteRow], sink: Sink) -> None:
     """Joints that are foul of a route and begin a section of the very same."""
     found: dict[tuple[str, str], list[str]] = {}
     for r in rows:
-        for c in r.foul:
-            if c.section in r.section_ids:
+        for c in r.clear.foul:
+            if c.section in r.path.section_ids:
                 found.setdefault((c.because.text, c.section), []).append(r.id)
     for (why, section), ids in found.items():
         which = f"route{'s' if len(ids) > 1 else ''} {', '.join(ids)}"
@@ -248,11 +256,13 @@ def _notes(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> None:
     topo = topology(layout)
     used = {t.section for p in paths for t in (*p.ways, *p.overlap)}
     used |= {b for p in paths if (b := topo.beyond(p.ways[0].section, p.entry_node)) is not None}
-    traps = [b.node for b in layout.buffers if b.kind is BufferKind.TRAP]
-    used |= {layout.section_of(e.id) for n in traps for e in layout.edges_at[n]}
-    by_hand = [layout.far(p.reverse, p.node) for p in layout.points if p.machine in layout.machines.by_hand]
-    used |= {layout.section_of(e.id) for n in by_hand for e in layout.edges_at[n]}
-    for s in layout.sections:
+    traps = [b.node for b in layout.track.buffers if b.kind is BufferKind.TRAP]
+    used |= {layout.track.section_of(e.id) for n in traps for e in layout.track.edges_at[n]}
+    by_hand = [
+        layout.track.far(p.reverse, p.node) for p in layout.pointwork.points if p.machine in layout.machines.by_hand
+    ]
+    used |= {layout.track.section_of(e.id) for n in by_hand for e in layout.track.edges_at[n]}
+    for s in layout.track.sections:
         if not s.approach and s.id not in used:
             fix = "add a signal, or check the directions; where vehicles are moved by hand: `allow`, with a reason"
             text, at = f"no route uses {called('section', s.id)}", Element("sections", s.id)

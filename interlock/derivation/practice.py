@@ -16,7 +16,7 @@ from interlock.model.elements import BoundaryKind, BufferKind, EdgeId, NodeId, S
 from interlock.model.layout import Layout
 from interlock.model.plain import Plain, Plains, plains
 from interlock.model.traversal import onward_edges
-from interlock.table.rows import ExitKind, ProviderKind, RouteKind
+from interlock.table.cells import ExitKind, ProviderKind, RouteKind
 
 STATION_TRACK_M = 100.0
 """Shorter plain track between the legs of points is no track of a station (our choice)."""
@@ -80,7 +80,7 @@ def _check_starting(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
             )
         elif not back and stretch.metres >= STATION_TRACK_M and _beside(found, stretch):
             for path in those:
-                ahead = found.layout.signal.get(SignalId(path.exit))
+                ahead = found.layout.signalling.signal.get(SignalId(path.exit))
                 serves = ahead is not None and found.behind_points(ahead) is not None
                 shunt = f"; or, if {path.exit} serves several tracks, a shunt signal at the end of each: "
                 fix = f"add starting signals at both ends of {name}"
@@ -99,7 +99,7 @@ def _check_starting(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
 def _beside(found: Plains, stretch: Plain) -> bool:
     """Whether a stretch is one of several ways between two points: it lies between a leg of each (from a toe on it is a
     line, or part of a ladder), and another way joins their other legs.  Where none does, it joins two lines."""
-    first, last = (found.layout.point_at.get(stretch.nodes[k]) for k in (0, -1))
+    first, last = (found.layout.pointwork.point_at.get(stretch.nodes[k]) for k in (0, -1))
     if first is None or last is None:
         return False
     other = {p.node: {p.normal, p.reverse} - {e.id for e in stretch.edges} for p in (first, last)}
@@ -108,7 +108,7 @@ def _beside(found: Plains, stretch: Plain) -> bool:
     todo, seen = [(e, first.node) for e in other[first.node]], set[tuple[EdgeId, NodeId]]()
     while todo:
         edge, node = todo.pop()
-        ahead = found.layout.far(edge, node)
+        ahead = found.layout.track.far(edge, node)
         if (edge, node) in seen:
             continue
         seen.add((edge, node))
@@ -124,18 +124,18 @@ def _check_places(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
     onward: dict[str | int, set[str | int]] = {}
     backward: dict[str | int, set[str | int]] = {}
     for path in paths:
-        g = layout.signal[path.entry]
+        g = layout.signalling.signal[path.entry]
         start = _place(found, g.node, g.into)
         last: str | int = id(found.of[path.ways[-1].edges[-1]])
         steps = [(start, last)] + ([(last, str(path.exit))] if path.exit_kind is ExitKind.BOUNDARY else [])
         for here, there in steps:
             onward.setdefault(here, set()).add(there)
             backward.setdefault(there, set()).add(here)
-    begins = {str(b.node) for b in layout.boundaries if b.kind is not BoundaryKind.OUT}
-    leaves = {str(b.node) for b in layout.boundaries if b.kind is not BoundaryKind.IN}
+    begins = {str(b.node) for b in layout.track.boundaries if b.kind is not BoundaryKind.OUT}
+    leaves = {str(b.node) for b in layout.track.boundaries if b.kind is not BoundaryKind.IN}
     reached, left = _closed(begins, onward), _closed(leaves, backward)
-    for b in layout.boundaries:
-        if b.kind is not BoundaryKind.IN and str(b.node) not in backward and len(layout.boundaries) > 1:
+    for b in layout.track.boundaries:
+        if b.kind is not BoundaryKind.IN and str(b.node) not in backward and len(layout.track.boundaries) > 1:
             sink.add(
                 "IL7004",
                 f"no route leads out at {b.node}, though trains may leave there",
@@ -161,15 +161,17 @@ def _check_places(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
 def _check_ends(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
     """Signals on a track towards its buffer past which a train comes, and where none leads back: what turns there meets
     the next one only further out, where another movement may be."""
-    for g in {p.entry: found.layout.signal[p.entry] for p in paths if p.exit_kind is ExitKind.BUFFER}.values():
+    for g in {
+        p.entry: found.layout.signalling.signal[p.entry] for p in paths if p.exit_kind is ExitKind.BUFFER
+    }.values():
         stretch = found.of[g.into]
-        end = next((n for n in (stretch.nodes[0], stretch.nodes[-1]) if n in found.layout.buffer_at), None)
-        if end is None or g.node in found.layout.boundary_at or found.behind_points(g) is not None:
+        end = next((n for n in (stretch.nodes[0], stretch.nodes[-1]) if n in found.layout.track.buffer_at), None)
+        if end is None or g.node in found.layout.track.boundary_at or found.behind_points(g) is not None:
             continue
         forward, at = end == stretch.nodes[-1], stretch.nodes.index(g.node)
         beyond = stretch.nodes[at:] if forward else stretch.nodes[: at + 1]
         if not any(h.node in beyond for h in found.looking(stretch, not forward)):
-            section = str(found.layout.section_of(g.into))
+            section = str(found.layout.track.section_of(g.into))
             said = f"no train can leave {section}: past {g.id} no signal leads back out before the next section"
             fix = f"add a signal `from: {section}` at the joint of {g.id}"
             sink.add("IL7004", said, None, fix, about=Element("sections", section), cause="leave", note=section)
@@ -179,13 +181,13 @@ def _called(found: Plains, place: int) -> str:
     """A stretch by the section of its own, or, where it is only the leg of a point, by the end to which it leads."""
     stretch = found.by_id[place]
     section = str(stretch.name or stretch.edges[0].section)
-    ends = [str(n) for n in stretch.nodes if n in found.layout.buffer_at]
+    ends = [str(n) for n in stretch.nodes if n in found.layout.track.buffer_at]
     return section if stretch.name or not ends else f"{' and '.join(ends)}, in {section}"
 
 
 def _place(found: Plains, node: NodeId, edge: EdgeId) -> str | int:
     """Where a train stands: before a boundary, or on a stretch of plain track."""
-    return str(node) if node in found.layout.boundary_at else id(found.of[edge])
+    return str(node) if node in found.layout.track.boundary_at else id(found.of[edge])
 
 
 def _closed(first: Iterable[str | int], further: dict[str | int, set[str | int]]) -> set[str | int]:
@@ -203,7 +205,7 @@ def _closed(first: Iterable[str | int], further: dict[str | int, set[str | int]]
 def _check_waiting(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
     """Main signals before which trains wait on points that they have just passed."""
     ends = {p.exit for p in paths if p.exit_kind is ExitKind.SIGNAL and p.kind is RouteKind.MAIN and not p.onward}
-    for g in found.layout.signals:
+    for g in found.layout.signalling.signals:
         behind = found.behind_points(g)
         if g.id not in ends or not g.main or behind is None or behind[1] >= TRAIN_M or found.turned(g):
             continue
@@ -223,20 +225,22 @@ def _check_waiting(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
 def _check_spurs(layout: Layout, paths: Sequence[Path], locks: Locks, sink: Sink) -> None:
     """Tracks into which vehicles are brought, and which nothing but their own end keeps from a place that others pass
     (R5): not where they must be clear, as flank space or at a foul joint."""
-    keyed = (p for p in layout.points if p.machine in layout.machines.by_hand)
+    keyed = (p for p in layout.pointwork.points if p.machine in layout.machines.by_hand)
     by_key = {
-        e.section: f"through {p.id}, by hand" for p in keyed for e in layout.edges_at[layout.far(p.reverse, p.node)]
+        e.section: f"through {p.id}, by hand"
+        for p in keyed
+        for e in layout.track.edges_at[layout.track.far(p.reverse, p.node)]
     }
     open_: dict[NodeId, dict[str, None]] = {}
     for t in locks.values():
         clear = {t.section, *(c.section for c in t.foul if c.when is None)}
         for c in t.flank if not layout.principles.flank_space else ():
             for node in (NodeId(p.name) for p in c.providers if p.kind is ProviderKind.BUFFER):
-                stop = layout.buffer_at[node].kind is BufferKind.STOP
-                if stop and layout.edges_at[node][0].section not in clear:
+                stop = layout.track.buffer_at[node].kind is BufferKind.STOP
+                if stop and layout.track.edges_at[node][0].section not in clear:
                     open_.setdefault(node, {})[c.requester] = None
     for node, places in sorted(open_.items()):
-        section = layout.edges_at[node][0].section
+        section = layout.track.edges_at[node][0].section
         come = [p.id for p in paths if node == p.exit or section == p.berth]
         if come or section in by_key:
             brought = f"by {_listed(come)}" if come else by_key[section]

@@ -15,7 +15,7 @@ from interlock.diag.called import called
 from interlock.model.elements import NodeId, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
-from interlock.table.rows import RouteKind
+from interlock.table.cells import RouteKind
 
 
 def check_reached(layout: Layout, paths: Sequence[Path], sink: Sink) -> None:

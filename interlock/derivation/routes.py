@@ -34,7 +34,7 @@ from interlock.model.elements import (
 from interlock.model.layout import Layout
 from interlock.model.overlap import overlap_paths, told_apart
 from interlock.model.traversal import Topology, Traversal, topology
-from interlock.table.rows import ExitKind, RouteKind
+from interlock.table.cells import ExitKind, RouteKind
 
 Ways = tuple[Traversal, ...]
 
@@ -106,7 +106,7 @@ def machine_positions(layout: Layout, ways: Ways) -> dict[MachineId, Position] |
     found: dict[MachineId, Position] = {}
     for t in ways:
         for point, position in t.points:
-            if found.setdefault(layout.point[point].machine, position) is not position:
+            if found.setdefault(layout.pointwork.point[point].machine, position) is not position:
                 return None
     return found
 
@@ -117,7 +117,7 @@ def obstacle(layout: Layout, ways: Ways, clear: Ways) -> str | None:
     positions: dict[MachineId, Position] = {}
     for t in ways:
         for point, position in t.points:
-            machine = layout.point[point].machine
+            machine = layout.pointwork.point[point].machine
             if positions.setdefault(machine, position) is not position:
                 return f"machine {machine} is needed in both positions"
     over: set[CrossingId] = set()
@@ -127,7 +127,7 @@ def obstacle(layout: Layout, ways: Ways, clear: Ways) -> str | None:
                 return f"it runs over both arms of the diamond {c}"
             over.add(c)
     for t in clear:
-        if t.section in layout.undetected:
+        if t.section in layout.track.undetected:
             return f"{t.section} must be clear and has no detection"
     against = [m for m in sorted(layout.machines.by_hand) if positions.get(m) is Position.REVERSE]
     return f"{against[0]} is worked by hand, and locked by its key the other way" if against else None
@@ -138,16 +138,16 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
     topo = topology(layout)
     found: list[_Found] = []
     ahead: list[_Found] = []  # to signals that can be passed, whether or not a route may end there
-    fits = [0] * len(layout.excluded)
-    for g in layout.signals:
+    fits = [0] * len(layout.declared.excluded)
+    for g in layout.signalling.signals:
         reached: set[str] = set()
         dropped: list[_Dropped] = []
         for kind in RouteKind:
-            passed = g.id in layout.identifiers
+            passed = g.id in layout.signalling.identifiers
             of = {RouteKind.MAIN: g.main, RouteKind.SHUNT: g.shunt, RouteKind.CALL_ON: g.call_on}
             if not of.get(kind, passed):
                 continue
-            if not layout.opens(g.id, kind is RouteKind.SHUNT):
+            if not layout.signalling.opens(g.id, kind is RouteKind.SHUNT):
                 continue
             for exit_kind, name, ways in _search(layout, topo, g, kind):
                 berth = kind is RouteKind.SHUNT and len(ways) > 1 and ways[-1].section in topo.berths
@@ -156,16 +156,16 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
                     dropped.append(_Dropped(why or name, "" if exit_kind is None else name, ways))
                     continue
                 path = _Found(g, kind, name, exit_kind, ways)
-                out = [i for i, x in enumerate(layout.excluded) if _excludes(x, path)]
+                out = [i for i, x in enumerate(layout.declared.excluded) if _excludes(x, path)]
                 reached.add(name)
-                if kind in (RouteKind.MAIN, RouteKind.IDENTIFIER) and name in layout.identifiers:
+                if kind in (RouteKind.MAIN, RouteKind.IDENTIFIER) and name in layout.signalling.identifiers:
                     ahead.append(path)
                 if not out:
                     found.append(path)
                 for i in out:
                     fits[i] += 1
         _tell_dropped(layout, g.id, dropped, reached, sink)
-        if not reached and g.id not in layout.boards:
+        if not reached and g.id not in layout.signalling.boards:
             sink.add(
                 "IL4003",
                 f"no route leads from {called('signal', g.id)}",
@@ -175,7 +175,7 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
             )
     past = _past(layout, found, ahead, fits, sink)
     found = [f for f in found if f.kind is not RouteKind.IDENTIFIER] + past
-    for i, (x, n) in enumerate(zip(layout.excluded, fits, strict=True)):
+    for i, (x, n) in enumerate(zip(layout.declared.excluded, fits, strict=True)):
         if not n:
             fix = "remove it, or correct its ends"
             sink.add("IL2012", f"the exclusion ({x.reason}) fits no route", None, fix, about=Element("exclude", i))
@@ -211,12 +211,15 @@ def _past(
 ) -> list[_Found]:
     """Train routes past signals that show their identifier lights, each the path to the first of them and a part that
     leads on; and the parts that such routes have."""
-    for o in layout.overlaps:
-        if o.swing and o.signal in layout.identifiers:
+    for o in layout.overlaps.all:
+        if o.swing and o.signal in layout.signalling.identifiers:
             text = f"the overlap of {o.signal} swings: no route can pass {o.signal} at identifier light"
             fix = f"remove `swing` of the overlap, or `identifier` of {o.signal}"
             sink.add("IL3032", text, None, fix, about=Element("overlaps", o.signal))
-    parts = {g: [f for f in found if f.kind is RouteKind.IDENTIFIER and f.signal.id == g] for g in layout.identifiers}
+    parts = {
+        g: [f for f in found if f.kind is RouteKind.IDENTIFIER and f.signal.id == g]
+        for g in layout.signalling.identifiers
+    }
     last = [b for those in parts.values() for b in those]
     long: list[_Found] = []
     while last:
@@ -224,7 +227,7 @@ def _past(
         long += [x for x in last if x.kind is RouteKind.MAIN]
         last = [x for x in last if x.kind is RouteKind.IDENTIFIER]
     used = {b: None for f in long for b in f.beyond_it}
-    for g in layout.identifiers:
+    for g in layout.signalling.identifiers:
         if not any(b.signal.id == g for b in used):
             text = f"no route passes {g}: it never shows its identifier light"
             fix = f"remove `identifier` of {g}; a route must lead to it, and another one on from it"
@@ -235,7 +238,7 @@ def _past(
 def _led_past(layout: Layout, a: _Found, b: _Found, fits: list[int], sink: Sink) -> Iterator[_Found]:
     """A path to a signal with a part that leads on from there, unless it is excluded or cannot be run."""
     long = replace(a, beyond=b)
-    barred = [i for i, x in enumerate(layout.excluded) if _excludes(x, long)]
+    barred = [i for i, x in enumerate(layout.declared.excluded) if _excludes(x, long)]
     for i in barred:
         fits[i] += 1
     why = None if barred else _why_not_past(layout, a, b)
@@ -257,7 +260,7 @@ def _why_not_past(layout: Layout, a: _Found, b: _Found) -> str | None:
     rear = topology(layout).beyond(a.ways[0].section, a.signal.node)
     if rear in {t.section for t in b.run}:
         return f"its train stands in {rear} before {a.signal.id}"
-    if layout.overlap_of.get(SignalId(a.exit), 0.0) > 0 and _overlap_along(layout, a.exit, b.run) is None:
+    if layout.overlaps.length.get(SignalId(a.exit), 0.0) > 0 and _overlap_along(layout, a.exit, b.run) is None:
         return f"no overlap of {a.exit} lies along it"
     ways = (*a.ways, *b.run)
     return obstacle(layout, ways, ways)
@@ -336,7 +339,7 @@ def _overlaps(layout: Layout, f: _Found, name: str, sink: Sink) -> list[tuple[in
     """
     if f.kind is RouteKind.SHUNT or f.exit_kind is not ExitKind.SIGNAL:
         return [(0, ())]
-    if SignalId(f.exit) not in layout.overlap_of:
+    if SignalId(f.exit) not in layout.overlaps.length:
         return [(0, ())]
     if f.beyond is not None:
         along = _overlap_along(layout, f.exit, f.beyond.run)
@@ -377,8 +380,8 @@ def _hindered(layout: Layout, f: _Found, options: Sequence[Ways]) -> str:
 
 
 def _wanted(layout: Layout, g: str) -> str:
-    own = [f"{w.length:g} m over {', '.join(w.over)}" for w in layout.overlap_ways if w.signal == g]
-    return " or ".join([next(o.text for o in layout.overlaps if o.signal == g), *own])
+    own = [f"{w.length:g} m over {', '.join(w.over)}" for w in layout.overlaps.ways if w.signal == g]
+    return " or ".join([next(o.text for o in layout.overlaps.all if o.signal == g), *own])
 
 
 def _ends_in_berth(layout: Layout, f: _Found) -> bool:
@@ -413,7 +416,7 @@ class _Effect:
         for m, x in positions.items():
             against |= self.needs.get((m, x.other), set())
         others = [self.found[i] for i in against if self.found[i].signal is not f.signal]
-        receiving = sum(o.kind is RouteKind.MAIN and o.signal.node in self.layout.boundary_at for o in others)
+        receiving = sum(o.kind is RouteKind.MAIN and o.signal.node in self.layout.track.boundary_at for o in others)
         departing = sum(o.kind is RouteKind.MAIN and o.exit_kind is ExitKind.BOUNDARY for o in others)
         trains = sum(o.kind is RouteKind.MAIN for o in others)
         points = [p for t in f.ways for p in t.points]
@@ -425,7 +428,7 @@ class _Effect:
 def _search(layout: Layout, topo: Topology, g: Signal, kind: RouteKind) -> Iterator[tuple[ExitKind | None, str, Ways]]:
     """Depth first over traversals; yields (None, why, path) for a path that cannot be run to its end."""
     stops = topo.signal_into if kind is RouteKind.SHUNT else topo.main_into
-    stack: list[tuple[SectionId, NodeId, Ways]] = [(layout.section_of(g.into), g.node, ())]
+    stack: list[tuple[SectionId, NodeId, Ways]] = [(layout.track.section_of(g.into), g.node, ())]
     while stack:
         section, entry, ways = stack.pop()
         onward_ways = topo.through(section, entry)
@@ -434,8 +437,8 @@ def _search(layout: Layout, topo: Topology, g: Signal, kind: RouteKind) -> Itera
         for t in reversed(onward_ways):
             path = (*ways, t)
             berth = kind is RouteKind.SHUNT and section in topo.berths
-            if t.exit in layout.buffer_at:
-                if layout.buffer_at[t.exit].kind is BufferKind.STOP:  # no route leads into a trap
+            if t.exit in layout.track.buffer_at:
+                if layout.track.buffer_at[t.exit].kind is BufferKind.STOP:  # no route leads into a trap
                     yield ExitKind.BUFFER, t.exit, path
                 continue
             onward = topo.beyond(section, t.exit)
@@ -445,7 +448,7 @@ def _search(layout: Layout, topo: Topology, g: Signal, kind: RouteKind) -> Itera
             elif berth or (onward is None and kind is RouteKind.SHUNT and section in topo.turning):
                 yield ExitKind.BERTH, section, path
             elif onward is None:
-                leaves = layout.boundary_at[t.exit].kind is not BoundaryKind.IN and kind is not RouteKind.SHUNT
+                leaves = layout.track.boundary_at[t.exit].kind is not BoundaryKind.IN and kind is not RouteKind.SHUNT
                 what = "a shunting movement" if kind is RouteKind.SHUNT else "a train"
                 yield (
                     (ExitKind.BOUNDARY, t.exit, path) if leaves else (None, f"{what} does not leave at {t.exit}", path)

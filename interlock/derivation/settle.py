@@ -18,7 +18,7 @@ from operator import or_
 from interlock.derivation.flank import Options, Requester, point_demands
 from interlock.model.bits import bits_of
 from interlock.model.elements import MachineId, Position
-from interlock.table.rows import Provider, TraversalKey
+from interlock.table.cells import Provider, TraversalKey
 
 Demand = tuple[MachineId, Position]
 Providers = tuple[Provider, ...]

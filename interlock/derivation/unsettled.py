@@ -16,7 +16,7 @@ from interlock.model.bits import chosen
 from interlock.model.elements import EdgeId, MachineId, NodeId, Position, SignalId
 from interlock.model.layout import Layout
 from interlock.model.traversal import onward_edges
-from interlock.table.rows import Provider
+from interlock.table.cells import Provider
 
 NAMED = 8  # so many routes are named, of more the number is told
 
@@ -41,7 +41,7 @@ def report_flanks(
     _substitutes(layout, paths, settled, options, sink)
     unprotected = {p.requester.name for p in places if options.preferred(p.requester) is None}
     unprotected |= {settled.places[at].requester.name for at in settled.impossible}
-    for w in layout.waivers:
+    for w in layout.declared.waivers:
         name = f"{w.point}.{'normal' if w.leg is Position.NORMAL else 'reverse'}"
         if name not in unprotected or all(p.requester.name != name for p in places):
             sink.add(
@@ -83,7 +83,7 @@ def _impossible(layout: Layout, paths: Sequence[Path], settled: Settlement, opti
 
 def _element(layout: Layout, r: Requester) -> Element:
     """The point or crossing that asks for protection."""
-    return Element("points" if r.node in layout.point_at else "crossings", r.node)
+    return Element("points" if r.node in layout.pointwork.point_at else "crossings", r.node)
 
 
 def _substitutes(layout: Layout, paths: Sequence[Path], settled: Settlement, options: Options, sink: Sink) -> None:
@@ -136,16 +136,16 @@ def _too_near(layout: Layout, r: Requester) -> dict[SignalId, float]:
     seen: set[tuple[EdgeId, NodeId]] = set()
     while todo:
         edge, node, gone = todo.pop()
-        e, far = layout.edge[edge], layout.far(edge, node)
+        e, far = layout.track.edge[edge], layout.track.far(edge, node)
         if (edge, node) in seen or (e.one_way and e.a == node):
             continue
         seen.add((edge, node))
         gone += e.length
-        facing = layout.signal_facing.get((far, edge))
+        facing = layout.signalling.facing.get((far, edge))
         if facing is not None and gone >= r.clear_of:
             continue
         if facing is not None:
             found[facing.id] = min(gone, found.get(facing.id, gone))
-        if far != r.node and far not in layout.boundary_at and far not in layout.buffer_at:
+        if far != r.node and far not in layout.track.boundary_at and far not in layout.track.buffer_at:
             todo += [(x, far, gone) for x in onward_edges(layout, far, edge)]
     return found

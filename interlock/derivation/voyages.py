@@ -13,30 +13,22 @@ from itertools import groupby
 from interlock.diag import Element, Sink
 from interlock.model.elements import Lane, SectionId, SignalId, Voyage
 from interlock.model.layout import Layout
-from interlock.table.rows import (
-    Because,
-    ExitKind,
-    Meeting,
-    RouteKind,
-    RouteRow,
-    TraversalKey,
-    TraversalRow,
-    VoyageRow,
-)
+from interlock.table.cells import Because, ExitKind, RouteKind, TraversalKey
+from interlock.table.rows import Meeting, RouteRow, TraversalRow, VoyageRow
 
 Locks = Mapping[TraversalKey, TraversalRow]
 
 
 def priority(layout: Layout, sections: Collection[SectionId], forward: bool) -> int:
     """Document A: an inclined lane first, for the danger of runaways; then the main direction, for fewer stops."""
-    inclined = any(s.lane is Lane.INCLINED and s.id in sections for s in layout.sections)
+    inclined = any(s.lane is Lane.INCLINED and s.id in sections for s in layout.track.sections)
     return 1 + 2 * (not inclined) + (not forward)
 
 
 def derive_voyages(layout: Layout, routes: tuple[RouteRow, ...], locks: Locks, sink: Sink) -> tuple[VoyageRow, ...]:
     """Every voyage as the chain of basic routes that makes it, and its meetings with the others."""
     chains: dict[str, tuple[RouteRow, ...]] = {}
-    for v in layout.voyages:
+    for v in layout.declared.voyages:
         chain = _chain(v, routes)
         if chain is None:
             kind = "shunt" if v.shunt else "train"
@@ -46,16 +38,16 @@ def derive_voyages(layout: Layout, routes: tuple[RouteRow, ...], locks: Locks, s
             sink.add("IL2013", text, None, hint, about=Element("voyages", v.name))
             continue
         chains[v.name] = chain
-    ways = {n: [locks[k] for r in chain for k in r.traversals] for n, chain in chains.items()}
+    ways = {n: [locks[k] for r in chain for k in r.path.traversals] for n, chain in chains.items()}
     rows: list[VoyageRow] = []
-    for v in layout.voyages:
+    for v in layout.declared.voyages:
         if v.name not in chains:
             continue
         meetings = [m for w in chains if w != v.name for m in _meetings(ways[v.name], w, ways[w])]
         order = "from the far end" if v.far_first else "each before its train"
         why = Because("R18", f"{len(chains[v.name])} routes from {v.entry} to {v.exit}, opened {order}")
         ids = tuple(r.id for r in chains[v.name])
-        rank = priority(layout, {s for r in chains[v.name] for s in r.section_ids}, v.forward)
+        rank = priority(layout, {s for r in chains[v.name] for s in r.path.section_ids}, v.forward)
         rows.append(VoyageRow(v.name, len(rows) + 1, ids, v.far_first, rank, tuple(meetings), why))
     return tuple(rows)
 
@@ -65,7 +57,7 @@ def _chains(v: Voyage, routes: Sequence[RouteRow]) -> Iterator[tuple[RouteRow, .
     kind = RouteKind.SHUNT if v.shunt else RouteKind.MAIN
     from_: dict[SignalId, list[RouteRow]] = {}
     for r in routes:
-        if r.kind is kind and r.onward is None:  # past a signal a chain runs over routes that begin there
+        if r.kind is kind and r.path.onward is None:  # past a signal a chain runs over routes that begin there
             from_.setdefault(r.entry, []).append(r)
     todo: deque[tuple[RouteRow, ...]] = deque((r,) for r in from_.get(v.entry, ()))
     budget = 20_000
@@ -73,10 +65,10 @@ def _chains(v: Voyage, routes: Sequence[RouteRow]) -> Iterator[tuple[RouteRow, .
         budget -= 1
         chain = todo.popleft()
         yield chain
-        if chain[-1].exit_kind is ExitKind.SIGNAL:
-            been = {s for r in chain for s in r.section_ids}
+        if chain[-1].path.exit_kind is ExitKind.SIGNAL:
+            been = {s for r in chain for s in r.path.section_ids}
             onward = from_.get(SignalId(chain[-1].exit), ())
-            todo.extend((*chain, r) for r in onward if been.isdisjoint(r.section_ids))
+            todo.extend((*chain, r) for r in onward if been.isdisjoint(r.path.section_ids))
 
 
 def _chain(v: Voyage, routes: Sequence[RouteRow]) -> tuple[RouteRow, ...] | None:
@@ -84,11 +76,12 @@ def _chain(v: Voyage, routes: Sequence[RouteRow]) -> tuple[RouteRow, ...] | None
     fits = [
         c
         for c in _chains(v, routes)
-        if v.exit in (c[-1].exit, c[-1].section_ids[-1]) and set(v.via) <= {s for r in c for s in r.section_ids}
+        if v.exit in (c[-1].exit, c[-1].path.section_ids[-1])
+        and set(v.via) <= {s for r in c for s in r.path.section_ids}
     ]
 
     def rank(c: tuple[RouteRow, ...]) -> tuple[int, float, tuple[int, ...]]:
-        return sum(r.variant > 1 for r in c), sum(r.length for r in c), tuple(r.number for r in c)
+        return sum(r.path.variant > 1 for r in c), sum(r.path.length for r in c), tuple(r.number for r in c)
 
     return min(fits, key=rank, default=None)
 

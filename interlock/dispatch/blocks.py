@@ -98,7 +98,7 @@ def blocks(traffic: TrafficSpec, rounding: str | None = None) -> tuple[Block, ..
 def braking(layout: Layout, section: SectionId | None = None) -> Braking:
     """Stopping from the highest speed in a section, or anywhere: v (t + r) + v^2 / 2b."""
     rules = layout.principles
-    stated = layout.section[section].speed if section is not None else None
+    stated = layout.track.section[section].speed if section is not None else None
     kmh = float(stated if stated is not None else rules.line_speed_kmh)
     v = kmh / 3.6
     brake = v * v / (2 * rules.braking_ms2)
@@ -108,8 +108,8 @@ def braking(layout: Layout, section: SectionId | None = None) -> Braking:
 def section_m(layout: Layout, section: SectionId) -> float:
     """Metres of a section on its longest way."""
     ways = topology(layout).traversals.get(section, ())
-    metres = [sum(layout.edge[e].length for e in t.edges) for t in ways]
-    return max(metres, default=sum(e.length for e in layout.edges_in.get(section, ())))
+    metres = [sum(layout.track.edge[e].length for e in t.edges) for t in ways]
+    return max(metres, default=sum(e.length for e in layout.track.edges_in.get(section, ())))
 
 
 def lengths(layout: Layout, traffic: TrafficSpec, found: tuple[Block, ...]) -> tuple[Length, ...]:
@@ -132,7 +132,7 @@ def _length(layout: Layout, section: SectionId, b: Block) -> Length:
         grade = "too long"
     elif metres > b.built_m:
         grade, advice = "no reserve", f"beyond two thirds ({b.built_m:.1f} m): nothing left for over-production"
-    elif layout.points_in.get(section):
+    elif layout.machines.points_in.get(section):
         return Length(section, b.name, metres, 0.0, "fine", "its points belong to no place where a train waits")
     elif metres < least:
         grade = "too short"

@@ -17,7 +17,8 @@ from collections.abc import Sequence
 from interlock.diag.called import called
 from interlock.dispatch.plan.railway import OUTSIDE, Errand, Leg, Railway
 from interlock.model.elements import BoundaryKind, SectionId, SignalId
-from interlock.table.rows import TraversalKey, VoyageRow
+from interlock.table.cells import TraversalKey
+from interlock.table.rows import VoyageRow
 
 _COMMAND = re.compile(r"(?P<train>[^:>]+):(?P<start>[^:>]+)(?P<legs>(>[^:>]+)+)")
 
@@ -37,7 +38,7 @@ def errand(railway: Railway, command: str, length_m: float, train: str = "") -> 
     layout = railway.layout
     voyages = {v.name: v for v in railway.table.voyages}
     if command in voyages:
-        v = next(x for x in layout.voyages if x.name == command)
+        v = next(x for x in layout.declared.voyages if x.name == command)
         leg = Leg(v.exit, frozenset(v.via), v.shunt, v.far_first)
         start = _fits(railway, voyage_start(railway, voyages[command]), length_m)
         return Errand(train or command, length_m, start, (leg,)), voyages[command].priority
@@ -70,27 +71,27 @@ def _written(command: str) -> str:
 def voyage_start(railway: Railway, row: VoyageRow) -> tuple[TraversalKey, ...]:
     """Where a train stands that is commanded a voyage."""
     first = railway.table.route[row.routes[0]]
-    if str(first.entry_node) in railway.approach:
-        return ((SectionId(first.entry_node), OUTSIDE),)
+    if str(first.path.entry_node) in railway.approach:
+        return ((SectionId(first.path.entry_node), OUTSIDE),)
     return railway.standing(first)
 
 
 def _start(railway: Railway, word: str) -> tuple[TraversalKey, ...]:
     layout = railway.layout
-    known = [str(b.node) for b in layout.boundaries if b.kind is not BoundaryKind.OUT]
-    sections = [str(s.id) for s in layout.sections if not s.approach]
+    known = [str(b.node) for b in layout.track.boundaries if b.kind is not BoundaryKind.OUT]
+    sections = [str(s.id) for s in layout.track.sections if not s.approach]
     parts = word.split("/")  # names have a `/`, too
     divided = [("/".join(parts[:k]), "/".join(parts[k:])) for k in range(1, len(parts))]
     if word in known:
         return ((SectionId(word), OUTSIDE),)
     if not divided:
         raise BadOrder("IL6004", f"no train comes in at {word}", known, word)
-    section, signal = next((x for x in divided if x[0] in sections and x[1] in layout.signal), divided[0])
+    section, signal = next((x for x in divided if x[0] in sections and x[1] in layout.signalling.signal), divided[0])
     if section not in sections:
         raise BadOrder("IL6004", f"there is no section {section}", sections, section)
-    if signal not in layout.signal:
-        raise BadOrder("IL6004", f"there is no signal {signal}", [str(g.id) for g in layout.signals], signal)
-    node = layout.signal[SignalId(signal)].node
+    if signal not in layout.signalling.signal:
+        raise BadOrder("IL6004", f"there is no signal {signal}", [str(g.id) for g in layout.signalling.signals], signal)
+    node = layout.signalling.signal[SignalId(signal)].node
     ways = [t.key for t in railway.topo.traversals[SectionId(section)] if t.exit == node]
     if not ways:
         raise BadOrder("IL6004", f"{called('signal', signal)} does not stand at an end of {section}", (), signal)
@@ -102,9 +103,13 @@ def _leg(railway: Railway, text: str) -> Leg:
     to, *via = text.split("+")
     if "" in via:
         raise BadOrder("IL6004", f"no section is named after a + of '{text}'", (), "", "name it, or leave out the +")
-    sections = [str(s.id) for s in layout.sections if not s.approach]
-    places = [*sections, *(str(b.node) for b in layout.boundaries), *(str(g.id) for g in layout.signals)]
-    places += [str(b.node) for b in layout.buffers]
+    sections = [str(s.id) for s in layout.track.sections if not s.approach]
+    places = [
+        *sections,
+        *(str(b.node) for b in layout.track.boundaries),
+        *(str(g.id) for g in layout.signalling.signals),
+    ]
+    places += [str(b.node) for b in layout.track.buffers]
     if to not in places:
         raise BadOrder("IL6004", f"there is no place {to}", places, to)
     for s in via:

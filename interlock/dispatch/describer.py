@@ -51,8 +51,8 @@ class Describer:
                 self._next_to[b].add(a)
         self._edge: set[SectionId] = set()
         """Sections in which trains first appear and from which they vanish: the approach section, if one reports."""
-        for at in layout.boundaries:
-            inside = layout.section_of(layout.edges_at[at.node][0].id)
+        for at in layout.track.boundaries:
+            inside = layout.track.section_of(layout.track.edges_at[at.node][0].id)
             self._edge.add(inside if at.approach is None or at.approach not in self._next_to else at.approach)
             if at.approach is not None and inside in self._next_to and at.approach in self._next_to:
                 self._next_to[inside].add(at.approach)

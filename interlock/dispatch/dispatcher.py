@@ -114,8 +114,8 @@ class Dispatcher:
         if row is None:
             self.other.append(number)
             return
-        lanes = {s.id for s in self.railway.layout.sections if s.lane is Lane.INCLINED}
-        self.arbiter.add(self.stages[row.id], source, self._priorities and not lanes.isdisjoint(row.section_ids))
+        lanes = {s.id for s in self.railway.layout.track.sections if s.lane is Lane.INCLINED}
+        self.arbiter.add(self.stages[row.id], source, self._priorities and not lanes.isdisjoint(row.path.section_ids))
 
     # --- one scan ------------------------------------------------------------------------------
 

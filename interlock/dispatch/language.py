@@ -258,7 +258,7 @@ def _check_sections(orders: Orders, layout: Layout, sink: Sink) -> None:
     traffic = orders.file.traffic
     if traffic is None:
         return
-    known = [s.id for s in layout.sections]
+    known = [s.id for s in layout.track.sections]
     lines = [(("traffic", "branches", n), x) for n, x in traffic.branches.items()]
     if traffic.main is not None:
         lines.append((("traffic", "main"), traffic.main))  # type: ignore[arg-type]

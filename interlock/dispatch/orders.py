@@ -27,7 +27,7 @@ from interlock.dispatch.plan.railway import (
     TooManyPlaces,
 )
 from interlock.model.elements import SectionId
-from interlock.table.rows import TraversalKey
+from interlock.table.cells import TraversalKey
 
 
 @dataclass(frozen=True)
@@ -48,8 +48,8 @@ def metres_to(journey: Journey, section: str) -> float:
         place = min(todo, key=lambda p: best[p])
         todo.remove(place)
         for s in journey.steps[place]:
-            metres = best[place] + sum(r.length for r in s.routes)
-            if any(section in r.section_ids for r in s.routes):
+            metres = best[place] + sum(r.path.length for r in s.routes)
+            if any(section in r.path.section_ids for r in s.routes):
                 found = min(found, metres)
             elif metres < best.get(s.after, float("inf")):
                 best[s.after] = metres
@@ -69,8 +69,8 @@ class Derivation:
         self.railway, self.orders, self.sink = railway, orders, sink
         self.file: DispatchFile = orders.file
         layout = railway.layout
-        self.sections = {str(s.id) for s in layout.sections if not s.approach}
-        self.boundaries = {str(b.node) for b in layout.boundaries}
+        self.sections = {str(s.id) for s in layout.track.sections if not s.approach}
+        self.boundaries = {str(b.node) for b in layout.track.boundaries}
 
     def run(self) -> tuple[Derived, ...]:
         """All orders; none where names are wrong."""
@@ -203,7 +203,7 @@ class Derivation:
             if not steps:
                 return True
             for s in steps:
-                on = {str(x) for r in s.routes for x in r.section_ids} & blocked
+                on = {str(x) for r in s.routes for x in r.path.section_ids} & blocked
                 met |= on
                 if not on and s.after not in came:
                     came.add(s.after)

@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 
 from interlock.logic.symbols import Symbols
 from interlock.model.elements import MachineId, RouteId, SectionId, SignalId
-from interlock.table.rows import InterlockingTable, RouteKind, TraversalKey
+from interlock.table.cells import RouteKind, TraversalKey
+from interlock.table.rows import InterlockingTable
 
 Indications = Mapping[str, int]
 """Inputs as sampled and outputs as shown, by name."""
@@ -113,28 +114,30 @@ def stages(table: InterlockingTable, symbols: Symbols) -> dict[RouteId, Stage]:
     found: dict[RouteId, Stage] = {}
     overlaps: dict[SignalId, set[TraversalKey]] = {}
     for r in table.routes:
-        if r.overlap is not None:
-            overlaps.setdefault(r.overlap.signal, set()).update(r.overlap.ways)
+        if r.locking.overlap is not None:
+            overlaps.setdefault(r.locking.overlap.signal, set()).update(r.locking.overlap.ways)
     for r in table.routes:
         before = symbols.cancellation.approach_of.get(r.entry)
-        late = {d.machine: f"late {d.machine}" for d in r.points}
+        late = {d.machine: f"late {d.machine}" for d in r.locking.points}
         found[r.id] = Stage(
             route=r.id,
             number=r.number,
             entry=r.entry,
-            sections=r.section_ids,
-            berth=r.berth,
+            sections=r.path.section_ids,
+            berth=r.path.berth,
             shown=RouteIndications(
                 rear=None if before is None else symbols.sections.clear.get(before),
-                clear={s: symbols.sections.clear[s] for s in r.section_ids if s in symbols.sections.clear},
-                locked={s: symbols.indication[f"locked {s}"] for s, _ in r.locked},
+                clear={s: symbols.sections.clear[s] for s in r.path.section_ids if s in symbols.sections.clear},
+                locked={s: symbols.indication[f"locked {s}"] for s, _ in r.path.locked},
                 lamps=tuple(x[r.entry] for x in lamps if r.entry in x),
                 late={m: symbols.indication[n] for m, n in late.items() if n in symbols.indication},
-                beyond=tuple(symbols.sections.clear[c.section] for c in r.block if c.section in symbols.sections.clear),
-                direction="" if r.token is None else symbols.token[r.token.boundary].tells["has"],
+                beyond=tuple(
+                    symbols.sections.clear[c.section] for c in r.conditions.block if c.section in symbols.sections.clear
+                ),
+                direction="" if r.conditions.token is None else symbols.token[r.conditions.token.boundary].tells["has"],
             ),
-            out=tuple(c.section for c in r.block),
+            out=tuple(c.section for c in r.conditions.block),
             on_sight=r.kind is RouteKind.CALL_ON,
-            own=frozenset(s for s, k in r.traversals if (SectionId(s), k) in overlaps.get(r.entry, ())),
+            own=frozenset(s for s, k in r.path.traversals if (SectionId(s), k) in overlaps.get(r.entry, ())),
         )
     return found

@@ -29,7 +29,7 @@ class Policy(StrEnum):
 
 def enters(step: Step, line: frozenset[SectionId]) -> bool:
     """A step leads onto a line."""
-    return any(not line.isdisjoint(r.section_ids) for r in step.routes)
+    return any(not line.isdisjoint(r.path.section_ids) for r in step.routes)
 
 
 def past(run: Run, line: frozenset[SectionId]) -> bool:

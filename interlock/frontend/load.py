@@ -73,9 +73,10 @@ from interlock.model.elements import (
     Waiver,
     Zone,
 )
-from interlock.model.layout import Layout
+from interlock.model.layout import Declared, Hardware, Layout, Printed
 from interlock.model.principles import KNOBS, PROFILES, Principles
-from interlock.model.signalling import Overlaps
+from interlock.model.signalling import Overlaps, Signalling
+from interlock.model.track import Pointwork, Track
 
 MAX_BYTES = 4_000_000
 
@@ -156,7 +157,7 @@ def load(path: str, sink: Sink) -> tuple[Layout | None, Source]:
     text, shown = read(file, sink)
     pins = None if text is None else read_pins(file, text, layout.name, sink)
     source = replace(source, pins=pins, beside=((file, shown if text is None else text),))
-    return None if pins is None else replace(layout, pins=pins.pins), source
+    return None if pins is None else replace(layout, hardware=replace(layout.hardware, pins=pins.pins)), source
 
 
 @dataclass(frozen=True)
@@ -232,47 +233,59 @@ def _sections(ctx: Context, wiring: Wiring) -> list[Section]:
 def _layout(ctx: Context, principles: Principles, wiring: Wiring, named: _Named, placed: _Placed) -> Layout:
     return Layout(
         name=ctx.file.name,
-        title=ctx.file.title,
         profile=ctx.file.profile,
         principles=principles,
-        sections=tuple(sorted(_sections(ctx, wiring), key=lambda s: s.id)),
-        edges=tuple(sorted(wiring.edges, key=lambda e: e.id)),
-        points=tuple(sorted(wiring.points, key=lambda p: p.id)),
-        crossings=tuple(sorted(wiring.crossings, key=lambda c: c.id)),
-        boundaries=tuple(sorted(wiring.boundaries, key=lambda b: b.node)),
-        buffers=tuple(sorted(wiring.buffers, key=lambda b: b.node)),
-        signals=placed.signals,
-        conditions=named.conditions,
-        devices=named.devices,
-        waivers=named.waivers,
-        named_routes=named.routes,
-        excluded=named.excluded,
         overlaps=placed.overlaps,
-        distants=placed.distants,
-        voyages=named.voyages,
-        automatic=named.automatic,
-        zones=named.zones,
-        substations=placed.substations,
-        health=placed.health,
-        addresses=resolve_addresses(ctx),
-        telegram=ctx.file.telegram,
-        target=resolve_target(ctx.file.target),
-        drawing=placed.drawing,
-        anchors=placed.anchors,
-        barred=named.barred,
-        boards=boards(ctx),
-        supervision=resolve_supervision(ctx, wiring),
-        hands=hands(ctx),
-        title_block=title_block(ctx),
-        stops=stops(ctx),
-        identifiers=identifiers(ctx),
-        signal_releases=signal_releases(ctx),
-        demanded=named.demanded,
-        unlisted=unlisted(ctx),
-        named_kinds=named_kinds(ctx),
-        no_berths=tuple(sorted(SectionId(s) for s, x in ctx.file.sections.items() if not x.berth)),
-        blades=tuple(sorted(wiring.blades, key=lambda b: b.point)),
-        labels={n: b.label for n, b in ctx.file.boundaries.items() if b.label},
+        track=Track(
+            sections=tuple(sorted(_sections(ctx, wiring), key=lambda s: s.id)),
+            edges=tuple(sorted(wiring.edges, key=lambda e: e.id)),
+            boundaries=tuple(sorted(wiring.boundaries, key=lambda b: b.node)),
+            buffers=tuple(sorted(wiring.buffers, key=lambda b: b.node)),
+        ),
+        pointwork=Pointwork(
+            points=tuple(sorted(wiring.points, key=lambda p: p.id)),
+            crossings=tuple(sorted(wiring.crossings, key=lambda c: c.id)),
+            supervision=resolve_supervision(ctx, wiring),
+            hands=hands(ctx),
+            blades=tuple(sorted(wiring.blades, key=lambda b: b.point)),
+        ),
+        signalling=Signalling(
+            signals=placed.signals,
+            conditions=named.conditions,
+            devices=named.devices,
+            distants=placed.distants,
+            boards=boards(ctx),
+            stops=stops(ctx),
+            identifiers=identifiers(ctx),
+            releases=signal_releases(ctx),
+        ),
+        declared=Declared(
+            waivers=named.waivers,
+            named_routes=named.routes,
+            excluded=named.excluded,
+            voyages=named.voyages,
+            automatic=named.automatic,
+            zones=named.zones,
+            barred=named.barred,
+            demanded=named.demanded,
+            unlisted=unlisted(ctx),
+            named_kinds=named_kinds(ctx),
+            no_berths=tuple(sorted(SectionId(s) for s, x in ctx.file.sections.items() if not x.berth)),
+        ),
+        hardware=Hardware(
+            substations=placed.substations,
+            health=placed.health,
+            addresses=resolve_addresses(ctx),
+            telegram=ctx.file.telegram,
+            target=resolve_target(ctx.file.target),
+        ),
+        printed=Printed(
+            title=ctx.file.title,
+            drawing=placed.drawing,
+            anchors=placed.anchors,
+            title_block=title_block(ctx),
+            labels={n: b.label for n, b in ctx.file.boundaries.items() if b.label},
+        ),
     )
 
 

@@ -138,19 +138,19 @@ def _way_metres(ctx: Context, name: str, i: int, way: OverlapWaySpec) -> float |
 def with_releases(ctx: Context, layout: Layout) -> Layout:
     """The layout with the times of its own after which overlaps are released (R4)."""
     found = []
-    for o in layout.overlaps:
+    for o in layout.overlaps.all:
         spec = ctx.file.overlaps.get(o.signal)
         if spec is not None and spec.release is not None:
             found.append((o.signal, spec.release))
         elif spec is not None and spec.release_by_length:
             found.append((o.signal, _by_length(layout, o.signal)))
-    return replace(layout, overlap_releases=tuple(found)) if found else layout
+    return replace(layout, overlaps=replace(layout.overlaps, releases=tuple(found))) if found else layout
 
 
 def _by_length(layout: Layout, g: SignalId) -> float:
-    signal, topo = layout.signal[g], topology(layout)
-    before = topo.beyond(layout.section_of(signal.into), signal.node)
+    signal, topo = layout.signalling.signal[g], topology(layout)
+    before = topo.beyond(layout.track.section_of(signal.into), signal.node)
     assert before is not None  # the signal stands inside the layout
     metres = max((t.length for t in topo.traversals[before] if t.exit == signal.node), default=0.0)
-    kmh = layout.section[before].speed or layout.principles.line_speed_kmh
+    kmh = layout.track.section[before].speed or layout.principles.line_speed_kmh
     return stand_s(metres, kmh, needs(layout).stand[g])

@@ -158,24 +158,24 @@ def _wires(layout: Layout, controller: Controller) -> Iterator[tuple[str, str, s
     for m in layout.machines:
         for x in Position:
             yield names.DRIVE(m, x), "Q", m
-    for signal in layout.signals:
+    for signal in layout.signalling.signals:
         for lit in _LAMPS:
             if (lamp := lit(signal.id)) in outputs:
                 yield lamp, "Q", signal.id
         for (g, _), name in sym.aspects.speed.items():
             if g == signal.id:
                 yield name, "Q", g
-    for distant in layout.distants:
+    for distant in layout.signalling.distants:
         for lit in (names.DISTANT_CAUTION, names.DISTANT_CLEAR):
             yield lit(distant.id), "Q", distant.id
 
 
 def _substations(layout: Layout) -> tuple[Substation, ...]:
-    return layout.substations or (Substation("main", ()),)
+    return layout.hardware.substations or (Substation("main", ()),)
 
 
 def _health(layout: Layout) -> tuple[Health, ...]:
-    stated = {h.substation: h for h in layout.health}
+    stated = {h.substation: h for h in layout.hardware.health}
     return tuple(stated.get(s.name, Health(s.name)) for s in _substations(layout))
 
 
@@ -203,7 +203,7 @@ _SIGNS = {
 
 def clashes(layout: Layout, controller: Controller) -> tuple[Clash, ...]:
     """Pins that the layout contradicts: by another substation, by an address, or by what the variable is."""
-    return tuple(_clashes(layout.pins, wires(layout, controller), layout.addresses))
+    return tuple(_clashes(layout.hardware.pins, wires(layout, controller), layout.hardware.addresses))
 
 
 def _clashes(pins: Pins, hanging: tuple[Wire, ...], addresses: tuple[tuple[str, str], ...]) -> Iterator[Clash]:
@@ -243,9 +243,9 @@ def allocate(layout: Layout, controller: Controller) -> Allocation:
     signs = {f"{kind}_{portable(h.substation)}": kind for h in health for kind in _SIGNS}
     for h in health:
         notes |= {f"{k}_{portable(h.substation)}": x.format(h.substation, h.within_ms) for k, x in _SIGNS.items()}
-    for clash in _clashes(layout.pins, hanging, layout.addresses):
+    for clash in _clashes(layout.hardware.pins, hanging, layout.hardware.addresses):
         raise BadAddress(clash.variable, clash.text)
-    room = _Room(layout.pins, hanging, stated)
+    room = _Room(layout.hardware.pins, hanging, stated)
     channels: list[Channel] = []
     for station in _substations(layout):
         for direction in ("I", "Q"):
@@ -334,7 +334,7 @@ def _places(cards: list[Card]) -> Iterator[Place]:
 def _stated(layout: Layout, known: Mapping[str, str]) -> dict[str, Place]:
     """The addresses that the layout states, by variable; `known`: the direction of what has a wire."""
     found = {}
-    for variable, address in layout.addresses:
+    for variable, address in layout.hardware.addresses:
         direction = known.get(variable)
         if direction is None:
             raise BadAddress(variable, f"{variable} is no variable with a wire")

@@ -32,10 +32,10 @@ def reaction_m(rules: Principles, kmh: float) -> float:
 
 def approach(layout: Layout, signal: SignalId) -> Approach:
     """From where a train may come to a signal."""
-    g, rules, topo = layout.signal[signal], layout.principles, topology(layout)
+    g, rules, topo = layout.signalling.signal[signal], layout.principles, topology(layout)
 
     def kmh(section: SectionId) -> float:
-        stated = layout.section[section].speed if section in layout.section else None
+        stated = layout.track.section[section].speed if section in layout.track.section else None
         fastest = rules.line_speed_kmh if stated is None else float(stated)
         return fastest if g.main else min(fastest, rules.shunt_speed_kmh)
 
@@ -43,7 +43,7 @@ def approach(layout: Layout, signal: SignalId) -> Approach:
         v = kmh(section)
         return max(braking_m(rules, v), 0.0 if told_at is None else told_at + reaction_m(rules, v))
 
-    first = layout.section_of(g.into)
+    first = layout.track.section_of(g.into)
     announced = not g.main or rules.caution is Caution.NEVER
     found = _before(layout, topo, metres, first, g.node, 0.0, 0.0, announced, None, frozenset({first}))
     return Approach(None) if found is None else found
@@ -66,7 +66,7 @@ def _before(
     `needed`: the longest distance on the way so far.  `announced`: the first main signal in rear is passed.  `told_at`:
     how far from the signal that one stands, where it stands at `node`.
     """
-    boundary = layout.boundary_at.get(node)
+    boundary = layout.track.boundary_at.get(node)
     if boundary is not None:
         if boundary.kind is BoundaryKind.OUT and len(seen) > 1:
             return None
@@ -79,7 +79,7 @@ def _before(
         return None
     needed = max(needed, metres(s, told_at))
     further = []
-    silent = {None, *layout.identifiers}
+    silent = {None, *layout.signalling.identifiers}
     for t in topo.traversals[s]:
         tells = not announced and topo.main_into.get((t.entry, s)) not in silent
         run = gone + t.length

@@ -51,17 +51,17 @@ def foul_joints(layout: Layout) -> tuple[FoulJoint, ...]:
     """Every foul joint, ordered by point and leg, then by diamond and arm."""
     found: list[FoulJoint] = []
     margin = layout.principles.clearance_m
-    for p in layout.points:
-        home = layout.section_of(p.toe)
+    for p in layout.pointwork.points:
+        home = layout.track.section_of(p.toe)
         for leg in Position:
             walk = _Walk(layout, p.id, leg, home, p.node, p.fouling + margin)
             found += walk.along(p.leg(leg), p.node, 0.0, home)
-    for c in layout.crossings:
+    for c in layout.pointwork.crossings:
         for arm, edges in enumerate(c.arms):
-            across = layout.section_of(c.arms[1 - arm][0])
+            across = layout.track.section_of(c.arms[1 - arm][0])
             walk = _Walk(layout, c.id, arm, across, c.node, layout.principles.fouling_m + margin)
             for e in edges:
-                found += walk.along(e, c.node, 0.0, layout.section_of(e))
+                found += walk.along(e, c.node, 0.0, layout.track.section_of(e))
     return tuple(found)
 
 
@@ -79,13 +79,13 @@ class _Walk:
     def along(self, edge: EdgeId, node: NodeId, gone: float, home: SectionId) -> list[FoulJoint]:
         """`home`: the section in which the point or arm lies; within it and the fouled one there is no joint."""
         layout = self.layout
-        far = layout.far(edge, node)
-        gone += layout.edge[edge].length
+        far = layout.track.far(edge, node)
+        gone += layout.track.edge[edge].length
         if gone >= self.needed or far == self.start:
             return []
         out = []
         for e in layout.onward(edge, far):
-            if e.section not in (home, self.section, layout.section_of(edge)):
+            if e.section not in (home, self.section, layout.track.section_of(edge)):
                 when = _decider(layout, e.id, far)
                 out.append(FoulJoint(self.element, self.side, self.section, e.section, far, gone, self.needed, when))
             out.extend(self.along(e.id, far, gone, home))
@@ -94,18 +94,18 @@ class _Walk:
 
 def _decider(layout: Layout, edge: EdgeId, node: NodeId) -> tuple[MachineId, Position] | None:
     """The first point in the neighbour, if its leg leads to the joint."""
-    section = layout.section_of(edge)
+    section = layout.track.section_of(edge)
     seen = {node}
     while True:
-        node = layout.far(edge, node)
-        if node in seen or node in layout.crossing_at:
+        node = layout.track.far(edge, node)
+        if node in seen or node in layout.pointwork.crossing_at:
             return None
         seen.add(node)
-        point = layout.point_at.get(node)
+        point = layout.pointwork.point_at.get(node)
         if point is not None:
             position = point.position_of(edge)
             return None if position is None else (point.machine, position)
-        onward = [e.id for e in layout.edges_at[node] if e.id != edge and e.section == section]
+        onward = [e.id for e in layout.track.edges_at[node] if e.id != edge and e.section == section]
         if len(onward) != 1:
             return None
         edge = onward[0]

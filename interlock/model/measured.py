@@ -54,16 +54,19 @@ class Measured:
 def measured(layout: Layout) -> Measured:
     """What a proof reads of a layout's lengths."""
     margin = layout.principles.clearance_m
-    starts = [(p.node, e, p.fouling + margin) for p in layout.points for e in (p.normal, p.reverse)]
+    starts = [(p.node, e, p.fouling + margin) for p in layout.pointwork.points for e in (p.normal, p.reverse)]
     starts += [
-        (c.node, e, layout.principles.fouling_m + margin) for c in layout.crossings for arm in c.arms for e in arm
+        (c.node, e, layout.principles.fouling_m + margin)
+        for c in layout.pointwork.crossings
+        for arm in c.arms
+        for e in arm
     ]
     beyond = {
         (node, edge): _beyond(layout, edge, node, 0.0, needed, frozenset({node})) for node, edge, needed in starts
     }
     overlaps = {
         g.id: tuple(tuple(t.key for t in ways) for ways in paths)
-        for g in layout.signals
+        for g in layout.signalling.signals
         if (paths := overlap_paths(layout, g.id))
     }
     apart = {
@@ -72,25 +75,25 @@ def measured(layout: Layout) -> Measured:
         if (known := told_apart(layout, g))
     }
     fouls = tuple(replace(f, distance=0.0, needed=0.0) for f in foul_joints(layout))
-    approaches = {g.id: approach(layout, g.id) for g in layout.signals}
+    approaches = {g.id: approach(layout, g.id) for g in layout.signalling.signals}
     return Measured(overlaps, apart, fouls, needs(layout), beyond, approaches)
 
 
 def _beyond(layout: Layout, edge: EdgeId, node: NodeId, gone: float, needed: float, seen: frozenset[NodeId]) -> Beyond:
     """`gone`: metres from the place to `node`; `needed`: how far away a vehicle must stand."""
-    e = layout.edge[edge]
+    e = layout.track.edge[edge]
     if e.one_way and e.a == node:
         return Beyond(e.section, one_way=True)
-    far = layout.far(edge, node)
+    far = layout.track.far(edge, node)
     gone += e.length
-    if far in seen or far in layout.buffer_at:
+    if far in seen or far in layout.track.buffer_at:
         return Beyond(e.section, closed=True)
-    facing = layout.signal_facing.get((far, edge))
+    facing = layout.signalling.facing.get((far, edge))
     signal = facing.id if facing is not None and gone >= needed else None
-    boundary = layout.boundary_at.get(far)
+    boundary = layout.track.boundary_at.get(far)
     if signal is not None or boundary is not None:
         return Beyond(e.section, signal=signal, boundary=boundary.kind if boundary is not None else None)
-    point, crossing, trailed = layout.point_at.get(far), layout.crossing_at.get(far), None
+    point, crossing, trailed = layout.pointwork.point_at.get(far), layout.pointwork.crossing_at.get(far), None
     if point is not None:
         position = point.position_of(edge)
         ways = [point.normal, point.reverse] if position is None else [point.toe]
@@ -98,6 +101,6 @@ def _beyond(layout: Layout, edge: EdgeId, node: NodeId, gone: float, needed: flo
     elif crossing is not None:
         ways = [b if edge == a else a for a, b in crossing.arms if edge in (a, b)]
     else:
-        ways = [x.id for x in layout.edges_at[far] if x.id != edge]
+        ways = [x.id for x in layout.track.edges_at[far] if x.id != edge]
     onward = tuple(_beyond(layout, x, far, gone, needed, seen | {far}) for x in ways)
     return Beyond(e.section, trailed=trailed, onward=onward)

@@ -57,20 +57,20 @@ def passages(layout: Layout) -> Iterator[Passage]:
     """The fastest passage of each section that is reported, approaches too; none over a way that ends at a buffer."""
     line = layout.principles.line_speed_kmh
     for s, ways in topology(layout).traversals.items():
-        through = [t for t in ways if not {t.entry, t.exit} & layout.buffer_at.keys()]
-        if s not in layout.undetected and through:
+        through = [t for t in ways if not {t.entry, t.exit} & layout.track.buffer_at.keys()]
+        if s not in layout.track.undetected and through:
             yield min((_passage(layout, t, line) for t in through), key=lambda x: x.seconds)
-    for b in layout.boundaries:
+    for b in layout.track.boundaries:
         if b.approach is not None and b.kind is not BoundaryKind.OUT:
             yield Passage(b.approach, b.approach_m, line)
 
 
 def _passage(layout: Layout, t: Traversal, line: float) -> Passage:
     """At the section's speed, or at that of reversed points where it is lower."""
-    own = layout.section[t.section].speed if t.section in layout.section else None
-    over = [layout.point[p].speed for p, x in t.points if x is Position.REVERSE]
+    own = layout.track.section[t.section].speed if t.section in layout.track.section else None
+    over = [layout.pointwork.point[p].speed for p, x in t.points if x is Position.REVERSE]
     kmh = min([line if own is None else float(own), *(float(v) for v in over if v is not None)])
-    return Passage(t.section, sum(layout.edge[e].length for e in t.edges), kmh)
+    return Passage(t.section, sum(layout.track.edge[e].length for e in t.edges), kmh)
 
 
 def halt_ms(rules: Principles, kmh: float) -> int:
@@ -83,13 +83,15 @@ def needs(layout: Layout) -> Needs:
     rules = layout.principles
 
     def speed(section: SectionId | None) -> float:
-        stated = layout.section[section].speed if section is not None and section in layout.section else None
+        stated = (
+            layout.track.section[section].speed if section is not None and section in layout.track.section else None
+        )
         return rules.line_speed_kmh if stated is None else float(stated)
 
     before: dict[SignalId, SectionId | None] = {}
-    for g in layout.signals:
-        boundary = layout.boundary_at.get(g.node)
-        rear = [layout.section_of(e.id) for e in layout.edges_at[g.node] if e.id != g.into]
+    for g in layout.signalling.signals:
+        boundary = layout.track.boundary_at.get(g.node)
+        rear = [layout.track.section_of(e.id) for e in layout.track.edges_at[g.node] if e.id != g.into]
         before[g.id] = boundary.approach if boundary is not None else (rear[0] if rear else None)
     at = {g: halt_ms(rules, speed(s)) for g, s in before.items()}
     return Needs(
@@ -99,7 +101,7 @@ def needs(layout: Layout) -> Needs:
         agreed=round(1000 * rules.token_agreed_s),
         run=round(1000 * rules.point_run_s),
         restart=_restart(layout),
-        swings=frozenset(o.signal for o in layout.overlaps if o.swing and _turns_in_time(layout, o.signal, speed)),
+        swings=frozenset(o.signal for o in layout.overlaps.all if o.swing and _turns_in_time(layout, o.signal, speed)),
     )
 
 
@@ -117,12 +119,12 @@ def _restart(layout: Layout) -> int:
             ahead = topo.beyond(t.section, t.exit)
             on = ahead is not None and (t.exit, ahead) not in topo.main_into
             further = topo.through(ahead, t.exit) if on and ahead is not None else ()
-            own = sum(layout.edge[e].length for e in t.edges)
+            own = sum(layout.track.edge[e].length for e in t.edges)
             found = known[t.key] = own + max(map(to_signal, further), default=0.0)
         return found
 
     metres = max((to_signal(t) for s in topo.sections for t in topo.traversals[s]), default=0.0)
-    fastest = max([rules.line_speed_kmh, *(float(s.speed) for s in layout.sections if s.speed is not None)])
+    fastest = max([rules.line_speed_kmh, *(float(s.speed) for s in layout.track.sections if s.speed is not None)])
     return halt_ms(rules, fastest) + round(1000 * metres / (rules.line_speed_kmh / 3.6 / 2))
 
 
@@ -131,11 +133,11 @@ def _turns_in_time(layout: Layout, g: SignalId, speed: Callable[[SectionId], flo
 
     With `point_start_gap_s` a machine may wait for others to start, and begin to turn before a train that has come in.
     """
-    rules, signal, topo = layout.principles, layout.signal[g], topology(layout)
+    rules, signal, topo = layout.principles, layout.signalling.signal[g], topology(layout)
     if rules.point_start_gap_s > 0:
         return False
-    before = topo.beyond(layout.section_of(signal.into), signal.node)
+    before = topo.beyond(layout.track.section_of(signal.into), signal.node)
     ways = [] if before is None else [t for t in topo.traversals[before] if t.exit == signal.node]
-    metres = min((sum(layout.edge[e].length for e in t.edges) for t in ways), default=0.0)
+    metres = min((sum(layout.track.edge[e].length for e in t.edges) for t in ways), default=0.0)
     turning = rules.output_delay_s + longest_supervision_s(layout)
     return before is not None and metres / (speed(before) / 3.6) >= turning

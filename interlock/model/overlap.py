@@ -38,7 +38,7 @@ def overlap_paths(layout: Layout, signal: SignalId) -> tuple[tuple[Traversal, ..
     Where two alternatives of different length come together, the one that is long enough goes on as far as the other:
     nobody knows over which of them a train came that has overrun the signal.  One that is told apart does not go on.
     """
-    if layout.overlap_of.get(signal, 0.0) <= 0:
+    if layout.overlaps.length.get(signal, 0.0) <= 0:
         return ()
     plain = _found(layout, signal)
     steps = frozenset((a.section, a.exit, b.section) for ways in plain for a, b in pairwise(ways))
@@ -54,7 +54,7 @@ def inside_others(layout: Layout, signal: SignalId) -> list[tuple[Ways, Ways]]:
 
     But for those that are told apart, they are held with the longer one.
     """
-    plain = _found(layout, signal) if layout.overlap_of.get(signal, 0.0) > 0 else []
+    plain = _found(layout, signal) if layout.overlaps.length.get(signal, 0.0) > 0 else []
     return [(a, b) for a in plain for b in plain if b[: len(a)] == a and len(b) > len(a)]
 
 
@@ -65,7 +65,7 @@ def covered(layout: Layout, signal: SignalId) -> list[tuple[Ways, Ways]]:
     counts = [own_way(layout, signal, p) for p in paths]
     if not counts or counts[0] is None or any(w is not counts[0] for w in counts):
         return []
-    own = _search(layout, signal, layout.overlap_of[signal], frozenset(), ())
+    own = _search(layout, signal, layout.overlaps.length[signal], frozenset(), ())
     return [(a, b) for a in own if _agrees(layout, a) for b in paths if len(b) < len(a) and a[: len(b)] == b]
 
 
@@ -77,7 +77,7 @@ def told_apart(layout: Layout, signal: SignalId) -> dict[Ways, int]:
     Each longer one is for a higher speed, and no other alternative comes to the sections of the short one on another
     way, over which fewer metres might lead to its end.
     """
-    plain = _found(layout, signal) if layout.overlap_of.get(signal, 0.0) > 0 else []
+    plain = _found(layout, signal) if layout.overlaps.length.get(signal, 0.0) > 0 else []
     found = {}
     for a, longer in ((a, [b for x, b in inside_others(layout, signal) if x == a]) for a in plain):
         kmh, others = entry_speed(layout, signal, a), [entry_speed(layout, signal, b) for b in longer]
@@ -96,13 +96,13 @@ def _apart_or_along(a: Ways, b: Ways) -> bool:
 def own_way(layout: Layout, signal: SignalId, ways: Iterable[Traversal]) -> OverlapWay | None:
     """What the layout states of an alternative, if it states anything of it."""
     over = {t.section for t in ways}
-    return next((w for w in layout.overlap_ways if w.signal == signal and over.issuperset(w.over)), None)
+    return next((w for w in layout.overlaps.ways if w.signal == signal and over.issuperset(w.over)), None)
 
 
 def entry_speed(layout: Layout, signal: SignalId, ways: Iterable[Traversal]) -> int | None:
     """The highest speed (km/h) shown to a train for which an alternative of a signal's overlap is held; None: any."""
     own = own_way(layout, signal, ways)
-    return dict(layout.entry_speeds).get(signal) if own is None else own.entry
+    return dict(layout.overlaps.entry_speeds).get(signal) if own is None else own.entry
 
 
 def route_speed(layout: Layout, ways: Iterable[Traversal], signal: str, overlap: Sequence[Traversal]) -> int | None:
@@ -118,7 +118,10 @@ def _found(
     layout: Layout, signal: SignalId, steps: Steps = frozenset(), apart: frozenset[Ways] = frozenset()
 ) -> list[Ways]:
     """The alternatives, each as long as it must be; `apart`: those that do not go on with others."""
-    lengths = [(None, layout.overlap_of[signal]), *((w, w.length) for w in layout.overlap_ways if w.signal == signal)]
+    lengths = [
+        (None, layout.overlaps.length[signal]),
+        *((w, w.length) for w in layout.overlaps.ways if w.signal == signal),
+    ]
     return [
         ways
         for own, length in lengths
@@ -129,12 +132,12 @@ def _found(
 
 def _search(layout: Layout, signal: SignalId, length: float, steps: Steps, apart: Collection[Ways]) -> list[Ways]:
     """Paths that are long enough and do not end where one of the steps goes on, but for those that are told apart."""
-    g = layout.signal[signal]
+    g = layout.signalling.signal[signal]
     topo = topology(layout)
-    barred: set[str] = {x for h, x in layout.overlap_bars if h == signal}
+    barred: set[str] = {x for h, x in layout.overlaps.bars if h == signal}
     found: list[tuple[Traversal, ...]] = []
     todo: list[tuple[tuple[Traversal, ...], float]] = [
-        ((t,), t.length) for t in topo.through(layout.section_of(g.into), g.node)
+        ((t,), t.length) for t in topo.through(layout.track.section_of(g.into), g.node)
     ]
     while todo:
         ways, gone = todo.pop()
@@ -153,7 +156,7 @@ def _search(layout: Layout, signal: SignalId, length: float, steps: Steps, apart
 
 def _agrees(layout: Layout, ways: tuple[Traversal, ...]) -> bool:
     wanted: dict[str, Position] = {}
-    return all(wanted.setdefault(layout.point[p].machine, x) is x for t in ways for p, x in t.points)
+    return all(wanted.setdefault(layout.pointwork.point[p].machine, x) is x for t in ways for p, x in t.points)
 
 
 def _reversed(ways: tuple[Traversal, ...]) -> int:

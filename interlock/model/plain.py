@@ -43,42 +43,42 @@ class Plains:
 
     def __init__(self, layout: Layout) -> None:
         self.layout = layout
-        pointed = {e.section for e in layout.edges for n in (e.a, e.b) if self.special(n) and not self.ended(n)}
+        pointed = {e.section for e in layout.track.edges for n in (e.a, e.b) if self.special(n) and not self.ended(n)}
         self.all: list[Plain] = []
         self.of: dict[EdgeId, Plain] = {}
         """The stretch of each edge."""
         self.by_id: dict[int, Plain] = {}
-        for first in sorted(layout.edges_at):
+        for first in sorted(layout.track.edges_at):
             if self.special(first):
-                for e in layout.edges_at[first]:
+                for e in layout.track.edges_at[first]:
                     if e.id not in self.of:
                         self._add(first, e, pointed)
-        for e in layout.edges:  # closed rings
+        for e in layout.track.edges:  # closed rings
             if e.id not in self.of:
                 self._add(e.a, e, pointed)
         self.signals: dict[int, list[tuple[Signal, bool]]] = {}
         """The signals on each stretch, and whether they look forward."""
-        for g in layout.signals:
+        for g in layout.signalling.signals:
             p = self.of[g.into]
             self.signals.setdefault(id(p), []).append((g, self._forward(p, g)))
 
     def special(self, node: NodeId) -> bool:
         """Whether plain track ends at a node."""
-        return self.ended(node) or node in self.layout.point_at or node in self.layout.crossing_at
+        return self.ended(node) or node in self.layout.pointwork.point_at or node in self.layout.pointwork.crossing_at
 
     def ended(self, node: NodeId) -> bool:
         """Whether the track ends there, or the layout."""
-        return node in self.layout.boundary_at or node in self.layout.buffer_at
+        return node in self.layout.track.boundary_at or node in self.layout.track.buffer_at
 
     def pointed(self, node: NodeId) -> bool:
         """Whether points or a diamond lie at a node."""
-        return node in self.layout.point_at or node in self.layout.crossing_at
+        return node in self.layout.pointwork.point_at or node in self.layout.pointwork.crossing_at
 
     def _add(self, first: NodeId, e: Edge, pointed: set[SectionId]) -> None:
         nodes, edges = [first], [e]
         while True:
-            nodes.append(self.layout.far(edges[-1].id, nodes[-1]))
-            onward = [x for x in self.layout.edges_at[nodes[-1]] if x.id != edges[-1].id]
+            nodes.append(self.layout.track.far(edges[-1].id, nodes[-1]))
+            onward = [x for x in self.layout.track.edges_at[nodes[-1]] if x.id != edges[-1].id]
             if self.special(nodes[-1]) or len(onward) != 1 or onward[0] in edges:
                 break
             edges.append(onward[0])
@@ -117,10 +117,10 @@ class Plains:
         far = p.end(forward)
         if not g.main or not p.sections or self.behind_points(g) is None:
             return False
-        at = {x.id for x in self.layout.signals if x.node == g.node}
+        at = {x.id for x in self.layout.signalling.signals if x.node == g.node}
         if at != {g.id}:
             return False
-        boundary, buffer = self.layout.boundary_at.get(far), self.layout.buffer_at.get(far)
+        boundary, buffer = self.layout.track.boundary_at.get(far), self.layout.track.buffer_at.get(far)
         nothing = boundary is not None and boundary.kind is BoundaryKind.OUT
         nothing = nothing or (buffer is not None and buffer.kind is not BufferKind.STOP)
         return p.runs(not forward) and not nothing and self._leads_out(g)
@@ -130,7 +130,7 @@ class Plains:
         todo, seen = [(g.node, g.into)], set[tuple[NodeId, EdgeId]]()
         while todo:
             node, arriving = todo.pop()
-            boundary, buffer = self.layout.boundary_at.get(node), self.layout.buffer_at.get(node)
+            boundary, buffer = self.layout.track.boundary_at.get(node), self.layout.track.buffer_at.get(node)
             if boundary is not None or buffer is not None:
                 if boundary is not None and boundary.kind is not BoundaryKind.IN:
                     return True
@@ -138,7 +138,7 @@ class Plains:
                     return True
                 continue
             for e in onward_edges(self.layout, node, arriving):
-                ahead = self.layout.far(e, node), e
+                ahead = self.layout.track.far(e, node), e
                 if ahead not in seen:
                     seen.add(ahead)
                     todo.append(ahead)

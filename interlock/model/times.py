@@ -8,21 +8,21 @@ from interlock.model.layout import Layout
 
 def supervision_s(layout: Layout, machine: MachineId) -> float:
     """Seconds after which the machine, commanded and not detected, raises an alarm (R10)."""
-    return dict(layout.supervision).get(machine, layout.principles.point_supervision_s)
+    return dict(layout.pointwork.supervision).get(machine, layout.principles.point_supervision_s)
 
 
 def longest_supervision_s(layout: Layout) -> float:
     """For as long any machine may turn before an alarm."""
-    return max([layout.principles.point_supervision_s, *(s for _, s in layout.supervision)])
+    return max([layout.principles.point_supervision_s, *(s for _, s in layout.pointwork.supervision)])
 
 
 def approach_release_s(layout: Layout, signal: SignalId) -> float:
     """Seconds for which the routes of a signal are held after a cancellation: one time for a signal (R8)."""
-    g, p = layout.signal[signal], layout.principles
+    g, p = layout.signalling.signal[signal], layout.principles
     rules = max(p.approach_release_s if g.main else 0.0, p.shunt_release_s if g.shunt else 0.0)
-    return dict(layout.signal_releases).get(signal, rules)
+    return dict(layout.signalling.releases).get(signal, rules)
 
 
 def overlap_release_s(layout: Layout, signal: SignalId) -> float:
     """Seconds for which a train must have been before a signal until its overlap is released (R4)."""
-    return dict(layout.overlap_releases).get(signal, layout.principles.overlap_release_s)
+    return dict(layout.overlaps.releases).get(signal, layout.principles.overlap_release_s)

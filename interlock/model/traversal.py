@@ -54,12 +54,14 @@ class Topology:
         self.layout = layout
         self.ends: dict[SectionId, tuple[NodeId, ...]] = {}
         self._edges_of: dict[SectionId, list[EdgeId]] = {}
-        for e in layout.edges:
+        for e in layout.track.edges:
             self._edges_of.setdefault(e.section, []).append(e.id)
         self.sections: tuple[SectionId, ...] = tuple(s for s in sorted(self._edges_of))
         self._touch: dict[NodeId, list[SectionId]] = {}
         for s in self.sections:
-            nodes = dict.fromkeys(n for eid in self._edges_of[s] for n in (layout.edge[eid].a, layout.edge[eid].b))
+            nodes = dict.fromkeys(
+                n for eid in self._edges_of[s] for n in (layout.track.edge[eid].a, layout.track.edge[eid].b)
+            )
             self.ends[s] = tuple(sorted(n for n in nodes if self._is_end(n)))
             for n in self.ends[s]:
                 self._touch.setdefault(n, []).append(s)
@@ -67,14 +69,14 @@ class Topology:
             s: tuple(self._walk_section(s)) for s in self.sections
         }
         self.signal_into: dict[tuple[NodeId, SectionId], SignalId] = {
-            (g.node, layout.section_of(g.into)): g.id for g in layout.signals
+            (g.node, layout.track.section_of(g.into)): g.id for g in layout.signalling.signals
         }
-        self.main_into = {k: g for k, g in self.signal_into.items() if layout.signal[g].main}
-        self.shunt_into = {k: g for k, g in self.signal_into.items() if layout.signal[g].shunt}
+        self.main_into = {k: g for k, g in self.signal_into.items() if layout.signalling.signal[g].main}
+        self.shunt_into = {k: g for k, g in self.signal_into.items() if layout.signalling.signal[g].shunt}
         self.standing: frozenset[SectionId] = frozenset(s for s in self.sections if self._is_standing(s))
         """Where vehicles may be left standing, so that a signal at the end is closed by the first axle (R2, R3)."""
-        under = {s for d in layout.devices for s in d.over}
-        self.berths: frozenset[SectionId] = self.standing - under - set(layout.no_berths)
+        under = {s for d in layout.signalling.devices for s in d.over}
+        self.berths: frozenset[SectionId] = self.standing - under - set(layout.declared.no_berths)
         """Where shunting movements end and may find vehicles: not under a door, on a bridge, or over a crossing, nor
         where the layout says no."""
         self.turning: frozenset[SectionId] = self.standing - under - self.berths
@@ -82,11 +84,11 @@ class Topology:
 
     def _is_end(self, node: NodeId) -> bool:
         """Whether sections end at this node."""
-        if node in self.layout.boundary_at or node in self.layout.buffer_at:
+        if node in self.layout.track.boundary_at or node in self.layout.track.buffer_at:
             return True
-        if node in self.layout.point_at or node in self.layout.crossing_at:
+        if node in self.layout.pointwork.point_at or node in self.layout.pointwork.crossing_at:
             return False
-        return len({e.section for e in self.layout.edges_at[node]}) > 1
+        return len({e.section for e in self.layout.track.edges_at[node]}) > 1
 
     def signals_out(self, section: SectionId) -> tuple[SignalId, ...]:
         """The signals that govern leaving a section over its joints."""
@@ -99,7 +101,7 @@ class Topology:
             return False
         joints = [n for n in self.ends[section] if self.beyond(section, n) is not None]
         out = self.signals_out(section)
-        return len(out) == len(joints) and any(self.layout.signal[g].shunt for g in out)
+        return len(out) == len(joints) and any(self.layout.signalling.signal[g].shunt for g in out)
 
     def beyond(self, section: SectionId, node: NodeId) -> SectionId | None:
         """The neighbour across an end, or None at a boundary or buffer."""
@@ -134,11 +136,11 @@ class Topology:
 
         def go(node: NodeId, path: list[EdgeId], start: NodeId, seen: frozenset[NodeId]) -> None:
             edge = path[-1]
-            e = layout.edge[edge]
+            e = layout.track.edge[edge]
             if e.one_way and e.a != node:
                 return
-            nxt = layout.far(edge, node)
-            if nxt in layout.buffer_at and layout.buffer_at[nxt].kind is BufferKind.DERAIL:
+            nxt = layout.track.far(edge, node)
+            if nxt in layout.track.buffer_at and layout.track.buffer_at[nxt].kind is BufferKind.DERAIL:
                 return  # off the rails: no way at all
             if self._is_end(nxt):
                 found.append((start, nxt, tuple(path)))
@@ -150,7 +152,7 @@ class Topology:
                     go(nxt, [*path, onward], start, seen | {nxt})
 
         for start in self.ends[section]:
-            for e in layout.edges_at[start]:
+            for e in layout.track.edges_at[start]:
                 if e.id in mine:
                     go(start, [e.id], start, frozenset({start}))
         return [self._traversal(section, i, a, b, path) for i, (a, b, path) in enumerate(sorted(found), start=1)]
@@ -161,17 +163,17 @@ class Topology:
         crossings: list[tuple[CrossingId, int]] = []
         node = a
         for here, onward in itertools.pairwise(path):
-            node = layout.far(here, node)
-            point = layout.point_at.get(node)
+            node = layout.track.far(here, node)
+            point = layout.pointwork.point_at.get(node)
             if point is not None:
                 leg = here if onward == point.toe else onward
                 position = point.position_of(leg)
                 assert position is not None
                 points.append((point.id, position))
-            crossing = layout.crossing_at.get(node)
+            crossing = layout.pointwork.crossing_at.get(node)
             if crossing is not None:
                 crossings.append((crossing.id, 0 if here in crossing.arms[0] else 1))
-        length = sum(layout.edge[e].length for e in path)
+        length = sum(layout.track.edge[e].length for e in path)
         return Traversal(section, number, a, b, tuple(points), tuple(crossings), path, length)
 
 
@@ -180,10 +182,10 @@ def onward_edges(layout: Layout, node: NodeId, arriving: EdgeId) -> tuple[EdgeId
 
     Over a point: from the toe to either leg, from a leg to the toe.  Over a diamond: straight on.
     """
-    point = layout.point_at.get(node)
+    point = layout.pointwork.point_at.get(node)
     if point is not None:
         return (point.normal, point.reverse) if arriving == point.toe else (point.toe,)
-    crossing = layout.crossing_at.get(node)
+    crossing = layout.pointwork.crossing_at.get(node)
     if crossing is not None:
         for a, b in crossing.arms:
             if arriving == a:
@@ -191,12 +193,12 @@ def onward_edges(layout: Layout, node: NodeId, arriving: EdgeId) -> tuple[EdgeId
             if arriving == b:
                 return (a,)
         return ()
-    return tuple(e.id for e in layout.edges_at[node] if e.id != arriving)
+    return tuple(e.id for e in layout.track.edges_at[node] if e.id != arriving)
 
 
 def zone_joints(topo: Topology, z: Zone) -> list[tuple[SectionId, NodeId]]:
     """Where trains come into a zone: each section of it with an end beyond which the zone does not lie."""
-    ends = [(s, j) for s in z.sections for j in topo.ends[s] if j not in topo.layout.buffer_at]
+    ends = [(s, j) for s in z.sections for j in topo.ends[s] if j not in topo.layout.track.buffer_at]
     return [(s, j) for s, j in ends if topo.beyond(s, j) not in z.sections]
 
 
@@ -208,6 +210,6 @@ def topology(layout: Layout) -> Topology:
 
 def path_speed(layout: Layout, ways: Iterable[Traversal]) -> int | None:
     """The lowest speed in km/h that the layout states along a path; None where it states none (R11)."""
-    found = [layout.section[t.section].speed for t in ways]
-    found += [layout.point[p].speed for t in ways for p, x in t.points if x is Position.REVERSE]
+    found = [layout.track.section[t.section].speed for t in ways]
+    found += [layout.pointwork.point[p].speed for t in ways for p, x in t.points if x is Position.REVERSE]
     return min((v for v in found if v is not None), default=None)

@@ -61,7 +61,7 @@ class Faults:
     def lamp_inputs(self) -> dict[str, dict[str, str]]:
         """By signal: the inputs that report its lamps."""
         out: dict[str, dict[str, str]] = {}
-        for g in self._world.layout.signals:
+        for g in self._world.layout.signalling.signals:
             for what, prefix in (("stop", "RL_"), ("clear", "GL_"), ("caution", "CL_"), ("identifier", "NL_")):
                 if (name := f"{prefix}{portable(g.id)}") in self._world.reports.inputs:
                     out.setdefault(str(g.id), {})[what] = name

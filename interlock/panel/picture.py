@@ -24,7 +24,8 @@ from interlock.model.traversal import topology
 from interlock.panel.simulated import SimulatedField
 from interlock.simulate.track import Beyond
 from interlock.simulate.world import World
-from interlock.table.rows import ExitKind, InterlockingTable, RouteRow
+from interlock.table.cells import ExitKind
+from interlock.table.rows import InterlockingTable, RouteRow
 
 Shown = dict[str, Any]
 
@@ -35,17 +36,17 @@ def still(ready: Ready, field: SimulatedField | None) -> dict[str, Any]:
     assert layout is not None and table is not None and controller is not None and ready.allocation is not None
     drawing = place(layout)
     topo, y = topology(layout), controller.symbols
-    edges = {str(e.id): [e.length, int(drawing.edges[e.id][0] == drawing.at[e.a])] for e in layout.edges}
+    edges = {str(e.id): [e.length, int(drawing.edges[e.id][0] == drawing.at[e.a])] for e in layout.track.edges}
     ways = {
         str(s): {k: [str(e) for e in topo.traversals[s][k - 1].edges] for k, _ in y.sections.locks_of.get(s, [])}
         for s in y.sections.restart
     }
     return {
         "name": layout.name,
-        "title": layout.title or layout.name,
+        "title": layout.printed.title or layout.name,
         "plan": plan_svg(layout, drawing),
         "edges": edges,
-        "sections": {str(s.id): _section(layout, ways, str(s.id)) for s in layout.sections},
+        "sections": {str(s.id): _section(layout, ways, str(s.id)) for s in layout.track.sections},
         "machines": _machines(layout, controller),
         "signals": _signals(layout, controller, table),
         "routes": [_route(r, table) for r in table.routes],
@@ -53,9 +54,9 @@ def still(ready: Ready, field: SimulatedField | None) -> dict[str, Any]:
             f"{g}.{k}": [str(e) for s, n in over for e in topo.traversals[s][n - 1].edges]
             for (g, k), over in y.overlaps.ways.items()
         },
-        "conditions": {str(c.id): [c.text, y.condition[c.id]] for c in layout.conditions},
-        "zones": [z.id for z in layout.zones],
-        "boundaries": {str(b.node): _boundary(layout, str(b.node)) for b in layout.boundaries},
+        "conditions": {str(c.id): [c.text, y.condition[c.id]] for c in layout.signalling.conditions},
+        "zones": [z.id for z in layout.declared.zones],
+        "boundaries": {str(b.node): _boundary(layout, str(b.node)) for b in layout.track.boundaries},
         "stations": list(ready.allocation.stations),
         "voyages": [v.name for v in table.voyages],
         "swings": [str(g) for g in y.overlaps.swing_request],
@@ -66,13 +67,13 @@ def still(ready: Ready, field: SimulatedField | None) -> dict[str, Any]:
 
 
 def _section(layout: Layout, ways: Mapping[str, Any], s: str) -> dict[str, Any]:
-    one = layout.section[s]  # type: ignore[index]
+    one = layout.track.section[s]  # type: ignore[index]
     return {
-        "edges": [str(e.id) for e in layout.edges if e.section == s],
+        "edges": [str(e.id) for e in layout.track.edges if e.section == s],
         "ways": ways.get(s, {}),
         "approach": one.approach,
         "detected": one.detected,
-        "label": layout.labels.get(s, ""),
+        "label": layout.printed.labels.get(s, ""),
     }
 
 
@@ -97,28 +98,30 @@ def _signals(layout: Layout, controller: Controller, table: InterlockingTable) -
             "entry": g.id in entries,
             "cancel": g.id in controller.symbols.cancellation.cancel,
         }
-        for g in layout.signals
+        for g in layout.signalling.signals
     }
-    found |= {str(d.id): {"kind": "distant", "entry": False, "cancel": False} for d in layout.distants}
+    found |= {str(d.id): {"kind": "distant", "entry": False, "cancel": False} for d in layout.signalling.distants}
     return found
 
 
 def _boundary(layout: Layout, node: str) -> dict[str, Any]:
-    b = layout.boundary_at[node]  # type: ignore[index]
-    return {"label": layout.labels.get(node, node), "comes": str(b.kind) != "out", "approach": b.approach}
+    b = layout.track.boundary_at[node]  # type: ignore[index]
+    return {"label": layout.printed.labels.get(node, node), "comes": str(b.kind) != "out", "approach": b.approach}
 
 
 def _route(r: RouteRow, table: InterlockingTable) -> dict[str, Any]:
     parts = table.parts(r)
     last = parts[-1]
-    kind = {ExitKind.SIGNAL: "signal", ExitKind.BOUNDARY: "boundary", ExitKind.BUFFER: "buffer"}.get(last.exit_kind)
+    kind = {ExitKind.SIGNAL: "signal", ExitKind.BOUNDARY: "boundary", ExitKind.BUFFER: "buffer"}.get(
+        last.path.exit_kind
+    )
     return {
         "id": str(r.id),
         "names": list(r.names),
         "kind": str(r.kind),
         "entry": str(r.entry),
         "exit": [kind or "section", str(last.exit)],
-        "sections": [str(s) for s in dict.fromkeys(s for p in parts for s in p.section_ids)],
+        "sections": [str(s) for s in dict.fromkeys(s for p in parts for s in p.path.section_ids)],
         "automatic": r.id in table.automatic,
     }
 
@@ -212,12 +215,15 @@ class Picture:
             )
             for m in self.layout.machines
         ]
-        self._signals = [_of_signal(y, g.id) for g in self.layout.signals]
+        self._signals = [_of_signal(y, g.id) for g in self.layout.signalling.signals]
         self._distants = [
             (f"g:{d.id}", y.aspects.distant_clear.get(d.id), y.aspects.distant_caution.get(d.id))
-            for d in self.layout.distants
+            for d in self.layout.signalling.distants
         ]
-        self._lamps = [f"g:{g}" for g in (*(x.id for x in self.layout.signals), *(x.id for x in self.layout.distants))]
+        self._lamps = [
+            f"g:{g}"
+            for g in (*(x.id for x in self.layout.signalling.signals), *(x.id for x in self.layout.signalling.distants))
+        ]
         self._routes = {r.number: str(r.id) for r in ready.table.routes}
         self._overlaps = [(f"o:{g}.{k}", n) for (g, k), n in y.overlaps.held.items()]
 
@@ -313,7 +319,7 @@ def trains(f: SimulatedField) -> list[Any]:
             s = track.stretches[d]
             if not s.outside:
                 lo, hi = t.span(track, d)
-                spans.append([str(f.layout.edges[s.edge].id), round(lo, 1), round(hi, 1)])
+                spans.append([str(f.layout.track.edges[s.edge].id), round(lo, 1), round(hi, 1)])
         under = [track.sections[x] for x in t.under.sections]
         head = track.stretches[t.body[-1]]
         way = -1 if t.body[-1] & 1 else 1

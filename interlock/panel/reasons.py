@@ -119,7 +119,7 @@ class Reasons:
 
     @cached_property
     def _conditions(self) -> dict[str, str]:
-        texts = {c.id: c.text for c in self.layout.conditions if c.text}
+        texts = {c.id: c.text for c in self.layout.signalling.conditions if c.text}
         return {n: f": {texts[c]}" for c, n in self.symbols.condition.items() if c in texts}
 
     def locked(self, lock: str, moment: Moment) -> str:

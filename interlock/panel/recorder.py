@@ -81,7 +81,7 @@ class Recorder:
         self._heading = {
             "program": f"interlock {__version__}",
             "layout": ready.layout.name,
-            "title": ready.layout.title or ready.layout.name,
+            "title": ready.layout.printed.title or ready.layout.name,
             "digest": ready.table.layout_digest,
             "plan": plan_svg(ready.layout),
             "views": views(ready),

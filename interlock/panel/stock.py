@@ -158,7 +158,7 @@ class Stock:
             if both[0][1] == both[1][1]:
                 both = [(x, f"{n} ({way})") for (x, n), way in zip(both, ("one way", "the other way"), strict=True)]
             name = track.sections[section]
-            if not layout.section[name].approach:  # type: ignore[index]
+            if not layout.track.section[name].approach:  # type: ignore[index]
                 found[name] = both
         return found
 
@@ -169,9 +169,9 @@ class Stock:
             here = s[d]
             on = here.on if here.facing is None else here.facing[0]
             if on == NONE:
-                edge = self._world.layout.edges[here.edge]
+                edge = self._world.layout.track.edges[here.edge]
                 node = edge.a if d & 1 else edge.b
-                return "the end of the track" if node not in self._world.layout.buffer_at else str(node)
+                return "the end of the track" if node not in self._world.layout.track.buffer_at else str(node)
             if s[on].signal != NONE:
                 return track.signals[s[on].signal]
             if s[on].outside:

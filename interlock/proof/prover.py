@@ -123,7 +123,7 @@ def start_claim(system: System) -> Expr:
     commands = [*sym.machines.command.items(), *sym.machines.drive.items()]
     out: list[Expr] = [neg(var(n)) for (m, x), n in commands if m not in devices or x is Position.NORMAL]
     out += [var(n) for n in sym.aspects.stop.values()]
-    out += [neg(sym.aspects.shows(g.id)) for g in system.layout.signals]
+    out += [neg(sym.aspects.shows(g.id)) for g in system.layout.signalling.signals]
     out += [var(n) for n in sym.sections.restart.values()]
     return conj(out)
 

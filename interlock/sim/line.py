@@ -26,7 +26,7 @@ class Lines:
         self._layout = layout
         self._tokens: list[tuple[NodeId, str, BlockSymbols]] = [
             (b.node, b.approach or names.outside(b.node), symbols.token[b.node])
-            for b in layout.boundaries
+            for b in layout.track.boundaries
             if b.block is BlockKind.TOKEN
         ]
 

@@ -67,8 +67,8 @@ class Rails:
 
     def __init__(self, layout: Layout) -> None:
         self.layout, self.topo = layout, topology(layout)
-        self.machine = {p.id: p.machine for p in layout.points}
-        self.boundary = {b.node: b for b in layout.boundaries}
+        self.machine = {p.id: p.machine for p in layout.pointwork.points}
+        self.boundary = {b.node: b for b in layout.track.boundaries}
 
     def before(self, boundary: str) -> Spot:
         """The place of a train that comes to a boundary.  Raises `KeyError` where none comes in."""
@@ -80,7 +80,7 @@ class Rails:
     def beyond(self, spot: Spot) -> SectionId | None:
         """What lies beyond the joint to which a train runs."""
         if spot.entry == spot.exit and spot.metres == 0:
-            return self.layout.section_of(self.layout.edges_at[spot.exit][0].id)
+            return self.layout.track.section_of(self.layout.track.edges_at[spot.exit][0].id)
         return self.topo.beyond(SectionId(spot.section), spot.exit)
 
     def spot(self, way: Traversal) -> Spot:

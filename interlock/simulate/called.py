@@ -41,7 +41,7 @@ class Called:
         self.at_signal: dict[int, list[str]] = {}
         self.at_exit: dict[int, list[str]] = {}
         goes = {b.name: b.goes for b in t.beyond}
-        for c in layout.conditions:
+        for c in layout.signalling.conditions:
             name = f"E_{portable(str(c.id))}"
             for places, by, number in (
                 (c.over, self.over_section, section),
@@ -51,12 +51,12 @@ class Called:
                 for x in places:
                     by.setdefault(number[str(x)], []).append(name)
         self.devices: dict[int, list[int]] = {}
-        for d in layout.devices:
+        for d in layout.signalling.devices:
             for x in d.over:
                 self.devices.setdefault(section[str(x)], []).append(t.machines.index(str(d.id)))
-        edge = {str(e.id): i for i, e in enumerate(layout.edges)}
-        self.slow = {edge[str(p.reverse)]: p.speed for p in layout.points if p.speed is not None}
-        self.permits = [s.speed for s in layout.sections]
+        edge = {str(e.id): i for i, e in enumerate(layout.track.edges)}
+        self.slow = {edge[str(p.reverse)]: p.speed for p in layout.pointwork.points if p.speed is not None}
+        self.permits = [s.speed for s in layout.track.sections]
 
     def over(self, t: Train, signal: int, shown: Mapping[str, int]) -> None:
         """A driver accepts a signal."""

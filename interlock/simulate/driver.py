@@ -56,7 +56,7 @@ class Drivers:
         """By km/h: the outputs that show it, by signal."""
         self._reaction = rules.reaction_s
         self.three = rules.caution is not Caution.NEVER
-        names = [portable(str(g.id)) for g in layout.signals]
+        names = [portable(str(g.id)) for g in layout.signalling.signals]
         self.lit = [(f"YP_{n}", f"YY_{n}", f"YO_{n}", f"YW_{n}", f"YS_{n}", f"YI_{n}") for n in names]
         self._clear_out = [f"GL_{n}" for n in names]
         self._identifier_out = [f"NL_{n}" for n in names]
@@ -64,20 +64,20 @@ class Drivers:
         line_speed = rules.line_speed_kmh / 3.6
         self._shunt_speed = min(rules.shunt_speed_kmh / 3.6, line_speed)
         self._line_speed = line_speed
-        self.limit = [line_speed if s.speed is None else s.speed / 3.6 for s in layout.sections]
+        self.limit = [line_speed if s.speed is None else s.speed / 3.6 for s in layout.track.sections]
         self.fastest = max([line_speed, *self.limit])
-        entry = dict(layout.entry_speeds)
+        entry = dict(layout.overlaps.entry_speeds)
         section = {s: i for i, s in enumerate(self.track.sections)}
         self._overlaps = [
             [
                 *(
                     Ground(frozenset(section[str(s)] for s in w.over), w.length, w.entry)
-                    for w in layout.overlap_ways
+                    for w in layout.overlaps.ways
                     if w.signal == g.id
                 ),
-                Ground(frozenset(), layout.overlap_of.get(g.id, 0.0), entry.get(g.id)),
+                Ground(frozenset(), layout.overlaps.length.get(g.id, 0.0), entry.get(g.id)),
             ]
-            for g in layout.signals
+            for g in layout.signalling.signals
         ]
         self._view = (self.fastest * self._reaction + self.fastest**2 / (2 * rules.braking_ms2)) * 1.1 + 30.0
 

@@ -77,7 +77,7 @@ class Driving:
         self._lit = [tuple(f"{x}_{portable(g)}" for x in ("YP", "YY", "YO")) for g in track.signals]
         self._open = [False] * len(track.signals)
         self._line_speed = track.layout.principles.line_speed_kmh / 3.6
-        self._limit = [None if s.speed is None else s.speed / 3.6 for s in track.layout.sections]
+        self._limit = [None if s.speed is None else s.speed / 3.6 for s in track.layout.track.sections]
 
     def shown(self, outputs: Mapping[str, int]) -> None:
         """The signals of a scan are seen."""

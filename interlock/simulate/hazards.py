@@ -32,16 +32,16 @@ class Watch:
 
     def __post_init__(self) -> None:
         t, layout = self.track, self.layout
-        number = {str(e.id): i for i, e in enumerate(layout.edges)}
+        number = {str(e.id): i for i, e in enumerate(layout.track.edges)}
         self._machine_nodes: list[list[frozenset[int]]] = [[] for _ in t.machines]
-        for p in layout.points:
+        for p in layout.pointwork.points:
             legs = frozenset(number[str(x)] for x in (p.toe, p.normal, p.reverse))
             self._machine_nodes[t.machines.index(str(p.machine))].append(legs)
         section = {s: i for i, s in enumerate(t.sections)}
         self._devices = [
-            (t.machines.index(str(d.id)), frozenset(section[str(s)] for s in d.over)) for d in layout.devices
+            (t.machines.index(str(d.id)), frozenset(section[str(s)] for s in d.over)) for d in layout.signalling.devices
         ]
-        self.limits = [(z.id, z.trains, frozenset(section[str(s)] for s in z.sections)) for z in layout.zones]
+        self.limits = [(z.id, z.trains, frozenset(section[str(s)] for s in z.sections)) for z in layout.declared.zones]
 
     def tell(self, clock: float, key: str, text: str) -> None:
         """A hazard, once."""
@@ -106,7 +106,7 @@ class Watch:
                 if e >> 1 == d >> 1:
                     low, high = b.span(self.track, e)
                     if lo < high and low < hi:
-                        where = str(self.layout.edges[d >> 1].id)
+                        where = str(self.layout.track.edges[d >> 1].id)
                         text = f"trains {a.number} and {b.number} collide on {where}"
                         self.tell(world.clock, f"collide {a.number} {b.number}", text)
 

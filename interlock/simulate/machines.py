@@ -42,8 +42,10 @@ class Machines:
         self.target = list(self.position)
         self.left = [0.0] * n
         self.names = [portable(m) for m in track.machines]
-        self.hand = [m in {str(p.machine) for p in layout.points if p.work is Work.HAND} for m in track.machines]
-        self._device = [m in {str(d.id) for d in layout.devices} for m in track.machines]
+        self.hand = [
+            m in {str(p.machine) for p in layout.pointwork.points if p.work is Work.HAND} for m in track.machines
+        ]
+        self._device = [m in {str(d.id) for d in layout.signalling.devices} for m in track.machines]
         self._drives = [(f"YN_{n}", f"YR_{n}") for n in self.names]
         self._confirms = [f"TC_{n}" for n in self.names]
         self._alarms = [f"YT_{n}" for n in self.names]

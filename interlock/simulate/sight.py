@@ -20,7 +20,7 @@ class Sight:
 
     def __init__(self, world: Scene) -> None:
         self.world, self.track = world, world.track
-        self.main: list[bool] = [g.main for g in world.track.layout.signals]
+        self.main: list[bool] = [g.main for g in world.track.layout.signalling.signals]
 
     def obeys(self, t: Train, signal: int) -> bool:
         """A train obeys main signals, a shunting movement all."""

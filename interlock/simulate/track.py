@@ -73,25 +73,25 @@ class Track:
     def of(layout: Layout) -> Track:
         """The rails of a layout; an approach section whose length is not stated has 400 m."""
         t = Track(layout)
-        t.sections = [str(s.id) for s in layout.sections]
+        t.sections = [str(s.id) for s in layout.track.sections]
         t.machines = [str(m) for m in layout.machines]
-        t.signals = [str(g.id) for g in layout.signals]
+        t.signals = [str(g.id) for g in layout.signalling.signals]
         section = {s: i for i, s in enumerate(t.sections)}
-        for e in layout.edges:
+        for e in layout.track.edges:
             for _ in (0, 1):
                 t.stretches.append(Stretch(len(t.stretches) // 2, max(e.length, 0.1), section[str(e.section)]))
-        number = {str(e.id): i for i, e in enumerate(layout.edges)}
-        starts = {e.id: (e.a, e.b) for e in layout.edges}
+        number = {str(e.id): i for i, e in enumerate(layout.track.edges)}
+        starts = {e.id: (e.a, e.b) for e in layout.track.edges}
 
         def out_of(edge: str, node: str) -> int:
             """The stretch over an edge that begins at a node."""
             return 2 * number[edge] + (0 if starts[edge][0] == node else 1)  # type: ignore[index]
 
-        for e in layout.edges:
+        for e in layout.track.edges:
             for back, node in ((0, e.b), (1, e.a)):
                 s = t.stretches[2 * number[e.id] + back]
-                point = layout.point_at.get(node)
-                buffer = layout.buffer_at.get(node)
+                point = layout.pointwork.point_at.get(node)
+                buffer = layout.track.buffer_at.get(node)
                 onward = layout.onward(e.id, node)
                 if point is not None:
                     s.machine = t.machines.index(str(point.machine))
@@ -103,9 +103,9 @@ class Track:
                         s.on = out_of(point.toe, node)
                 elif buffer is not None:
                     s.derails = buffer.kind is BufferKind.DERAIL
-                elif node not in layout.boundary_at and onward:
+                elif node not in layout.track.boundary_at and onward:
                     s.on = out_of(onward[0].id, node)
-        t.begins = [out_of(g.into, g.node) for g in layout.signals]
+        t.begins = [out_of(g.into, g.node) for g in layout.signalling.signals]
         for i, d in enumerate(t.begins):
             t.stretches[d].signal = i
         t._lines(section, out_of)
@@ -115,8 +115,8 @@ class Track:
         return t
 
     def _lines(self, section: Mapping[str, int], out_of: Callable[[str, str], int]) -> None:
-        for b in self.layout.boundaries:
-            inside = self.layout.edges_at[b.node][0]
+        for b in self.layout.track.boundaries:
+            inside = self.layout.track.edges_at[b.node][0]
             begins = out_of(inside.id, b.node)
             ends = begins ^ 1
             here = section[str(b.approach)] if b.approach is not None and str(b.approach) in section else NONE
@@ -144,13 +144,13 @@ class Track:
     def _foul(self, number: Mapping[str, int]) -> None:
         """Foul ground: so far from a point along either leg, as stated; likewise from a diamond along its arms."""
         layout = self.layout
-        for p in layout.points:
+        for p in layout.pointwork.points:
             zone = len(self.names_of_zones)
             self.names_of_zones.append(f"point {p.id}")
             if not p.derailer:
                 for side, leg in enumerate((p.normal, p.reverse)):
                     self._walk(number, leg, p.node, p.fouling, zone, side, False, {leg})
-        for c in layout.crossings:
+        for c in layout.pointwork.crossings:
             zone = len(self.names_of_zones)
             self.names_of_zones.append(f"diamond {c.id}")
             for side, arm in enumerate(c.arms):
@@ -168,14 +168,14 @@ class Track:
         diamond: bool,
         seen: set[str],
     ) -> None:
-        e = self.layout.edge[edge]  # type: ignore[index]
+        e = self.layout.track.edge[edge]  # type: ignore[index]
         reach = min(left, e.length)
         lo, hi = (0.0, reach) if e.a == node else (e.length - reach, e.length)
         self.zones.setdefault(number[edge], []).append((zone, side, lo, hi))
-        far = self.layout.far(e.id, node)  # type: ignore[arg-type]
-        if left <= e.length or far in self.layout.boundary_at:
+        far = self.layout.track.far(e.id, node)  # type: ignore[arg-type]
+        if left <= e.length or far in self.layout.track.boundary_at:
             return
-        point = self.layout.point_at.get(far)
+        point = self.layout.pointwork.point_at.get(far)
         if diamond and point is not None and point.toe != e.id:
             return  # the tracks have met: beyond its toe nothing is foul of the diamond
         for o in self.layout.onward(e.id, far):

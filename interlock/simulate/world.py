@@ -46,7 +46,7 @@ class World:
         self.drivers = Drivers(self, outputs)
         self.traffic = Traffic(self, self.drivers.fastest)
         self.neighbours = {b.name: Neighbour(self, b) for b in track.beyond if b.block is BlockKind.TOKEN}
-        for _ in range(rng.randrange(self.traffic.most + 4 * sum(z.trains for z in layout.zones))):
+        for _ in range(rng.randrange(self.traffic.most + 4 * sum(z.trains for z in layout.declared.zones))):
             self.traffic.place()
 
     def step(self, dt: float, shown: Mapping[str, int]) -> dict[str, int]:

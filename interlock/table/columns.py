@@ -6,8 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from interlock.model.elements import RouteId
+from interlock.table.cells import Because, FoulCell, Hostile, HostileClass, PointDemand, Role
 from interlock.table.printed import Part, PrintedRoute, grouped, joined, parts
-from interlock.table.rows import Because, FoulCell, Hostile, HostileClass, PointDemand, Role, RouteRow, VoyageRow
+from interlock.table.rows import RouteRow, VoyageRow
 from interlock.table.runs import in_runs
 
 Reasons = list[tuple[str, Because]]
@@ -48,7 +49,7 @@ class Column:
 
 def _points(*roles: Role) -> Callable[[RouteRow], Reasons]:
     def items(r: RouteRow) -> Reasons:
-        return [(_demand(p), p.because) for p in r.points if p.role in roles]
+        return [(_demand(p), p.because) for p in r.locking.points if p.role in roles]
 
     return items
 
@@ -63,20 +64,20 @@ def _why_hostile(h: Hostile) -> str:
 
 
 def _hostile(r: RouteRow) -> Reasons:
-    return [(f"{h.route} ({_why_hostile(h)})", h.because) for h in r.hostile]
+    return [(f"{h.route} ({_why_hostile(h)})", h.because) for h in r.locking.hostile]
 
 
 def _said_hostile(way: PrintedRoute, r: RouteRow) -> list[tuple[str, str, RouteId]]:
     """Why, which printed route, and one of its routes."""
     out = []
-    for x in grouped([(h.route, _why_hostile(h)) for h in r.hostile], way.ways, r):
+    for x in grouped([(h.route, _why_hostile(h)) for h in r.locking.hostile], way.ways, r):
         name = f"{way.id} with another overlap" if x.whole and x.way is way else x.name()
         out.append((x.what, name, x.route))
     return out
 
 
 def _hostile_ways(way: PrintedRoute, r: RouteRow) -> Reasons:
-    why = {h.route: h.because for h in r.hostile}
+    why = {h.route: h.because for h in r.locking.hostile}
     return [(f"{name} ({what})", why[route]) for what, name, route in _said_hostile(way, r)]
 
 
@@ -97,8 +98,8 @@ def _names(r: RouteRow) -> Reasons:
 
 
 def _clear(r: RouteRow) -> Reasons:
-    added = [(f"{c.section} ({c.because.text})", c.because) for c in r.demanded_clear or ()]
-    return [*((c.section, c.because) for c in r.sections), *added]
+    added = [(f"{c.section} ({c.because.text})", c.because) for c in r.clear.demanded or ()]
+    return [*((c.section, c.because) for c in r.clear.sections), *added]
 
 
 def _foul(c: FoulCell) -> str:
@@ -106,39 +107,39 @@ def _foul(c: FoulCell) -> str:
 
 
 def _approach(r: RouteRow) -> Reasons:
-    where = ", ".join(r.approach.sections) or "always"
-    return [(f"{where} ({r.approach.delay_s:g} s)", r.approach.because)]
+    where = ", ".join(r.locking.approach.sections) or "always"
+    return [(f"{where} ({r.locking.approach.delay_s:g} s)", r.locking.approach.because)]
 
 
 def _flank(r: RouteRow) -> Reasons:
     out = []
-    for c in r.flank:
+    for c in r.locking.flank:
         providers = " + ".join(in_runs([*map(str, c.providers)])) or "closed ring"
         out.append((f"{c.requester}: {providers}", c.because))
     return out
 
 
 def _space(r: RouteRow) -> Reasons:
-    return [(f"stop lamp of {c.name}" if c.lamp else c.name, c.because) for c in r.space]
+    return [(f"stop lamp of {c.name}" if c.lamp else c.name, c.because) for c in r.clear.space]
 
 
 def _overlap(r: RouteRow) -> Reasons:
-    return [] if r.overlap is None else [(s, r.overlap.because) for s, _ in r.overlap.ways]
+    return [] if r.locking.overlap is None else [(s, r.locking.overlap.because) for s, _ in r.locking.overlap.ways]
 
 
 def _aspect(r: RouteRow) -> Reasons:
-    cell = r.aspect
+    cell = r.signal.aspect
     text = f"clear if {cell.next} is open, else caution" if cell.next is not None else str(cell.shows)
     return [(text, cell.because)]
 
 
 def _closing(r: RouteRow) -> Reasons:
-    whole = r.closing.whole
-    return [("first axle" if whole is None else f"{whole} clear", r.closing.because)]
+    whole = r.signal.closing.whole
+    return [("first axle" if whole is None else f"{whole} clear", r.signal.closing.because)]
 
 
 def _leads(r: RouteRow) -> str:
-    return r.exit if r.passed is None else f"{r.destination} past {', '.join(r.passed)}"
+    return r.exit if r.path.passed is None else f"{r.path.destination} past {', '.join(r.path.passed)}"
 
 
 COLUMNS: tuple[Column, ...] = (
@@ -161,10 +162,13 @@ COLUMNS: tuple[Column, ...] = (
         "进路方式",
         "Variante",
         lambda r: [
-            (str(r.variant), Because("R1", "1 is basic: fewest points reversed, then shortest, then fewest points"))
+            (
+                str(r.path.variant),
+                Because("R1", "1 is basic: fewest points reversed, then shortest, then fewest points"),
+            )
         ],
     ),
-    Column("length", "Length (m)", "长度 (m)", "Länge (m)", lambda r: [(f"{r.length:g}", r.because)]),
+    Column("length", "Length (m)", "长度 (m)", "Länge (m)", lambda r: [(f"{r.path.length:g}", r.because)]),
     Column("points", "Points", "道岔", "Weichen", _points(Role.PATH)),
     Column("flank_points", "Flank points", "防护道岔", "Flankenschutzweichen", _points(Role.FLANK, Role.ADDED)),
     Column(
@@ -172,7 +176,7 @@ COLUMNS: tuple[Column, ...] = (
         "Closed for trains",
         "道口及外部联锁",
         "Bahnübergänge und Riegel",
-        lambda r: [(p.machine, p.because) for p in r.points if p.role is Role.DEVICE],
+        lambda r: [(p.machine, p.because) for p in r.locking.points if p.role is Role.DEVICE],
     ),
     Column("overlap", "Overlap", "保护区段", "Durchrutschweg", _overlap, apart=True),
     Column("overlap_points", "Overlap points", "保护区段道岔", "Weichen im D-Weg", _points(Role.OVERLAP), apart=True),
@@ -181,14 +185,18 @@ COLUMNS: tuple[Column, ...] = (
         "Overlap may swing to",
         "保护区段可转换",
         "D-Weg umstellbar auf",
-        lambda r: [] if r.overlap is None else [(f".o{k}", r.overlap.because) for k in r.overlap.swings],
+        lambda r: (
+            []
+            if r.locking.overlap is None
+            else [(f".o{k}", r.locking.overlap.because) for k in r.locking.overlap.swings]
+        ),
     ),
     Column(
         "driven_points",
         "Driven points",
         "带动道岔",
         "Mitgeführte Weichen",
-        lambda r: [(_demand(p), p.because) for p in r.driven],
+        lambda r: [(_demand(p), p.because) for p in r.locking.driven],
     ),
     Column(
         "sections",
@@ -203,7 +211,8 @@ COLUMNS: tuple[Column, ...] = (
         "侵限区段",
         "Grenzzeichenfreiheit",
         lambda r: [
-            (c.section if c.when is None else f"{c.section} if {c.when[0]} {c.when[1]}", c.because) for c in r.foul
+            (c.section if c.when is None else f"{c.section} if {c.when[0]} {c.when[1]}", c.because)
+            for c in r.clear.foul
         ],
     ),
     Column("flank", "Flank protection", "侧面防护", "Flankenschutz", _flank),
@@ -222,10 +231,14 @@ COLUMNS: tuple[Column, ...] = (
         "External conditions",
         "其他联锁",
         "Bedingungen",
-        lambda r: [(c.condition, c.because) for c in r.conditions],
+        lambda r: [(c.condition, c.because) for c in r.conditions.external],
     ),
     Column(
-        "zones", "Zone not full", "区域列车数限制", "Zone nicht voll", lambda r: [(z.zone, z.because) for z in r.zones]
+        "zones",
+        "Zone not full",
+        "区域列车数限制",
+        "Zone nicht voll",
+        lambda r: [(z.zone, z.because) for z in r.conditions.zones],
     ),
     Column("aspect", "Aspect", "信号机显示", "Signalbegriff", _aspect),
     Column(
@@ -233,18 +246,22 @@ COLUMNS: tuple[Column, ...] = (
         "Speed (km/h)",
         "允许速度 (km/h)",
         "Geschwindigkeit (km/h)",
-        lambda r: [] if r.speed.kmh is None else [(str(r.speed.kmh), r.speed.because)],
+        lambda r: [] if r.signal.speed.kmh is None else [(str(r.signal.speed.kmh), r.signal.speed.because)],
     ),
     Column("closing", "Signal closes", "信号关闭", "Signal fällt auf Halt", _closing),
     Column(
-        "block", "Line beyond clear", "闭塞条件", "Streckenblock", lambda r: [(c.section, c.because) for c in r.block]
+        "block",
+        "Line beyond clear",
+        "闭塞条件",
+        "Streckenblock",
+        lambda r: [(c.section, c.because) for c in r.conditions.block],
     ),
     Column(
         "token",
         "Direction token",
         "运行方向",
         "Erlaubnis",
-        lambda r: [] if r.token is None else [(r.token.boundary, r.token.because)],
+        lambda r: [] if r.conditions.token is None else [(r.conditions.token.boundary, r.conditions.token.because)],
     ),
     Column("approach", "Approach locking", "接近锁闭", "Annäherungsverschluss", _approach),
     Column(
@@ -252,7 +269,7 @@ COLUMNS: tuple[Column, ...] = (
         "Sectional release",
         "分段解锁",
         "Teilauflösung",
-        lambda r: [(f"{s.section} by {s.proved_by}", s.because) for s in r.release],
+        lambda r: [(f"{s.section} by {s.proved_by}", s.because) for s in r.locking.release],
     ),
 )
 

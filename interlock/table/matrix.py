@@ -42,11 +42,11 @@ def matrix(table: InterlockingTable, named_only: bool = False) -> Matrix:
 
     Overlaps are no part of M: the routes over one way, which differ in nothing else, have one row.
     """
-    sections = tuple(sorted({s for r in table.routes for s in r.section_ids}, key=natural))
+    sections = tuple(sorted({s for r in table.routes for s in r.path.section_ids}, key=natural))
     picked: list[tuple[str, set[SectionId]]] = []
     for way in Printed(table).all:
         for n in [n for r in way.rows for n in r.names] if named_only else [way.id]:
-            picked.append((n, set(way.rows[0].section_ids)))
+            picked.append((n, set(way.rows[0].path.section_ids)))
     if named_only:
         picked.sort(key=lambda x: natural(x[0]))
     return Matrix(
@@ -68,9 +68,9 @@ def beyond_matrix(table: InterlockingTable) -> tuple[Beyond, ...]:
     """Hostile pairs that share no section, so that M.M^T does not show them."""
     found: dict[tuple[str, str, str], Beyond] = {}
     ways = Printed(table).ways
-    over = {r.id: frozenset(r.section_ids) for r in table.routes}
+    over = {r.id: frozenset(r.path.section_ids) for r in table.routes}
     for r in table.routes:
-        for h in r.hostile:
+        for h in r.locking.hostile:
             if r.number < table.route[h.route].number and not over[r.id] & over[h.route]:
                 pair = (ways[r.id].id, ways[h.route].id, str(h.kind))
                 found.setdefault(pair, Beyond(*pair, h.witness))

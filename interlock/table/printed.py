@@ -14,7 +14,8 @@ from functools import cached_property
 from typing import Generic, TypeVar
 
 from interlock.model.elements import RouteId
-from interlock.table.rows import InterlockingTable, RouteKind, RouteRow
+from interlock.table.cells import RouteKind
+from interlock.table.rows import InterlockingTable, RouteRow
 
 T = TypeVar("T")
 
@@ -36,13 +37,13 @@ class PrintedRoute:
     def id(self) -> str:
         """The way's name: the route's own where it has one overlap or none."""
         first = self.rows[0]
-        if not self.several or first.overlap is None or first.overlap.option == 1:
+        if not self.several or first.locking.overlap is None or first.locking.overlap.option == 1:
             return first.id
-        return first.id.removesuffix(f".o{first.overlap.option}")
+        return first.id.removesuffix(f".o{first.locking.overlap.option}")
 
     def mark(self, r: RouteRow) -> str:
         """Which of several overlaps a route has; empty where there is no choice."""
-        return f"o{r.overlap.option}" if self.several and r.overlap is not None else ""
+        return f"o{r.locking.overlap.option}" if self.several and r.locking.overlap is not None else ""
 
 
 @dataclass(frozen=True)
@@ -87,7 +88,7 @@ class Printed:
         """The printed row of every route."""
         found: dict[tuple[str, RouteKind, str, int, RouteId | None], list[RouteRow]] = {}
         for r in self.table.routes:
-            found.setdefault((r.entry, r.kind, r.exit, r.variant, r.onward), []).append(r)
+            found.setdefault((r.entry, r.kind, r.exit, r.path.variant, r.path.onward), []).append(r)
         out: dict[RouteId, PrintedRoute] = {}
         for rows in found.values():
             way = PrintedRoute(tuple(rows), out)

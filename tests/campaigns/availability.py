@@ -28,15 +28,8 @@ from interlock.model.layout import Layout
 from interlock.model.principles import PROFILES
 from interlock.proof.system.transition import System
 from interlock.proof.witnesses.availability import Availability, Manner, Trial, availability, compatible
-from interlock.table.rows import (
-    Because,
-    Exclusion,
-    InterlockingTable,
-    ProviderKind,
-    RouteRow,
-    SpaceCell,
-    TraversalRow,
-)
+from interlock.table.cells import Because, Exclusion, ProviderKind, SpaceCell
+from interlock.table.rows import InterlockingTable, RouteRow, TraversalRow
 
 LAYOUTS = (*sorted(Path("layouts").glob("*.yaml")), Path("tests/layouts_for_tests/parallel.yaml"))
 TRACKS = 37  # a yard of 304 routes
@@ -85,7 +78,9 @@ def space_to_the_point(layout: Layout, table: InterlockingTable) -> Interlocking
 
     def of(row: TraversalRow) -> tuple[SpaceCell, ...]:
         machines = {p.name for c in row.flank for p in c.providers if p.kind is ProviderKind.POINT}
-        sections = {layout.section_of(p.toe) for p in layout.points if p.machine in machines} - {row.section}
+        sections = {layout.track.section_of(p.toe) for p in layout.pointwork.points if p.machine in machines} - {
+            row.section
+        }
         return (*row.space, *(SpaceCell(s, False, Because("R5", f"{s}, up to the point")) for s in sorted(sections)))
 
     return _with(table, lambda row: replace(row, space=of(row)))
@@ -112,10 +107,12 @@ def _with(table: InterlockingTable, change: Callable[[TraversalRow], TraversalRo
     by_key = {t.key: t for t in locks}
 
     def space(r: RouteRow) -> tuple[SpaceCell, ...]:
-        over = [s.key for s in map(by_key.__getitem__, r.locked)]
+        over = [s.key for s in map(by_key.__getitem__, r.path.locked)]
         return tuple(dict.fromkeys(c for key in over for c in by_key[key].space))
 
-    return replace(table, locks=locks, routes=tuple(replace(r, space=space(r)) for r in table.routes))
+    return replace(
+        table, locks=locks, routes=tuple(replace(r, clear=replace(r.clear, space=space(r))) for r in table.routes)
+    )
 
 
 def never_given_back(controller: Controller) -> Controller:

@@ -164,7 +164,7 @@ class Case:
             if not own:
                 continue
             last = self.table.route[own[-1]]  # type: ignore[index]
-            ends = GONE if last.exit_kind == "boundary" else str(last.section_ids[-1])
+            ends = GONE if last.path.exit_kind == "boundary" else str(last.path.section_ids[-1])
             outside = e.start[0][1] == OUTSIDE
             start = str(e.start[0][0]) if outside else tuple((str(s), n) for s, n in e.start)
             first = next(k for k, (t, _) in enumerate(moves) if t == e.train)

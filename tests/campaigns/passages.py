@@ -61,7 +61,7 @@ class Found:
 def ways(railway: Railway) -> list[tuple[str, str]]:
     """From boundary to boundary, wherever a chain of routes leads for some train."""
     layout, found = railway.layout, []
-    for a, b in product(layout.boundaries, repeat=2):
+    for a, b in product(layout.track.boundaries, repeat=2):
         if a.kind is not BoundaryKind.OUT and b.kind is not BoundaryKind.IN:
             one = errand(railway, f"1:{a.node}>{b.node}", 1.0)[0]
             try:

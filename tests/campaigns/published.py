@@ -90,7 +90,7 @@ def why_lines(c: Comparison) -> list[str]:
 def of_station(c: Comparison) -> list[str]:
     """The part of the page on a station."""
     s = c.station
-    lines = [f"## {s.layout.title}", "", f"**Source.** {s.about['source'].strip()}", ""]
+    lines = [f"## {s.layout.printed.title}", "", f"**Source.** {s.about['source'].strip()}", ""]
     lines += [f"**What was read.** {s.about['read'].strip()}  {s.about['drawn'].strip()}", ""]
     same = sum(not any(d.route == n for d in c.differences) for n in s.published)
     have = "row has" if same == 1 else "rows have"

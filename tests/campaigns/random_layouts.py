@@ -105,7 +105,7 @@ def proved(x: Case, t: Tally) -> None:
     """Every claim, no invariant lost, and the text equal to the controller."""
     controller = x.controller
     result = prove(System(x.layout, controller), Limits(search_s=120))
-    waived = {f"{w.point}.{w.leg}" for w in x.layout.waivers}
+    waived = {f"{w.point}.{w.leg}" for w in x.layout.declared.waivers}
     for c in result.claims:
         if c.verdict is Verdict.PROVED:
             continue

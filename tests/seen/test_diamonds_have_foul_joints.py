@@ -26,9 +26,11 @@ def test_diamonds_have_foul_joints() -> None:
     over = [
         r
         for r in table.routes
-        if r.entry == "S1J" and ("X1", 0) in {c for k in r.traversals for c in table.lock[k].crossings}
+        if r.entry == "S1J" and ("X1", 0) in {c for k in r.path.traversals for c in table.lock[k].crossings}
     ]
-    assert over and all("BB" in {c.section for c in r.foul} for r in over), "routes over the diamond require BB clear"
+    assert over and all("BB" in {c.section for c in r.clear.foul} for r in over), (
+        "routes over the diamond require BB clear"
+    )
     result = prove(System(layout, lower(layout, table)))
     proved = {c.id: (c.verdict.value, c.places) for c in result.claims}
     assert all(verdict == "PROVED" for verdict, _ in proved.values()), proved

@@ -28,7 +28,8 @@ from interlock.model.elements import NodeId, Position, RouteId, SectionId
 from interlock.model.layout import Layout
 from interlock.model.portable import beside
 from interlock.model.traversal import topology
-from interlock.table.rows import ExitKind, InterlockingTable, Role, RouteKind, RouteRow, TraversalKey, last_left
+from interlock.table.cells import ExitKind, Role, RouteKind, TraversalKey
+from interlock.table.rows import InterlockingTable, RouteRow, last_left
 
 MOST_NODES = 20_000
 """Places of one train that are looked at (our choice)."""
@@ -125,19 +126,21 @@ class Railway:
         self.table, self.layout, self.topo = table, layout, topology(layout)
         self.metres = {t.key: t.length for s in self.topo.sections for t in self.topo.traversals[s]}
         self._ends = {t.key: (t.entry, t.exit) for s in self.topo.sections for t in self.topo.traversals[s]}
-        self.approach = {str(b.node): b.approach for b in layout.boundaries}
-        self.zones = [(z.id, z.trains) for z in layout.zones]
-        self._zone_of = {s: z.id for z in layout.zones for s in z.sections}
+        self.approach = {str(b.node): b.approach for b in layout.track.boundaries}
+        self.zones = [(z.id, z.trains) for z in layout.declared.zones]
+        self._zone_of = {s: z.id for z in layout.declared.zones for s in z.sections}
         self._from: dict[tuple[NodeId, SectionId], list[RouteRow]] = {}
         for r in sorted(table.routes, key=lambda r: (self._rank[r.id], r.number)):
-            if r.kind not in (RouteKind.CALL_ON, RouteKind.IDENTIFIER) and r.onward is None:  # one signal after another
-                self._from.setdefault((r.entry_node, r.section_ids[0]), []).append(r)
+            if (
+                r.kind not in (RouteKind.CALL_ON, RouteKind.IDENTIFIER) and r.path.onward is None
+            ):  # one signal after another
+                self._from.setdefault((r.path.entry_node, r.path.section_ids[0]), []).append(r)
 
     def _seconds(self, r: RouteRow) -> float:
         """What a route costs a train: the time at its speed, and something for each of its points that lies reverse."""
-        kmh = r.speed.kmh or self.layout.principles.line_speed_kmh
-        curved = sum(d.role is Role.PATH and d.position is Position.REVERSE for d in r.points)
-        return round(r.length / (kmh / 3.6), 1) + DIVERGES_S * curved
+        kmh = r.signal.speed.kmh or self.layout.principles.line_speed_kmh
+        curved = sum(d.role is Role.PATH and d.position is Position.REVERSE for d in r.locking.points)
+        return round(r.path.length / (kmh / 3.6), 1) + DIVERGES_S * curved
 
     @cached_property
     def _rank(self) -> dict[RouteId, int]:
@@ -150,7 +153,14 @@ class Railway:
             starts.setdefault(r.entry, []).append(r)
         near = len(rows) <= 500
         look: dict[RouteId, object] = {
-            r.id: (r.kind, round(r.length, 1), len(r.traversals), r.exit_kind, len(r.points), len(r.hostile))
+            r.id: (
+                r.kind,
+                round(r.path.length, 1),
+                len(r.path.traversals),
+                r.path.exit_kind,
+                len(r.locking.points),
+                len(r.locking.hostile),
+            )
             for r in rows
         }
         found: dict[RouteId, int] = {}
@@ -165,7 +175,7 @@ class Railway:
                     found[r.id],
                     tuple(sorted(found[x.id] for x in starts.get(r.exit, ()))),
                     tuple(sorted(found[x.id] for x in ends.get(r.entry, ()))),
-                    tuple(sorted(found[x] for x in r.hostile.routes)) if near else (),
+                    tuple(sorted(found[x] for x in r.locking.hostile.routes)) if near else (),
                 )
                 for r in rows
             }
@@ -198,7 +208,7 @@ class Railway:
         """What a train keeps of the routes by which it came, beyond what it stands on: what the author has added, and
         the overlap of the last one while it does not stand wholly before the signal."""
         things: set[object] = set()
-        overlap = None if place.route is None else self.table.route[place.route].overlap
+        overlap = None if place.route is None else self.table.route[place.route].locking.overlap
         if overlap is not None and len(place.under) > 1:
             for key in overlap.ways:
                 self._locks(key, things)
@@ -207,27 +217,27 @@ class Railway:
     def _under_way(self, place: Place) -> frozenset[object]:
         things: set[object] = set()
         for x in place.under_way:
-            things |= {("under way", x)} | {("lies", d.machine, d.position) for d in self.table.route[x].added}
+            things |= {("under way", x)} | {("lies", d.machine, d.position) for d in self.table.route[x].locking.added}
         return frozenset(things)
 
     def needs(self, r: RouteRow) -> frozenset[object]:
         """What nobody else may hold so that a route can be set and driven."""
         things: set[object] = set()
-        for key in r.traversals:
-            self._way(key, key[0] == r.berth, things)
-        for key in r.overlap.ways if r.overlap else ():
+        for key in r.path.traversals:
+            self._way(key, key[0] == r.path.berth, things)
+        for key in r.locking.overlap.ways if r.locking.overlap else ():
             self._way(key, False, things)
-        demanded = {(d.machine, d.position) for d in r.points}
-        for f in r.foul:
+        demanded = {(d.machine, d.position) for d in r.locking.points}
+        for f in r.clear.foul:
             if f.when is None or (f.when[0], f.when[1].other) not in demanded:
                 things.add(("section", f.section))
-        things |= {("section", c.name) for c in r.space if not c.lamp}
-        things |= {("section", c.section) for c in r.block}
-        things |= {("section", c.section) for c in r.demanded_clear or ()}
-        things |= {("under way", c.route) for c in r.barred}
-        things |= {("lies", d.machine, d.position.other) for d in r.added}
-        if r.token is not None:
-            things.add(("outside", str(r.token.boundary)))
+        things |= {("section", c.name) for c in r.clear.space if not c.lamp}
+        things |= {("section", c.section) for c in r.conditions.block}
+        things |= {("section", c.section) for c in r.clear.demanded or ()}
+        things |= {("under way", c.route) for c in r.locking.barred}
+        things |= {("lies", d.machine, d.position.other) for d in r.locking.added}
+        if r.conditions.token is not None:
+            things.add(("outside", str(r.conditions.token.boundary)))
         return frozenset(things)
 
     def _way(self, key: TraversalKey, berth: bool, things: set[object]) -> None:
@@ -243,18 +253,18 @@ class Railway:
 
     def _goes_with(self, before: RouteRow, r: RouteRow) -> bool:
         """Whether a route can be set from the signal where another ends while the overlap of that is held."""
-        if before.overlap is None:
+        if before.locking.overlap is None:
             return True
         held: set[object] = set()
         needed: set[object] = set()
-        for key in before.overlap.ways:
+        for key in before.locking.overlap.ways:
             self._locks(key, held)
-        for key in r.traversals:
-            if key not in before.overlap.ways or r.kind is not RouteKind.MAIN:
-                self._way(key, key[0] == r.berth, needed)
-        for key in r.overlap.ways if r.overlap else ():
+        for key in r.path.traversals:
+            if key not in before.locking.overlap.ways or r.kind is not RouteKind.MAIN:
+                self._way(key, key[0] == r.path.berth, needed)
+        for key in r.locking.overlap.ways if r.locking.overlap else ():
             self._way(key, False, needed)
-        needed |= {("lies", d.machine, d.position.other) for d in r.added}
+        needed |= {("lies", d.machine, d.position.other) for d in r.locking.added}
         return not held & needed
 
     def _released(self, place: Place, r: RouteRow) -> frozenset[object] | None:
@@ -267,7 +277,7 @@ class Railway:
             return None
         section, number = place.under[0]
         entry = self._ends[section, number][0]
-        if entry in self.layout.boundary_at:
+        if entry in self.layout.track.boundary_at:
             approach = self.approach.get(str(entry))
             return frozenset({("outside", str(entry))} | ({("section", approach)} if approach else set()))
         rear = self.topo.beyond(section, entry)
@@ -279,8 +289,8 @@ class Railway:
 
     def standing(self, r: RouteRow) -> tuple[TraversalKey, ...]:
         """A way on which a train stands before a route's signal."""
-        rear = self.topo.beyond(r.section_ids[0], r.entry_node)
-        ways = [] if rear is None else [t.key for t in self.topo.traversals[rear] if t.exit == r.entry_node]
+        rear = self.topo.beyond(r.path.section_ids[0], r.path.entry_node)
+        ways = [] if rear is None else [t.key for t in self.topo.traversals[rear] if t.exit == r.path.entry_node]
         return (min(ways, key=lambda k: (k not in self.table.lock, k)),)
 
     # --- errands -------------------------------------------------------------------------------
@@ -301,7 +311,7 @@ class Railway:
         section, number = place.under[-1]
         if number == OUTSIDE:
             node = NodeId(section)
-            first = self.layout.section_of(self.layout.edges_at[node][0].id)
+            first = self.layout.track.section_of(self.layout.track.edges_at[node][0].id)
             return [(r, False) for r in self._from.get((node, first), ())]
         entry, exit_ = self._ends[section, number]
         found = [(r, False) for r in self._ahead(section, exit_)]
@@ -351,7 +361,7 @@ class Railway:
         far = min(max(p.leg for p in steps), len(errand.legs) - 1)
         start, to = errand.legs[far - 1].to if far else str(errand.start[-1][0]), errand.legs[far].to
         over = f"over {', '.join(sorted(errand.legs[far].via))} " if errand.legs[far].via else ""
-        if far < len(errand.legs) - 1 and NodeId(to) in self.layout.boundary_at:
+        if far < len(errand.legs) - 1 and NodeId(to) in self.layout.track.boundary_at:
             why = f"{errand.train} leaves at {to}, and does not come back in the same command"
             return NoVoyage(why, f"end the command at {to}, and give another one from there")
         if errand.length_m > 1 and self._goes(replace(errand, length_m=1.0)):
@@ -400,15 +410,15 @@ class Railway:
         are too short for it."""
         long = [sections for sections, metres in self._standing.values() if metres >= length_m + MARGIN_M]
         own, _ = self._standing.get(r.id, (frozenset(), 0.0))
-        return len(long) < len(self._standing) and any(x != own and not x.isdisjoint(r.section_ids) for x in long)
+        return len(long) < len(self._standing) and any(x != own and not x.isdisjoint(r.path.section_ids) for x in long)
 
     @cached_property
     def _standing(self) -> dict[RouteId, tuple[frozenset[SectionId], float]]:
         """Where trains stand clear of points before the signals at which routes end: the sections, and the metres."""
         found: dict[RouteId, tuple[frozenset[SectionId], float]] = {}
         for r in self.table.routes:
-            clear = list(takewhile(lambda k: not self.layout.points_in.get(k[0]), reversed(r.traversals)))
-            if r.exit_kind is ExitKind.SIGNAL and clear:
+            clear = list(takewhile(lambda k: not self.layout.machines.points_in.get(k[0]), reversed(r.path.traversals)))
+            if r.path.exit_kind is ExitKind.SIGNAL and clear:
                 found[r.id] = frozenset(s for s, _ in clear), sum(self.metres[k] for k in clear)
         return found
 
@@ -437,7 +447,7 @@ class Railway:
         return ended is not None and self._reached(self.table.route[place.route], ended)
 
     def _reached(self, r: RouteRow, leg: Leg) -> bool:
-        return leg.to in (r.exit, r.section_ids[-1])
+        return leg.to in (r.exit, r.path.section_ids[-1])
 
     def _whole(self, errand: Errand, place: Place, turns: bool) -> list[Step]:
         """All routes of a leg in one step."""
@@ -452,10 +462,10 @@ class Railway:
             after = self._after(errand, place, chain, turned)
             if after is not None and after.leg > place.leg:
                 found.append(Step(chain, after, turned, besides))
-            elif chain[-1].exit_kind is ExitKind.SIGNAL and len(chain) < 12:
-                been = {s for r in chain for s in r.section_ids}
-                end = Place(0, frozenset(), chain[-1].id, chain[-1].traversals)
-                onward = [r for r, _ in self.routes_on(end, False) if been.isdisjoint(r.section_ids)]
+            elif chain[-1].path.exit_kind is ExitKind.SIGNAL and len(chain) < 12:
+                been = {s for r in chain for s in r.path.section_ids}
+                end = Place(0, frozenset(), chain[-1].id, chain[-1].path.traversals)
+                onward = [r for r, _ in self.routes_on(end, False) if been.isdisjoint(r.path.section_ids)]
                 todo += [((*chain, r), turned) for r in onward if self._goes_with(chain[-1], r)]
         return found
 
@@ -466,15 +476,15 @@ class Railway:
 
     def _after(self, errand: Errand, place: Place, chain: Sequence[RouteRow], turned: bool) -> Place | None:
         leg, last = errand.legs[place.leg], chain[-1]
-        passed = place.passed | (leg.via & {s for r in chain for s in r.section_ids})
+        passed = place.passed | (leg.via & {s for r in chain for s in r.path.section_ids})
         done = self._reached(last, leg) and passed == leg.via
         at = place.leg + 1 if done else place.leg
-        if last.exit_kind is ExitKind.BOUNDARY:
+        if last.path.exit_kind is ExitKind.BOUNDARY:
             return Place(at, frozenset(), last.id, ()) if at == len(errand.legs) else None
         rear = () if turned else place.under
-        under = self._lies((*rear, *(k for r in chain for k in r.traversals)), errand.length_m)
-        firm = last.id if last.overlap is not None and len(under) > 1 else None
-        added = place.under_way | {r.id for r in chain if r.barred or r.added}
+        under = self._lies((*rear, *(k for r in chain for k in r.path.traversals)), errand.length_m)
+        firm = last.id if last.locking.overlap is not None and len(under) > 1 else None
+        added = place.under_way | {r.id for r in chain if r.locking.barred or r.locking.added}
         under_way = frozenset(x for x in added if x == firm or last_left(self.table.route[x]) in under)
         return Place(at, frozenset() if done else passed, last.id, under, under_way)
 
@@ -491,7 +501,7 @@ class Journey:
     @cached_property
     def sections(self) -> frozenset[SectionId]:
         """All sections over which some of its ways leads."""
-        return frozenset(x for out in self.steps.values() for s in out for r in s.routes for x in r.section_ids)
+        return frozenset(x for out in self.steps.values() for s in out for r in s.routes for x in r.path.section_ids)
 
     def nodes(self, before: Sequence[str] = ()) -> Draft:
         """The same as nodes and moves; a move's label is the number of its step.
@@ -509,7 +519,7 @@ class Journey:
                 (d.home if place.under else d.gone).add(place)
             for k, s in enumerate(steps):
                 needs = behind.union(s.besides, *(self.railway.needs(r) for r in s.routes))
-                zones = tuple(dict.fromkeys(z.zone for r in s.routes for z in r.zones))
+                zones = tuple(dict.fromkeys(z.zone for r in s.routes for z in r.conditions.zones))
                 d.moves.setdefault(place, []).append((str(k), s.after, frozenset(needs), zones))
                 d.costs[place, str(k)] = self.railway.cost(s, self.errand.length_m)
         return d

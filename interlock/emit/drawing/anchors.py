@@ -35,7 +35,7 @@ def moved(d: Drawing) -> None:
 def _given(d: Drawing) -> dict[NodeId, Move]:
     """How far the nodes with coordinates move; of a slip all of it."""
     out = {}
-    for a in d.layout.anchors:
+    for a in d.layout.printed.anchors:
         there = [d.at[n] for n in a.nodes]
         dx = a.x - sum(x for x, _ in there) / len(there)
         dy = a.y - sum(y for _, y in there) / len(there)

@@ -125,17 +125,17 @@ APART = 36.0
 
 def bend(d: Drawing, point: str) -> Spot:
     """The next spot on the turned leg of a point."""
-    p = d.layout.point[point]  # type: ignore[index]
+    p = d.layout.pointwork.point[point]  # type: ignore[index]
     line = d.edges[d.plan.turned_leg(p)]
     return line[1] if line[0] == d.at[p.node] else line[-2]
 
 
 def fouling_mark(d: Drawing, point: str) -> Spot | None:
     """Where the fouling point of a point is marked: between its legs; nowhere at a derailer, and within a slip."""
-    p = d.layout.point[point]  # type: ignore[index]
+    p = d.layout.pointwork.point[point]  # type: ignore[index]
     if p.derailer or p.reverse in d.plan.rails:
         return None
-    (x, y), far = d.at[d.layout.point[point].node], bend(d, point)  # type: ignore[index]
+    (x, y), far = d.at[d.layout.pointwork.point[point].node], bend(d, point)  # type: ignore[index]
     return (x + (27 if far[0] > x else -27), y + (12 if far[1] > y else -12))
 
 
@@ -143,9 +143,9 @@ def device_spots(d: Drawing, over: tuple[SectionId, ...]) -> list[Spot]:
     """Where a device lies over each of its sections: clear of the signals that lead into it, if there is room."""
     out = []
     for s in over:
-        stretches = [flat(d.edges[e.id]) for e in d.layout.edges if e.section == s]
+        stretches = [flat(d.edges[e.id]) for e in d.layout.track.edges if e.section == s]
         (x0, y0), (x1, y1) = max(stretches, key=lambda p: abs(p[1][0] - p[0][0]))
-        masts = [d.at[g.node][0] for g in d.layout.signals if d.layout.section_of(g.into) == s]
+        masts = [d.at[g.node][0] for g in d.layout.signalling.signals if d.layout.track.section_of(g.into) == s]
         off = [(x, APART) for x in masts] + [(x, 12.0) for x in (x0, x1)]
         k = next((k for k in (0.25, 0.5, 0.75) if all(abs(x0 + (x1 - x0) * k - x) >= m for x, m in off)), 0.5)
         out.append((x0 + (x1 - x0) * k, y0 + (y1 - y0) * k))

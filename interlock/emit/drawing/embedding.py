@@ -75,7 +75,7 @@ class Embedding:
         self.dummies: list[tuple[Name, Name]] = []
         self.inside: set[Name] = set()
         self.beyond: list[tuple[Name, Name]] = []
-        crossings = plan.layout.crossing_at
+        crossings = plan.layout.pointwork.crossing_at
         for s in plan.strands:
             m = middle(s.number)
             for a, b in ((knot(s.left), m), (m, knot(s.right))):
@@ -112,7 +112,7 @@ class Embedding:
         return next((knot(s.nodes[end]) for s in self.plan.strands if middle(s.number) == n), n)
 
     def _port(self, s: Strand, node: NodeId) -> Name:
-        if node in self.plan.layout.crossing_at:
+        if node in self.plan.layout.pointwork.crossing_at:
             return ("ring", node, str(s.edges[0] if node == s.left else s.edges[-1]))
         return knot(node)
 
@@ -121,7 +121,7 @@ class Embedding:
     def _join(self) -> None:
         inner = sorted(self.flow)
         ends = [n for n in inner if not self.flow.in_degree(n) or not self.flow.out_degree(n)]
-        outside = {knot(n) for n in self.plan.layout.boundary_at}
+        outside = {knot(n) for n in self.plan.layout.track.boundary_at}
         self.flow.add_edge(SOURCE, SINK)
         self.flat.add_edge(SOURCE, SINK)
         ends.sort(key=lambda n: (n not in outside, n))
@@ -167,7 +167,7 @@ class Embedding:
         rank = {n: i for i, n in enumerate(nx.lexicographical_topological_sort(self.flow))}
         around = {n for m in embedding.neighbors_cw_order(end) for n in embedding.traverse_face(end, m)}
         barred = nx.descendants(self.flow, end) if starts else nx.ancestors(self.flow, end)
-        barred |= {end, SOURCE, SINK, *(knot(n) for n in self.plan.layout.crossing_at)}
+        barred |= {end, SOURCE, SINK, *(knot(n) for n in self.plan.layout.pointwork.crossing_at)}
 
         def key(n: Name) -> tuple[bool, bool, int, Name]:
             return (n not in around, (rank[n] > rank[end]) is starts, abs(rank[n] - rank[end]), n)
@@ -202,7 +202,7 @@ class Embedding:
     def rotation(self, embedding: nx.PlanarEmbedding[Name]) -> dict[Name, list[Name]]:
         """The neighbours of every node in order, each diamond as one node."""
         out: dict[Name, list[Name]] = {}
-        crossings = self.plan.layout.crossing_at
+        crossings = self.plan.layout.pointwork.crossing_at
         for n in embedding:
             if n[0] == "ring":
                 continue
@@ -278,7 +278,7 @@ class Heights:
 
     def _between(self) -> None:
         """Each face has its lower tracks below it and its upper ones above, and knots lie between their legs."""
-        diamonds = {knot(n) for n in self.plan.layout.crossing_at}
+        diamonds = {knot(n) for n in self.plan.layout.pointwork.crossing_at}
         for k, face in enumerate(self.around):
             room = ("face", f"{k:06d}")
             for i, n in enumerate(face):
@@ -295,7 +295,7 @@ class Heights:
         for m in self.direct:
             s = self.strand[m]
             a, b = knot(s.left), knot(s.right)
-            diamond = {s.left, s.right} & set(self.plan.layout.crossing_at)
+            diamond = {s.left, s.right} & set(self.plan.layout.pointwork.crossing_at)
             low, high = (a, b) if self.way[m] > 0 else (b, a)
             self._lower(low, high, 1 if diamond else 2, MIDDLE if diamond else TURNED)
 
@@ -316,17 +316,17 @@ class Heights:
             if m in self.direct:
                 continue
             for n, edge in ((s.left, s.edges[0]), (s.right, s.edges[-1])):
-                point = layout.point_at.get(n)
+                point = layout.pointwork.point_at.get(n)
                 weight = TOE
-                if n in layout.crossing_at:
-                    weight = ON if edge in layout.crossing_at[n].arms[self._level_arm(n)] else TURNED
+                if n in layout.pointwork.crossing_at:
+                    weight = ON if edge in layout.pointwork.crossing_at[n].arms[self._level_arm(n)] else TURNED
                 elif self.plan.diverges(s, n):
                     weight = TURNED
                 elif point is not None and edge != point.toe:
                     weight = STRAIGHT
                 elif n in self.plan.turns:
                     weight = 0  # an arc leads there
-                elif n in layout.boundary_at or n in layout.buffer_at:
+                elif n in layout.track.boundary_at or n in layout.track.buffer_at:
                     weight = END
                 self._apart(m, knot(n), weight)
         for n in sorted(n for n in self.graph if n[0] in ("knot", "strand")):
@@ -336,7 +336,7 @@ class Heights:
 
     def _level_arm(self, node: NodeId) -> int:
         """The arm of a diamond that goes straight on where not both are diagonals, so that the other one crosses it."""
-        crossing = self.plan.layout.crossing_at[node]
+        crossing = self.plan.layout.pointwork.crossing_at[node]
         return next((k for k in (0, 1) if k not in self.plan.diagonal_arms[crossing.id]), 0)
 
     def _apart(self, a: Name, b: Name, weight: int) -> None:

@@ -52,7 +52,7 @@ def _levels_drawn(layout: Layout, cut: Unrolled, plan: Plan, levels: Levels) -> 
             lengths[s.number] = length_of(plan, s, named, (rise[0], rise[1]))
     beyond = tuple(_beyond(plan, levels, a, b) for a, b in levels.beyond)
     x = along(plan, lengths, beyond)
-    for c in plan.layout.crossings:  # a scissors' middle in the middle
+    for c in plan.layout.pointwork.crossings:  # a scissors' middle in the middle
         around = [s for s in plan.strands if c.node in (s.left, s.right)]
         if all(s.number in levels.direct for s in around):
             ends = [s.right if s.left == c.node else s.left for s in around]
@@ -98,7 +98,7 @@ def _room(plan: Plan, levels: Levels, end: Name, other: Name, left: bool) -> flo
 def _joined(d: Drawing, layout: Layout, cut: Unrolled) -> None:
     """The pieces of tracks that turn back as one line each, from the edge's first end, with arcs between them."""
     for edge, pieces in cut.pieces.items():
-        at = d.at[layout.edge[edge].a]
+        at = d.at[layout.track.edge[edge].a]
         line: list[Spot] = []
         for piece in pieces:
             more = d.edges.pop(piece)

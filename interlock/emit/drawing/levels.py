@@ -76,14 +76,16 @@ class Runs:
                 bend = 40.0
                 self._cover(k, x[s.left] + (bend if plan.diverges(s, s.left) else 0))
                 self._cover(k, x[s.right] - (bend if plan.diverges(s, s.right) else 0))
-        hints = dict(plan.layout.drawing)
+        hints = dict(plan.layout.printed.drawing)
         self.fixed: dict[int, int] = {}
         for s in plan.strands:
             if s.number in self.of_strand:
                 for e in s.edges:
-                    if plan.layout.edge[e].section in hints:
-                        self.fixed[self.of_strand[s.number]] = 2 * hints[plan.layout.edge[e].section]
-        self.half = {self.of_node[c.node] for c in plan.layout.crossings if len(plan.diagonal_arms[c.id]) == 2}
+                    if plan.layout.track.edge[e].section in hints:
+                        self.fixed[self.of_strand[s.number]] = 2 * hints[plan.layout.track.edge[e].section]
+        self.half = {
+            self.of_node[c.node] for c in plan.layout.pointwork.crossings if len(plan.diagonal_arms[c.id]) == 2
+        }
         self.links = self._links(x)
         self.links_of: list[list[int]] = [[] for _ in range(self.count)]
         for i, link in enumerate(self.links):
@@ -103,7 +105,7 @@ class Runs:
         out = []
         arms = {
             (c.node, e): 2 * i + k
-            for i, c in enumerate(self.plan.layout.crossings)
+            for i, c in enumerate(self.plan.layout.pointwork.crossings)
             for k in self.plan.diagonal_arms[c.id]
             for e in c.arms[k]
         }

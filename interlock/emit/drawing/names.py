@@ -43,7 +43,7 @@ def put_names(d: Drawing, named: dict[EdgeId, SectionId]) -> None:
             _put(d, Label("point", b.point, b.point, x + way * 8, y + dy, anchor=side))
     for edge, section in sorted(named.items()):
         (x0, y0), (x1, y1) = flat(d.edges[edge])
-        length = sum(e.length for e in d.layout.edges if e.section == section)
+        length = sum(e.length for e in d.layout.track.edges if e.section == section)
         x, y = (x0 + x1) / 2, (y0 + y1) / 2
         tilt = 10 if y0 != y1 else 0
         _put(d, Label("section", section, section, x, y - 6 - tilt))
@@ -52,11 +52,11 @@ def put_names(d: Drawing, named: dict[EdgeId, SectionId]) -> None:
 
 def _points(d: Drawing) -> None:
     """Each point with its name; a slip whose blades one machine lays with that of the machine, once."""
-    single = [d.layout.point[b.point] for b in d.layout.blades if len(b.at) == 1]
+    single = [d.layout.pointwork.point[b.point] for b in d.layout.pointwork.blades if len(b.at) == 1]
     laid = Counter(p.machine for p in single)
     of_slip = {p.id for p in single if laid[p.machine] > 1}
     named: set[MachineId] = set()
-    for p in d.layout.points:
+    for p in d.layout.pointwork.points:
         if p.id in of_slip and p.machine in named:
             continue
         named.add(p.machine)
@@ -74,7 +74,7 @@ def _lines(d: Drawing) -> None:
                 _keep_off(d, a, b)
             else:
                 d.taken.add((min(a[0], b[0]), a[1] - 1.5, max(a[0], b[0]), a[1] + 1.5))
-    for device in d.layout.devices:
+    for device in d.layout.signalling.devices:
         for x, y in device_spots(d, device.over):
             d.taken.add((x - 10, y - 16, x + 10, y + 16))
     for slip in double_slips(d.layout):
@@ -82,7 +82,7 @@ def _lines(d: Drawing) -> None:
             (x, y), far = blade.at, blade.chord
             _keep_off(d, (x, y), far)
             d.taken.add((x - 6, y - 8, x + 6, y + 8))
-    for p in d.layout.points:
+    for p in d.layout.pointwork.points:
         x, y = d.at[p.node]
         d.taken.add((x - 6, y - 8, x + 6, y + 8))
         mark = fouling_mark(d, p.id)
@@ -101,17 +101,17 @@ def _keep_off(d: Drawing, a: Spot, b: Spot) -> None:
 
 def _joints(d: Drawing) -> None:
     for n, (x, y) in d.at.items():
-        if n in d.plan.knots and n not in d.layout.boundary_at:
+        if n in d.plan.knots and n not in d.layout.track.boundary_at:
             continue
-        edges = d.layout.edges_at[n]
-        if len({e.section for e in edges}) > 1 or n in d.layout.boundary_at:
+        edges = d.layout.track.edges_at[n]
+        if len({e.section for e in edges}) > 1 or n in d.layout.track.boundary_at:
             d.joints.append((n, x, y, _slope(d, edges[0].id, (x, y))))
             d.taken.add((x - 1, y - 7, x + 1, y + 7))
 
 
 def _signals(d: Drawing) -> None:
     leftward = d.layout.profile != "de"  # signals stand on the left of their track, in Germany on the right
-    for g in d.layout.signals:
+    for g in d.layout.signalling.signals:
         x, y = d.at[g.node]
         ahead = d.edges[g.into][0] == (x, y)
         up = ahead is leftward
@@ -122,12 +122,14 @@ def _signals(d: Drawing) -> None:
         )
         anchor = "start" if ahead else "end"
         _put(d, Label("signal", g.id, g.id, x + way * 2, y - 22 if up else y + 30, anchor=anchor))
-    for k in d.layout.distants:
-        x, y = d.at[d.layout.signal[k.of].node]
+    for k in d.layout.signalling.distants:
+        x, y = d.at[d.layout.signalling.signal[k.of].node]
         ahead = d.signals[k.of][2]
         way = 1 if ahead else -1
         d.distants[k.id] = (x - way * 24, y, ahead)
-        if d.layout.signal[k.of].node in d.layout.boundary_at:  # beside the name of the approach section
+        if (
+            d.layout.signalling.signal[k.of].node in d.layout.track.boundary_at
+        ):  # beside the name of the approach section
             up = ahead is leftward
             d.taken.add((x - way * 24 - 6, y - 20 if up else y, x - way * 24 + 6, y if up else y + 20))
         _put(d, Label("signal", k.id, k.id, x - way * 24, y - 24 if ahead is leftward else y + 32))
@@ -135,20 +137,20 @@ def _signals(d: Drawing) -> None:
 
 def _outside(d: Drawing) -> None:
     layout = d.layout
-    for b in layout.boundaries:
+    for b in layout.track.boundaries:
         x, y = d.at[b.node]
-        right = all(d.edges[e.id][-1] == (x, y) for e in layout.edges_at[b.node])
+        right = all(d.edges[e.id][-1] == (x, y) for e in layout.track.edges_at[b.node])
         reach = max(46.0, width(str(b.approach or "")) + 16)
         tip = x + (reach if right else -reach)
         d.outside.append((b.node, (tip, y), right))
         if b.approach is not None:
             _put(d, Label("section", b.approach, b.approach, (x + tip) / 2, y - 6))
-        text = layout.labels.get(b.node, "") or b.node
+        text = layout.printed.labels.get(b.node, "") or b.node
         where = tip + (8 if right else -8)
         _put(d, Label("boundary", b.node, text, where, y + 4, anchor="start" if right else "end"))
-    for stop in layout.buffers:
+    for stop in layout.track.buffers:
         x, y = d.at[stop.node]
-        left = all(d.edges[e.id][0] == (x, y) for e in layout.edges_at[stop.node])
+        left = all(d.edges[e.id][0] == (x, y) for e in layout.track.edges_at[stop.node])
         if stop.kind is not BufferKind.DERAIL:
             where = x + (-9 if left else 9)
             _put(d, Label("buffer", stop.node, stop.node, where, y + 4, anchor="end" if left else "start"))

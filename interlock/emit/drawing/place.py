@@ -50,8 +50,8 @@ def place(layout: Layout) -> Drawing:
 
 def _placed(layout: Layout) -> Drawing:
     cut = unrolled(layout)
-    large = len(layout.points) > FEW
-    hints = bool(layout.drawing)
+    large = len(layout.pointwork.points) > FEW
+    hints = bool(layout.printed.drawing)
     drawn = _settled(layout) if hints or not (cut.turns or large) else None
     if drawn is not None and drawn.plan.slips and not hints:  # a slip's arms decide on which side much else lies
         drawn = _smaller(drawn, cut)
@@ -110,7 +110,7 @@ def _drawn(layout: Layout, tried: Levelled) -> tuple[float, Drawing]:
         s.number: length_of(plan, s, named, _height(runs, levels, s), s.number in runs.straight) for s in plan.strands
     }
     x = along(plan, lengths, _behind(plan, runs, levels, first))
-    for c in layout.crossings:  # a scissors' middle in the middle
+    for c in layout.pointwork.crossings:  # a scissors' middle in the middle
         if len(plan.diagonal_arms[c.id]) == 2:
             ends = [s.right if s.left == c.node else s.left for s in plan.strands if c.node in (s.left, s.right)]
             x[c.node] = sum(x[n] for n in ends) / len(ends)
@@ -125,7 +125,7 @@ def _drawn(layout: Layout, tried: Levelled) -> tuple[float, Drawing]:
     for s in plan.strands:
         own = (top - levels[runs.of_strand[s.number]]) * UNIT + TOP if s.number in runs.of_strand else None
         put_strand(d, s, own, named)
-    if layout.crossings:
+    if layout.pointwork.crossings:
         total += CROSSED * _crossed(d)
     finish(d, named)
     return total, d

@@ -81,7 +81,7 @@ def _boxes(d: Drawing) -> Iterator[Box]:
     yield from (t.box for t in d.labels)
     for x, y, ahead in (*d.signals.values(), *d.distants.values()):
         yield (x - (4 if ahead else 38), y - 22, x + (38 if ahead else 4), y + 22)
-    yield from ((x - 9, y - 9, x + 9, y + 9) for p in d.layout.points for x, y in (d.at[p.node],))
+    yield from ((x - 9, y - 9, x + 9, y + 9) for p in d.layout.pointwork.points for x, y in (d.at[p.node],))
     yield from ((x - 8, y - 8, x + 8, y + 8) for _, x, y, _ in d.joints)
 
 
@@ -119,7 +119,7 @@ def _onward(d: Drawing, w: Window) -> Iterator[tuple[str, Spot, str]]:
     """Where tracks leave a window: side, place, section."""
     left, top, right, bottom = w.box
     sides = (("left", 0, left), ("right", 0, right), ("top", 1, top), ("bottom", 1, bottom))
-    for e in d.layout.edges:
+    for e in d.layout.track.edges:
         for a, b in pairwise(d.edges[e.id]):
             for side, axis, at in sides:
                 low, high = sorted((a[axis], b[axis]))
@@ -283,7 +283,7 @@ def sheets(d: Drawing) -> list[str]:
 
 def _sheet(d: Drawing, w: Window, body: list[Part], of: int) -> str:
     wide, high = SHEET
-    title = d.layout.title or d.layout.name
+    title = d.layout.printed.title or d.layout.name
     facts = [f"{label}: {fact}" for label, fact in title_block(d.layout, d.layout.digest, "en")]
     foot = "    ".join([*facts, f"Sheet {w.number} of {of}"])
     shown = _view(d, w, body, EDGE + STRIP, EDGE + 24, set(), "")
@@ -315,7 +315,7 @@ def folded(d: Drawing, wide: float = WIDE) -> str:
         parts.append(f'<text class="foot" x="12" y="{y + 4:.1f}">row {w.number}</text>')
         parts.append(_view(d, w, body, EDGE + STRIP, y + 12, known, "row "))
         y += w.box[3] - w.box[1] + 48
-    title = d.layout.title or d.layout.name
+    title = d.layout.printed.title or d.layout.name
     broad = max(w.box[2] - w.box[0] for w in those) + 2 * (EDGE + STRIP)
     head = f'<text class="title" x="12" y="22">{escape(title)}</text>'
     rows = ceil(y)

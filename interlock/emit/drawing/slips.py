@@ -36,13 +36,13 @@ class DoubleSlip:
 def double_slips(layout: Layout) -> list[DoubleSlip]:
     """Those of a layout, whether it has their points or their diamonds."""
     pairs: dict[str, list[Blades]] = {}
-    for b in layout.blades:
+    for b in layout.pointwork.blades:
         if len(b.at) == 2:
             pairs.setdefault(b.point[:-1], []).append(b)  # NAMEa and NAMEb
     out = []
     for name, (one, two) in sorted(pairs.items()):
         legs = {end: EdgeId(f"{name}.{end}") for end in CHORDS}
-        diamond = layout.crossing_at.get(NodeId(one.point))
+        diamond = layout.pointwork.crossing_at.get(NodeId(one.point))
         if diamond is not None:
             ends = zip(("1a", "1b", "2a", "2b"), (*diamond.arms[0], *diamond.arms[1]), strict=True)
             legs = dict(ends)
@@ -56,7 +56,7 @@ def with_diamonds(layout: Layout) -> Layout:
     if not slips:
         return layout
     gone = {b.point for s in slips for b in s.blades}
-    middles = {layout.point[s.blades[0].point].toe for s in slips}
+    middles = {layout.pointwork.point[s.blades[0].point].toe for s in slips}
     inward = {s.legs[end] for s in slips for end in ("1a", "2a")}
     to = {two: one for one, two in (s.nodes for s in slips)}
 
@@ -71,10 +71,18 @@ def with_diamonds(layout: Layout) -> Layout:
     ]
     return replace(
         layout,
-        edges=tuple(joined(e) for e in layout.edges if e.id not in middles),
-        points=tuple(p for p in layout.points if p.id not in gone),
-        crossings=tuple(sorted((*layout.crossings, *diamonds), key=lambda c: c.id)),
-        anchors=tuple(replace(a, nodes=tuple(dict.fromkeys(to.get(n, n) for n in a.nodes))) for a in layout.anchors),
+        track=replace(layout.track, edges=tuple(joined(e) for e in layout.track.edges if e.id not in middles)),
+        pointwork=replace(
+            layout.pointwork,
+            points=tuple(p for p in layout.pointwork.points if p.id not in gone),
+            crossings=tuple(sorted((*layout.pointwork.crossings, *diamonds), key=lambda c: c.id)),
+        ),
+        printed=replace(
+            layout.printed,
+            anchors=tuple(
+                replace(a, nodes=tuple(dict.fromkeys(to.get(n, n) for n in a.nodes))) for a in layout.printed.anchors
+            ),
+        ),
     )
 
 
@@ -84,7 +92,7 @@ def restore(d: Drawing, layout: Layout) -> None:
     for s in double_slips(layout):
         x, y = d.at[s.nodes[0]]
         for n in s.nodes:
-            p = layout.point_at[n]
+            p = layout.pointwork.point_at[n]
             left = d.edges[p.normal][-1] == (x, y)
             d.at[n] = here = (x - 1, y) if left else (x + 1, y)
             for e in (p.normal, p.reverse):

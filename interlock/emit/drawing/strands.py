@@ -48,19 +48,22 @@ class Plan:
         self.turns = turns
         self.parts = 0
         self._mirrored = mirrored
-        self.slip_points = [layout.point[b.point] for b in layout.blades if len(b.at) == 1]
+        self.slip_points = [layout.pointwork.point[b.point] for b in layout.pointwork.blades if len(b.at) == 1]
         """Points of slips with a diamond: on the arms, close to it, and no knots."""
         self.rails = {p.reverse for p in self.slip_points}
         """Slip rails: chords of their diamond, without a place of their own."""
         on_arms = {p.node for p in self.slip_points}
         self.knots = {
             n
-            for n, edges in layout.edges_at.items()
-            if len(edges) != 2 or n in layout.point_at or n in layout.crossing_at or n in layout.boundary_at
+            for n, edges in layout.track.edges_at.items()
+            if len(edges) != 2
+            or n in layout.pointwork.point_at
+            or n in layout.pointwork.crossing_at
+            or n in layout.track.boundary_at
         } - on_arms
-        self.knots |= set(layout.buffer_at) | turns
+        self.knots |= set(layout.track.buffer_at) | turns
         oriented = self._oriented(self._contracted())
-        off = {b.node for b in layout.buffers if b.kind is BufferKind.DERAIL}
+        off = {b.node for b in layout.track.buffers if b.kind is BufferKind.DERAIL}
         self.stubs = [s for s in oriented if s.left in off or s.right in off]
         """Legs that lead off the rails: a short stroke, without a place of their own."""
         self.strands = [s for s in oriented if s not in self.stubs]
@@ -68,26 +71,27 @@ class Plan:
     def _contracted(self) -> list[Strand]:
         out: list[Strand] = []
         done: set[EdgeId] = set()
-        for e in self.layout.edges:
+        for e in self.layout.track.edges:
             if e.id in done or e.id in self.rails:
                 continue
             back, behind = self._walk(e.id, e.a)  # back to the beginning, then forward
-            edges, nodes = self._walk(back[-1], self.layout.far(back[-1], behind[-1]))
+            edges, nodes = self._walk(back[-1], self.layout.track.far(back[-1], behind[-1]))
             done |= set(edges)
             out.append(Strand(len(out), tuple(edges), tuple(nodes)))
         return out
 
     def _walk(self, edge: EdgeId, towards: NodeId) -> tuple[list[EdgeId], list[NodeId]]:
         """From an edge on to the next knot; the nodes begin with the one behind."""
-        edges, nodes = [edge], [self.layout.far(edge, towards), towards]
+        edges, nodes = [edge], [self.layout.track.far(edge, towards), towards]
         while nodes[-1] not in self.knots:
             onward = next(
-                (x.id for x in self.layout.edges_at[nodes[-1]] if x.id != edges[-1] and x.id not in self.rails), None
+                (x.id for x in self.layout.track.edges_at[nodes[-1]] if x.id != edges[-1] and x.id not in self.rails),
+                None,
             )
             if onward is None or onward == edges[0]:
                 break
             edges.append(onward)
-            nodes.append(self.layout.far(onward, nodes[-1]))
+            nodes.append(self.layout.track.far(onward, nodes[-1]))
         return edges, nodes
 
     def _oriented(self, raw: list[Strand]) -> list[Strand]:
@@ -130,23 +134,23 @@ class Plan:
     @cached_property
     def slips(self) -> frozenset[NodeId]:
         """Diamonds with slip rails."""
-        far = {self.layout.far(p.normal, p.node) for p in self.slip_points}
-        far |= {NodeId(b.point) for b in self.layout.blades if len(b.at) == 2}  # of `with_diamonds`
-        return frozenset(far & set(self.layout.crossing_at))
+        far = {self.layout.track.far(p.normal, p.node) for p in self.slip_points}
+        far |= {NodeId(b.point) for b in self.layout.pointwork.blades if len(b.at) == 2}  # of `with_diamonds`
+        return frozenset(far & set(self.layout.pointwork.crossing_at))
 
     def _declared(self, s: Strand) -> bool:
         """Whether most edges of a strand run as they are declared."""
-        ahead = sum(self.layout.edge[e].a == n for e, n in zip(s.edges, s.nodes, strict=False))
+        ahead = sum(self.layout.track.edge[e].a == n for e, n in zip(s.edges, s.nodes, strict=False))
         return 2 * ahead >= len(s.edges)
 
     def _same_side(self, node: NodeId, a: EdgeId, b: EdgeId) -> bool | None:
         """Whether two edges leave a knot on the same side; None when it says nothing."""
         if node in self.turns:
             return True
-        point = self.layout.point_at.get(node)
+        point = self.layout.pointwork.point_at.get(node)
         if point is not None:
             return (a == point.toe) is (b == point.toe)
-        crossing = self.layout.crossing_at.get(node)
+        crossing = self.layout.pointwork.crossing_at.get(node)
         if crossing is not None:
             for arm in crossing.arms:
                 if a in arm and b in arm:
@@ -160,10 +164,10 @@ class Plan:
     def diverges(self, s: Strand, node: NodeId) -> bool:
         """Whether a strand leaves a knot on a diagonal: the leg of a point that is not straight, a diagonal arm."""
         edge = s.edges[0] if node == s.left else s.edges[-1]
-        point = self.layout.point_at.get(node)
+        point = self.layout.pointwork.point_at.get(node)
         if point is not None:
             return edge == self.turned_leg(point)
-        crossing = self.layout.crossing_at.get(node)
+        crossing = self.layout.pointwork.crossing_at.get(node)
         if crossing is not None:
             return any(edge in crossing.arms[k] for k in self.diagonal_arms[crossing.id])
         return False
@@ -171,8 +175,8 @@ class Plan:
     def crossover(self, s: Strand) -> bool:
         """Whether a strand between two turned legs is short and bears no signal, so that it is all diagonal."""
         layout = self.layout
-        signals = any((n, e) in layout.signal_facing for n in s.nodes for e in s.edges)
-        return not signals and sum(layout.edge[e].length for e in s.edges) <= CROSSOVER
+        signals = any((n, e) in layout.signalling.facing for n in s.nodes for e in s.edges)
+        return not signals and sum(layout.track.edge[e].length for e in s.edges) <= CROSSOVER
 
     def turned_leg(self, point: Point) -> EdgeId:
         """The leg that is drawn as a diagonal."""
@@ -183,13 +187,13 @@ class Plan:
         """The arms of each crossing that are drawn as diagonals: those between turned legs, at least one."""
         out: dict[str, tuple[int, ...]] = {}
         of_edge = {e: s for s in self.strands for e in s.edges}
-        for c in self.layout.crossings:
+        for c in self.layout.pointwork.crossings:
             turned = []
             for k, arm in enumerate(c.arms):
                 for edge in arm:
                     s = of_edge[edge]
                     far = s.right if s.left == c.node else s.left
-                    point = self.layout.point_at.get(far)
+                    point = self.layout.pointwork.point_at.get(far)
                     end = s.edges[-1] if s.left == c.node else s.edges[0]
                     if point is not None and end == self.turned_leg(point):
                         turned.append(k)

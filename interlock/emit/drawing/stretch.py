@@ -26,16 +26,16 @@ def named_edges(plan: Plan) -> dict[EdgeId, SectionId]:
     slanting = (s for s in plan.strands if plan.diverges(s, s.left) and plan.diverges(s, s.right))
     diagonal = plan.rails | {e for s in slanting for e in s.edges}
     best: dict[SectionId, EdgeId] = {}
-    for e in layout.edges:
+    for e in layout.track.edges:
         old = best.get(e.section)
         key = (e.id not in diagonal, e.length)
-        if old is None or key > (old not in diagonal, layout.edge[old].length):
+        if old is None or key > (old not in diagonal, layout.track.edge[old].length):
             best[e.section] = e.id
     return {e: s for s, e in best.items()}
 
 
 def _signals_at(layout: Layout, node: NodeId) -> list[Signal]:
-    return [g for e in layout.edges_at[node] if (g := layout.signal_facing.get((node, e.id))) is not None]
+    return [g for e in layout.track.edges_at[node] if (g := layout.signalling.facing.get((node, e.id))) is not None]
 
 
 def _content(plan: Plan, s: Strand, k: int, named: dict[EdgeId, SectionId]) -> float:
@@ -43,17 +43,17 @@ def _content(plan: Plan, s: Strand, k: int, named: dict[EdgeId, SectionId]) -> f
     layout, edge = plan.layout, s.edges[k]
     need = 0.0
     for node in (s.nodes[k], s.nodes[k + 1]):
-        signal = layout.signal_facing.get((node, edge))
+        signal = layout.signalling.facing.get((node, edge))
         if signal is not None:
             need += max(SIGNAL, width(signal.id)) + 8
-        elif node in layout.point_at:
-            turned = edge == plan.turned_leg(layout.point_at[node])
-            toe = edge == layout.point_at[node].toe
-            need += 10 if turned else width(str(layout.point_at[node].id)) + 4 if toe else 40
+        elif node in layout.pointwork.point_at:
+            turned = edge == plan.turned_leg(layout.pointwork.point_at[node])
+            toe = edge == layout.pointwork.point_at[node].toe
+            need += 10 if turned else width(str(layout.pointwork.point_at[node].id)) + 4 if toe else 40
         else:
             need += _slip_room(plan, node)
     if edge in named:
-        metres = sum(e.length for e in layout.edges if e.section == named[edge])
+        metres = sum(e.length for e in layout.track.edges if e.section == named[edge])
         need += max(width(named[edge]), 0.82 * width(f"{metres:g}")) + 14
     return max(LEAST, need)
 
@@ -87,11 +87,11 @@ Behind = tuple[NodeId, NodeId, float]
 
 def outer(layout: Layout, node: NodeId) -> float:
     """Room that the end of a track needs beyond itself."""
-    boundary = layout.boundary_at.get(node)
+    boundary = layout.track.boundary_at.get(node)
     if boundary is not None:
         reach = max(46.0, width(str(boundary.approach or "")) + 16)
-        return reach + width(layout.labels.get(node, "") or node) + 10
-    return width(node) + 12 if node in layout.buffer_at else 0.0
+        return reach + width(layout.printed.labels.get(node, "") or node) + 10
+    return width(node) + 12 if node in layout.track.buffer_at else 0.0
 
 
 def along(plan: Plan, lengths: dict[int, float], behind: tuple[Behind, ...]) -> dict[NodeId, float]:
@@ -146,7 +146,7 @@ def put_strand(d: Drawing, s: Strand, own: float | None, named: dict[EdgeId, Sec
         spare = (flat1 - flat0) - sum(contents)
         run = flat0
         for k, c in enumerate(contents):
-            share = spare * d.layout.edge[s.edges[k]].length / sum(d.layout.edge[e].length for e in s.edges)
+            share = spare * d.layout.track.edge[s.edges[k]].length / sum(d.layout.track.edge[e].length for e in s.edges)
             run += c + share
             cuts.append(run)
     cuts[-1] = x1
@@ -171,14 +171,14 @@ def _slips(d: Drawing) -> None:
     """Points of slips close to their diamond, on its arms, and slip rails as chords between them."""
     for p in d.plan.slip_points:
         toe, straight = d.edges[p.toe], d.edges[p.normal]
-        middle = next(n for n in (d.layout.edge[p.normal].a, d.layout.edge[p.normal].b) if n != p.node)
+        middle = next(n for n in (d.layout.track.edge[p.normal].a, d.layout.track.edge[p.normal].b) if n != p.node)
         onward = straight[0] == d.at[middle]  # the arm leads to the right
         line = [*straight, *toe[1:]] if onward else [*toe, *straight[1:]]
         inner, outer = cut_at(line if onward else line[::-1], BLADES)
         d.at[p.node] = inner[-1]
         d.edges[p.normal], d.edges[p.toe] = (inner, outer) if onward else (inner[::-1], outer[::-1])
     for rail in d.plan.rails:
-        e = d.layout.edge[rail]
+        e = d.layout.track.edge[rail]
         d.edges[rail] = sorted((d.at[e.a], d.at[e.b]))
 
 

@@ -66,7 +66,7 @@ def plan_svg(layout: Layout, drawing: Drawing | None = None) -> str:
     d = drawing or place(layout)
     body = "\n".join(plan_body(d))
     w, h = _n(d.width), _n(d.height)
-    title = escape(layout.title or layout.name)
+    title = escape(layout.printed.title or layout.name)
     large = d.width > SCREEN[0] or d.height > SCREEN[1]
     x, y = min(spot for _, spot, _ in d.outside) if d.outside else min(d.at.values(), default=(0.0, 0.0))
     start = f' data-start="{_n(x)} {_n(y)}"' if large else ""
@@ -88,11 +88,11 @@ def _tracks(d: Drawing) -> list[str]:
     layout = d.layout
     out = []
     for n, tip, _ in d.outside:
-        boundary = layout.boundary_at[n]
+        boundary = layout.track.boundary_at[n]
         name = f" id={_id(f'section-{boundary.approach}')}" if boundary.approach else ""
         out.append(f'<g{name} class="section approach"><path class="track outside" d="{_path([d.at[n], tip])}"/></g>')
-    for s in layout.sections:
-        edges = [e for e in layout.edges if e.section == s.id]
+    for s in layout.track.sections:
+        edges = [e for e in layout.track.edges if e.section == s.id]
         if not edges:
             continue
         kind = "track" + (" inclined" if s.lane is Lane.INCLINED else "") + ("" if s.detected else " blind")
@@ -105,7 +105,7 @@ def _tracks(d: Drawing) -> list[str]:
 
 def _arrow(d: Drawing, edge: str) -> str:
     """One-way track: an arrow on it."""
-    e = d.layout.edge[edge]  # type: ignore[index]
+    e = d.layout.track.edge[edge]  # type: ignore[index]
     (x0, y0), (x1, y1) = flat(d.edges[e.id])
     x, y = x0 + (x1 - x0) * 0.8, y0 + (y1 - y0) * 0.8
     way = 6 if (d.edges[e.id][0] == d.at[e.a]) is (x1 > x0) else -6
@@ -125,11 +125,11 @@ def _joints(d: Drawing) -> list[str]:
 
 def _points(d: Drawing) -> list[str]:
     """Each point with its machine; of a slip with a word on where its blades lie, and where they lead."""
-    told = {b.point: b for b in d.layout.blades}
+    told = {b.point: b for b in d.layout.pointwork.blades}
     slips = double_slips(d.layout)
     parts = {s.blades[0].point: _double(d, s) for s in slips}
     shared = {b.point for s in slips for b in s.blades}
-    for p in d.layout.points:
+    for p in d.layout.pointwork.points:
         if p.id in shared:
             continue
         x, y = d.at[p.node]
@@ -168,7 +168,7 @@ def _double(d: Drawing, s: DoubleSlip) -> str:
     rails = {tuple(sorted((b.at, b.chord))) for b in those}
     out = [f'<path class="rail" {RAIL} d="{_path(list(r))}"/>' for r in sorted(rails)]
     for lie in s.blades:
-        p, own = d.layout.point[lie.point], [b for b in those if b.point == lie.point]
+        p, own = d.layout.pointwork.point[lie.point], [b for b in those if b.point == lie.point]
         inner, lies = _words(lie), {True: list[str](), False: list[str]()}
         for b in own:
             gap, uy = _gap(b.at, b.chord, 14)
@@ -202,7 +202,7 @@ def _fouling(d: Drawing, p: Point) -> str:
 
 def _crossings(d: Drawing) -> list[str]:
     out = []
-    for c in d.layout.crossings:
+    for c in d.layout.pointwork.crossings:
         x, y = d.at[c.node]
         out.append(f'<circle id={_id(f"crossing-{c.id}")} class="mark" cx="{_n(x)}" cy="{_n(y)}" r="4"/>')
     return out
@@ -214,9 +214,9 @@ def _ends(d: Drawing) -> list[str]:
         way = 5 if right else -5
         tip = f'<path class="mark" d="M{_n(x - way)} {_n(y - 5)} L{_n(x)} {_n(y)} L{_n(x - way)} {_n(y + 5)}"/>'
         out.append(f'<g id={_id(f"boundary-{n}")} class="boundary">{tip}</g>')
-    for b in d.layout.buffers:
+    for b in d.layout.track.buffers:
         x, y = d.at[b.node]
-        left = all(_beside(d.edges[e.id], (x, y)) > x for e in d.layout.edges_at[b.node])
+        left = all(_beside(d.edges[e.id], (x, y)) > x for e in d.layout.track.edges_at[b.node])
         way = 5 if left else -5
         if b.kind is BufferKind.STOP:
             mark = f"M{_n(x + way)} {_n(y - 7)} L{_n(x)} {_n(y - 7)} L{_n(x)} {_n(y + 7)} L{_n(x + way)} {_n(y + 7)}"
@@ -238,7 +238,7 @@ def _beside(line: list[Spot], end: Spot) -> float:
 def _devices(d: Drawing) -> list[str]:
     """A level crossing is a road across every track that it lies over; other interlocks are a frame around it."""
     out = []
-    for device in d.layout.devices:
+    for device in d.layout.signalling.devices:
         marks = []
         for x, y in device_spots(d, device.over):
             if device.kind is DeviceKind.LEVEL_CROSSING:
@@ -252,8 +252,8 @@ def _devices(d: Drawing) -> list[str]:
 
 def _signals(d: Drawing) -> list[str]:
     leftward = d.layout.profile != "de"
-    out = [_signal(d.layout, g, *d.signals[g.id], leftward) for g in d.layout.signals]
-    for k in d.layout.distants:  # a distant signal: an open square on its mast, in rear of its main signal
+    out = [_signal(d.layout, g, *d.signals[g.id], leftward) for g in d.layout.signalling.signals]
+    for k in d.layout.signalling.distants:  # a distant signal: an open square on its mast, in rear of its main signal
         x, y, ahead = d.distants[k.id]
         my = y + (-14 if ahead is leftward else 14)
         box = f'<path class="mast" d="M{_n(x)} {_n(y)} L{_n(x)} {_n(my)} M{_n(x - 5)} {_n(my)} l5 -5 l5 5 l-5 5 Z"/>'
@@ -267,10 +267,14 @@ def _signal(layout: Layout, g: Signal, x: float, y: float, ahead: bool, leftward
     bar across its mast."""
     side, way = (-1 if ahead is leftward else 1), (1 if ahead else -1)
     my = y + side * 14
-    lamps = [k for k, there in (("main", g.main), ("shunt", g.shunt)) if there and layout.opens(g.id, k == "shunt")]
-    lamps += ["identifier"] if g.id in layout.identifiers else []
+    lamps = [
+        k
+        for k, there in (("main", g.main), ("shunt", g.shunt))
+        if there and layout.signalling.opens(g.id, k == "shunt")
+    ]
+    lamps += ["identifier"] if g.id in layout.signalling.identifiers else []
     mast = f"M{_n(x)} {_n(y + side * 4)} L{_n(x)} {_n(my + side * 4)} M{_n(x)} {_n(my)} L{_n(x + way * 12)} {_n(my)}"
-    if g.id in layout.boards:
+    if g.id in layout.signalling.boards:
         mast += f" M{_n(x + way * 12)} {_n(my - 6)} L{_n(x + way * 12)} {_n(my + 6)}"
     heads = "".join(
         f'<circle class="lamp {kind}" cx="{_n(x + way * (16 + 9 * k))}" cy="{_n(my)}" r="4.2"/>'

@@ -32,7 +32,7 @@ def unrolled(layout: Layout) -> Unrolled:
     out = Unrolled(layout, frozenset(), {})
     for s in _turning(plan):
         out = cut_at_turns(out, longest(layout, s), 1)
-    for _ in range(len(layout.edges)):
+    for _ in range(len(layout.track.edges)):
         plan = Plan(out.layout, 0, out.turns)
         cycle = _cycle(plan)
         whole = [s for s in cycle if not set(s.nodes) & out.turns]
@@ -71,10 +71,10 @@ def _turning(plan: Plan) -> list[Strand]:
 
 def _port(plan: Plan, node: NodeId, edge: EdgeId) -> tuple[object, bool] | None:
     """What decides on which side of a knot an edge lies, and whether it lies on the other one."""
-    point = plan.layout.point_at.get(node)
+    point = plan.layout.pointwork.point_at.get(node)
     if point is not None:
         return (node, edge != point.toe)
-    crossing = plan.layout.crossing_at.get(node)
+    crossing = plan.layout.pointwork.crossing_at.get(node)
     if crossing is not None and node in plan.slips:
         return (node, edge in (crossing.arms[0][1], crossing.arms[1][1]))
     if crossing is not None:
@@ -95,18 +95,18 @@ def _cycle(plan: Plan) -> list[Strand]:
 
 def metres(layout: Layout, s: Strand) -> float:
     """The length of a track."""
-    return sum(layout.edge[e].length for e in s.edges if e in layout.edge)
+    return sum(layout.track.edge[e].length for e in s.edges if e in layout.track.edge)
 
 
 def longest(layout: Layout, s: Strand) -> EdgeId:
     """The edge of a track at which it turns."""
-    return max(s.edges, key=lambda e: (layout.edge[e].length, e))
+    return max(s.edges, key=lambda e: (layout.track.edge[e].length, e))
 
 
 def cut_at_turns(before: Unrolled, edge: EdgeId, times: int) -> Unrolled:
     """An edge in equal pieces, joined by nodes at which the track turns."""
     layout = before.layout
-    e = layout.edge[edge]
+    e = layout.track.edge[edge]
     names = tuple(EdgeId(f"{edge}~{k}") for k in range(times + 1))
     turns = [NodeId(f"{edge}~turn{k}") for k in range(times)]
     nodes = [e.a, *turns, e.b]
@@ -119,7 +119,7 @@ def cut_at_turns(before: Unrolled, edge: EdgeId, times: int) -> Unrolled:
 
     points = [
         replace(p, toe=at(p.node, p.toe), normal=at(p.node, p.normal), reverse=at(p.node, p.reverse))
-        for p in layout.points
+        for p in layout.pointwork.points
     ]
     crossings = [
         replace(
@@ -129,13 +129,17 @@ def cut_at_turns(before: Unrolled, edge: EdgeId, times: int) -> Unrolled:
                 (at(c.node, c.arms[1][0]), at(c.node, c.arms[1][1])),
             ),
         )
-        for c in layout.crossings
+        for c in layout.pointwork.crossings
     ]
     cut = replace(
         layout,
-        edges=tuple(sorted((*(x for x in layout.edges if x.id != edge), *new), key=lambda x: x.id)),
-        points=tuple(points),
-        crossings=tuple(crossings),
-        signals=tuple(replace(g, into=at(g.node, g.into)) for g in layout.signals),
+        track=replace(
+            layout.track,
+            edges=tuple(sorted((*(x for x in layout.track.edges if x.id != edge), *new), key=lambda x: x.id)),
+        ),
+        pointwork=replace(layout.pointwork, points=tuple(points), crossings=tuple(crossings)),
+        signalling=replace(
+            layout.signalling, signals=tuple(replace(g, into=at(g.node, g.into)) for g in layout.signalling.signals)
+        ),
     )
     return Unrolled(cut, before.turns | frozenset(turns), {**before.pieces, edge: names})

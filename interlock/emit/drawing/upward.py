@@ -63,7 +63,7 @@ def turned(layout: Layout) -> Turned:
 def _order(plan: Plan) -> dict[NodeId, list[EdgeId]]:
     """The edges around every knot in an embedding of the tracks, with all boundaries in one face where that can be."""
     graph: nx.Graph[Name] = nx.Graph()
-    crossings, ports = plan.layout.crossing_at, {}
+    crossings, ports = plan.layout.pointwork.crossing_at, {}
     for s in plan.strands:
         halves = []
         for n, e, k in ((s.left, s.edges[0], "0"), (s.right, s.edges[-1], "1")):
@@ -80,7 +80,7 @@ def _order(plan: Plan) -> dict[NodeId, list[EdgeId]]:
     tidy: nx.Graph[Name] = nx.Graph()
     tidy.add_nodes_from(sorted(graph))
     tidy.add_edges_from(sorted(map(sorted, graph.edges)))
-    around = [(OUTSIDE, knot(n)) for n in sorted(plan.layout.boundary_at) if knot(n) in tidy]
+    around = [(OUTSIDE, knot(n)) for n in sorted(plan.layout.track.boundary_at) if knot(n) in tidy]
     tidy.add_edges_from(around)
     found, embedding = nx.check_planarity(tidy)
     if not found:
@@ -143,14 +143,14 @@ def _tried(
     for rank, s in enumerate(by_length):
         ahead, back = of[s.right, s.edges[-1]], of[s.left, s.edges[0]]
         weight = TURN + TURN * rank // len(strands)
-        if {s.left, s.right} & set(plan.layout.crossing_at):
+        if {s.left, s.right} & set(plan.layout.pointwork.crossing_at):
             weight += ARM
         if ahead != back:
             graph.add_edge(back, ahead, (s.number, 1), weight=weight)
             graph.add_edge(ahead, back, (s.number, -1), weight=weight)
     graph.add_nodes_from(mine)
-    leads = {k: sum(a[0] in plan.layout.boundary_at for a, _ in faces[k]) for k in mine}
-    free = [n for n in sorted(plan.layout.crossing_at) if n in part and n not in plan.slips][:DIAMONDS]
+    leads = {k: sum(a[0] in plan.layout.track.boundary_at for a, _ in faces[k]) for k in mine}
+    free = [n for n in sorted(plan.layout.pointwork.crossing_at) if n in part and n not in plan.slips][:DIAMONDS]
     for ways in product((False, True), repeat=len(free)):
         across = dict(zip(free, ways, strict=True))
         has = {k: sum(_angle(plan, across, *corner) for corner in faces[k]) for k in mine}
@@ -174,17 +174,17 @@ def _angle(plan: Plan, across: dict[NodeId, bool], a: Port, b: Port) -> int:
     node = a[0]
     if a == b:
         return 1
-    crossing = plan.layout.crossing_at.get(node)
+    crossing = plan.layout.pointwork.crossing_at.get(node)
     if crossing is not None:
         left = {crossing.arms[0][0], crossing.arms[1][1 if across.get(node) else 0]}
         return -1 if (a[1] in left) is (b[1] in left) else 0
-    point = plan.layout.point_at.get(node)
+    point = plan.layout.pointwork.point_at.get(node)
     return -1 if point is not None and (a[1] == point.toe) is (b[1] == point.toe) else 0
 
 
 def _turn(t: Turned, s: Strand, edge: EdgeId, times: int) -> None:
     """Cut a track where it turns, `times` < 0 the other way round."""
-    e = t.cut.layout.edge[edge]
+    e = t.cut.layout.track.edge[edge]
     t.cut = cut_at_turns(t.cut, edge, abs(times))
     names = t.cut.pieces[edge]
 

@@ -60,12 +60,12 @@ def names_csv(layout: Layout) -> str:
     `/`."""
     rooms: tuple[tuple[str, Iterable[str]], ...] = (
         ("layout", (layout.name,)),
-        ("section", (s.id for s in layout.sections)),
-        ("signal", (g.id for g in layout.signals)),
+        ("section", (s.id for s in layout.track.sections)),
+        ("signal", (g.id for g in layout.signalling.signals)),
         ("machine", layout.machines),
-        ("condition", (c.id for c in layout.conditions)),
-        ("zone", (z.id for z in layout.zones)),
-        ("boundary", (b.node for b in layout.boundaries)),
+        ("condition", (c.id for c in layout.signalling.conditions)),
+        ("zone", (z.id for z in layout.declared.zones)),
+        ("boundary", (b.node for b in layout.track.boundaries)),
     )
     rows = [(kind, name, portable(name)) for kind, names in rooms for name in names]
     if all(len(name) == len(written) and written.isascii() for _, name, written in rows):
@@ -92,7 +92,7 @@ def words_csv(controller: Controller) -> str:
 def _blades(layout: Layout, controller: Controller) -> dict[str, str]:
     """For each wire of a machine of a slip, where the blades lie, and to which end they lead when it is 1."""
     found: dict[str, str] = {}
-    named = {b.point: b for b in layout.blades}
+    named = {b.point: b for b in layout.pointwork.blades}
     for m, ends in layout.machines.ends.items():
         for x in Position:
             lie = [(named[p.id], x) for p in ends if p.id in named]
@@ -104,24 +104,24 @@ def _blades(layout: Layout, controller: Controller) -> dict[str, str]:
 
 def equipment_csv(layout: Layout, a: Allocation) -> str:
     """What has to be bought and mounted, counted from the layout (document B 2.2)."""
-    lit = [g for g in layout.signals if g.id not in layout.boards]
-    kinds = Counter(f"signal, {'shunt' if g.id in layout.stops else g.kind}" for g in lit)
-    kinds["stop board"] = sum(g in layout.stops for g in layout.boards)
-    kinds["limit-of-shunt board"] = sum(g not in layout.stops for g in layout.boards)
-    hand = {p.machine for p in layout.points if p.work is Work.HAND}
+    lit = [g for g in layout.signalling.signals if g.id not in layout.signalling.boards]
+    kinds = Counter(f"signal, {'shunt' if g.id in layout.signalling.stops else g.kind}" for g in lit)
+    kinds["stop board"] = sum(g in layout.signalling.stops for g in layout.signalling.boards)
+    kinds["limit-of-shunt board"] = sum(g not in layout.signalling.stops for g in layout.signalling.boards)
+    hand = {p.machine for p in layout.pointwork.points if p.work is Work.HAND}
     derailers = {m for m in layout.machines.ends if layout.machines.is_derailer(m)}
     motors = [m for m in layout.machines.ends if m not in hand]
-    kinds["call-on lamp"] = sum(g.call_on for g in layout.signals)
-    kinds["identifier light"] = len(layout.identifiers)
-    kinds["distant signal"] = len(layout.distants)
-    kinds["section with detection"] = sum(s.detected and not s.approach for s in layout.sections)
-    kinds["approach section with detection"] = sum(s.detected and s.approach for s in layout.sections)
+    kinds["call-on lamp"] = sum(g.call_on for g in layout.signalling.signals)
+    kinds["identifier light"] = len(layout.signalling.identifiers)
+    kinds["distant signal"] = len(layout.signalling.distants)
+    kinds["section with detection"] = sum(s.detected and not s.approach for s in layout.track.sections)
+    kinds["approach section with detection"] = sum(s.detected and s.approach for s in layout.track.sections)
     kinds["point machine"] = len([m for m in motors if m not in derailers])
     kinds["derailer machine"] = len([m for m in motors if m in derailers])
     kinds["point worked by hand, with key"] = len(hand)
-    for d in layout.devices:
+    for d in layout.signalling.devices:
         kinds[str(d.kind)] += 1
-    kinds["external condition"] = len(layout.conditions)
+    kinds["external condition"] = len(layout.signalling.conditions)
     kinds["substation"] = len(a.stations)
     for card in a.cards:
         kinds[f"card, {card.size} digital {'inputs' if card.direction == 'I' else 'outputs'}"] += 1

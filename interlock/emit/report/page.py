@@ -22,11 +22,12 @@ from interlock.emit.io import CROSS_REFERENCE
 from interlock.emit.tables.paper import SIGNED, title_block
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology, topology
+from interlock.table.cells import Because, FlankCell, Hostility, ProviderKind, TraversalKey
 from interlock.table.columns import COLUMNS, VOYAGE_COLUMNS, Column, Reasons
 from interlock.table.matrix import beyond_matrix, matrix
 from interlock.table.national import SHEETS, national_sheets
 from interlock.table.printed import Printed, PrintedRoute, grouped, parts
-from interlock.table.rows import Because, FlankCell, Hostility, InterlockingTable, ProviderKind, RouteRow, TraversalKey
+from interlock.table.rows import InterlockingTable, RouteRow
 
 LARGE = 200  # routes: from here on hostile routes are counted in the table, and named when asked for
 
@@ -100,7 +101,7 @@ def report_html(
             beyond=beyond_matrix(table),
             forms=[f.printed() for f in national_sheets(layout, table)] if not large else [],
             kinds_of_routes=sorted({str(r.kind) for r in table.routes}),
-            places=sorted({*(s for r in table.routes for s in r.section_ids), *(r.entry for r in table.routes)}),
+            places=sorted({*(s for r in table.routes for s in r.path.section_ids), *(r.entry for r in table.routes)}),
             references=[(n, _sheet(data)) for n, data in sorted(files.items()) if n.startswith(CROSS_REFERENCE)],
             digests=[(n, digest_of(n, data)) for n, data in sorted(files.items())],
         )
@@ -110,9 +111,9 @@ def report_html(
 def _hostile_parts(way: PrintedRoute, large: bool) -> list[tuple[RouteRow | None, str]]:
     """The hostile routes of a row by name, or how many they are; of which route of the row, where there are several."""
     if large:
-        return [(r if way.several else None, f"{len(r.hostile)} routes") for r in way.rows if r.hostile]
+        return [(r if way.several else None, f"{len(r.locking.hostile)} routes") for r in way.rows if r.locking.hostile]
     told = [
-        (r, [x.name() for x in grouped(((h.route, None) for h in r.hostile), way.ways, r) if x.way is not way])
+        (r, [x.name() for x in grouped(((h.route, None) for h in r.locking.hostile), way.ways, r) if x.way is not way])
         for r in way.rows
     ]
     return [(p.row, ", ".join(p.items)) for p in parts(told) if p.items]
@@ -232,10 +233,10 @@ def _routes(layout: Layout, table: InterlockingTable, shared: _Shared) -> list[d
     line = {r.id: k for k, way in enumerate(Printed(table).all) for r in way.rows}
     routes = []
     for r in table.routes:
-        providers = [p for c in r.flank for p in c.providers]
+        providers = [p for c in r.locking.flank for p in c.providers]
         machines = {p.name for p in providers if p.kind is ProviderKind.POINT}
         hostile: dict[int, list[int]] = {}
-        for h in r.hostile:
+        for h in r.locking.hostile:
             hostile.setdefault(shared.how(h.how), []).append(table.route[h.route].number - 1)
         routes.append(
             {
@@ -244,10 +245,14 @@ def _routes(layout: Layout, table: InterlockingTable, shared: _Shared) -> list[d
                 "kind": str(r.kind),
                 "entry": r.entry,
                 "exit": r.exit,
-                "path": [shared.way(k, topo) for p in table.parts(r) for k in p.traversals],
-                "overlap": [shared.way(k, topo) for k in (r.overlap.ways if r.overlap is not None else ())],
-                "flank_points": [str(p.id) for p in layout.points if p.id in machines or p.machine in machines],
-                "flank": [shared.flank(c) for c in r.flank],
+                "path": [shared.way(k, topo) for p in table.parts(r) for k in p.path.traversals],
+                "overlap": [
+                    shared.way(k, topo) for k in (r.locking.overlap.ways if r.locking.overlap is not None else ())
+                ],
+                "flank_points": [
+                    str(p.id) for p in layout.pointwork.points if p.id in machines or p.machine in machines
+                ],
+                "flank": [shared.flank(c) for c in r.locking.flank],
                 "hostile": [shared.group(how, others) for how, others in sorted(hostile.items())],
             }
         )

@@ -16,8 +16,7 @@ from typing import Any
 
 from interlock.model.elements import RouteId
 from interlock.model.layout import Layout
-from interlock.table.rows import (
-    SCHEMA_VERSION,
+from interlock.table.cells import (
     ApproachCell,
     AspectCell,
     BarredCell,
@@ -32,16 +31,15 @@ from interlock.table.rows import (
     Hostile,
     HostileRoutes,
     Hostility,
-    InterlockingTable,
     OverlapCell,
     PointDemand,
     ReleaseStep,
-    RouteRow,
     SpaceCell,
     SpeedCell,
     TokenCell,
     ZoneCell,
 )
+from interlock.table.rows import SCHEMA_VERSION, InterlockingTable, RouteRow
 
 SCHEMA = f"interlock-table/{SCHEMA_VERSION}"
 

@@ -87,7 +87,7 @@ NOT_CERTIFIED = {
 
 def title_block(layout: Layout, digest: str, language: str) -> list[tuple[str, str]]:
     """The title block: what the layout states, and from which layout the form was made."""
-    block, labels = layout.title_block, LABELS[language]
+    block, labels = layout.printed.title_block, LABELS[language]
     stated = ("",) * 5 if block is None else (block.company, block.author, block.number, block.revision, block.date)
-    facts = (layout.title or layout.name, *stated, f"{layout.name} {digest[:16]}")
+    facts = (layout.printed.title or layout.name, *stated, f"{layout.name} {digest[:16]}")
     return [(label, fact) for label, fact in zip(labels, facts, strict=True) if fact]

@@ -13,8 +13,9 @@ from interlock.emit.tables.document import document
 from interlock.model.elements import DeviceKind, Position
 from interlock.model.layout import Layout
 from interlock.model.times import overlap_release_s
+from interlock.table.cells import Hostility, ProviderKind, Role
 from interlock.table.national.reading import Reading
-from interlock.table.rows import Hostility, InterlockingTable, ProviderKind, Role, RouteRow
+from interlock.table.rows import InterlockingTable, RouteRow
 
 IN = {Position.NORMAL: "normal", Position.REVERSE: "reverse"}
 
@@ -51,7 +52,7 @@ class _Groups(dict[tuple[object, ...], int]):
 def _conflicts(table: InterlockingTable, r: RouteRow, groups: _Groups) -> Iterator[dict[str, object]]:
     """The routes that conflict with a route, those together that do for one reason."""
     found: dict[Hostility, list[int]] = {}
-    for h in r.hostile:
+    for h in r.locking.hostile:
         found.setdefault(h.how, []).append(table.route[h.route].number)
     kinds: dict[str, list[int]] = {}
     for how, routes in found.items():
@@ -62,21 +63,21 @@ def _conflicts(table: InterlockingTable, r: RouteRow, groups: _Groups) -> Iterat
 
 def _route(x: Reading, r: RouteRow) -> dict[str, object]:
     facing = {m for m, _ in x.machines.facing(r)}
-    path = [p for p in r.points if p.role is Role.PATH]
+    path = [p for p in r.locking.points if p.role is Role.PATH]
     exit_: dict[str, object] = {"refersTo": r.exit}
-    if r.overlap is not None:
+    if r.locking.overlap is not None:
         exit_["hasOverlap"] = {
-            "designator": f"{r.overlap.signal}:{r.overlap.option}",
-            "length": r.overlap.metres,
-            "hasTvdSection": [s for s, _ in r.overlap.ways],
-            "releaseDelay": overlap_release_s(x.layout, r.overlap.signal),
+            "designator": f"{r.locking.overlap.signal}:{r.locking.overlap.option}",
+            "length": r.locking.overlap.metres,
+            "hasTvdSection": [s for s, _ in r.locking.overlap.ways],
+            "releaseDelay": overlap_release_s(x.layout, r.locking.overlap.signal),
         }
     return {
         "id": r.id,
         "elementNumber": r.number,
         "handlesRouteType": r.kind,
-        "priorityRank": r.variant - 1,
-        "approachReleaseDelay": r.approach.delay_s,
+        "priorityRank": r.path.variant - 1,
+        "approachReleaseDelay": r.locking.approach.delay_s,
         "routeEntry": {"refersTo": r.entry},
         "routeExit": exit_,
         "facingSwitchInPosition": [
@@ -85,17 +86,17 @@ def _route(x: Reading, r: RouteRow) -> dict[str, object]:
         "trailingSwitchInPosition": [
             {"refersTo": p.machine, "inPosition": IN[p.position]} for p in path if p.machine not in facing
         ],
-        "hasTvdSection": [s.section for s in r.sections],
-        **({"continuesAs": r.onward} if r.onward is not None else {}),
+        "hasTvdSection": [s.section for s in r.clear.sections],
+        **({"continuesAs": r.path.onward} if r.path.onward is not None else {}),
     }
 
 
 def _relation(x: Reading, r: RouteRow, groups: _Groups) -> dict[str, object]:
-    legs = [[p.name for p in c.providers if p.kind is ProviderKind.SIGNAL] for c in r.flank]
+    legs = [[p.name for p in c.providers if p.kind is ProviderKind.SIGNAL] for c in r.locking.flank]
     stops = dict.fromkeys(groups.place(names) for names in legs if names)
-    crossings = [p for p in r.points if p.machine in x.layout.machines.device]
+    crossings = [p for p in r.locking.points if p.machine in x.layout.machines.device]
     kinds = {p.machine: x.layout.machines.device[p.machine].kind for p in crossings}
-    flank = [p for p in r.points if p.role in (Role.FLANK, Role.ADDED)]
+    flank = [p for p in r.locking.points if p.role in (Role.FLANK, Role.ADDED)]
     return {
         "refersToRoute": r.id,
         "requiredSwitchPosition": [
@@ -103,7 +104,7 @@ def _relation(x: Reading, r: RouteRow, groups: _Groups) -> dict[str, object]:
         ],
         "requiredDerailerPosition": [
             {"refersTo": p.machine, "inPosition": x.layout.machines.word(p.machine, p.position)}
-            for p in r.points
+            for p in r.locking.points
             if x.machines.is_derailer(p.machine)
         ],
         "requiredSectionState": [
@@ -112,9 +113,9 @@ def _relation(x: Reading, r: RouteRow, groups: _Groups) -> dict[str, object]:
                 "inState": "vacant",
                 **({"while": f"{c.when[0]} {IN[c.when[1]]}"} if c.when else {}),
             }
-            for c in r.foul
+            for c in r.clear.foul
         ]
-        + [{"refersTo": c.section, "inState": "vacant"} for c in r.demanded_clear or ()],
+        + [{"refersTo": c.section, "inState": "vacant"} for c in r.clear.demanded or ()],
         "requiredSignalAspect": [{"refersTo": list(stops), "showsAspect": "closed"}] if stops else [],
         "requiredLevelCrossingState": [
             {"refersTo": p.machine, "inState": "closed"}

@@ -12,7 +12,8 @@ from pydantic import BaseModel, Field, create_model
 
 from interlock.emit.tables.document import CELLS, ONLY_STATED, ROUTE, SCHEMA, TOPOLOGY
 from interlock.model.layout import Layout
-from interlock.table.rows import Because, HostileRoutes, Hostility, InterlockingTable, RouteRow
+from interlock.table.cells import Because, HostileRoutes, Hostility
+from interlock.table.rows import InterlockingTable, RouteRow
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 

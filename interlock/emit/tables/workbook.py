@@ -113,7 +113,7 @@ class _Writer:
         page.set_paper(PAPER_A3)
         page.set_margins(MARGIN_IN, MARGIN_IN, MARGIN_IN, 0.6)
         page.fit_to_pages(1, 0)
-        block = self.layout.title_block
+        block = self.layout.printed.title_block
         revision = "" if block is None else " ".join(x for x in (block.number, block.revision, block.date) if x)
         left, middle = (t.replace("&", "&&") for t in (f"{self.layout.name} {name}", revision))
         page.set_footer(f"&L{left}&C{middle}&R&P / &N")

@@ -18,8 +18,8 @@ from interlock.model.principles import Principles
 def check_approach(ctx: Context, layout: Layout) -> None:
     """Compare each approach section with the braking distance from the speed in it."""
     rules = layout.principles
-    mains = {g.node for g in layout.signals if g.main}
-    for b in layout.boundaries:
+    mains = {g.node for g in layout.signalling.signals if g.main}
+    for b in layout.track.boundaries:
         if b.approach is None or b.kind is BoundaryKind.OUT or b.node not in mains:
             continue
         kmh = rules.line_speed_kmh

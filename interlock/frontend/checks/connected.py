@@ -41,7 +41,7 @@ def _pieces(edges: Iterable[Edge]) -> list[set[NodeId]]:
 def check_connected(ctx: Context, layout: Layout) -> None:
     """Report split and unreachable sections."""
     parts: dict[str, list[Edge]] = {}
-    for e in layout.edges:
+    for e in layout.track.edges:
         parts.setdefault(e.section, []).append(e)
     for section, edges in sorted(parts.items()):
         count = len(_pieces(edges))
@@ -52,8 +52,8 @@ def check_connected(ctx: Context, layout: Layout) -> None:
                 ctx.at(*_place(ctx, section)),
                 "a detector watches one piece of track: name each piece",
             )
-    starts = {b.node for b in layout.boundaries} or {g.node for g in layout.signals[:1]}
-    reached = {n for piece in _pieces(layout.edges) if piece & starts for n in piece}
+    starts = {b.node for b in layout.track.boundaries} or {g.node for g in layout.signalling.signals[:1]}
+    reached = {n for piece in _pieces(layout.track.edges) if piece & starts for n in piece}
     for section, edges in sorted(parts.items()):
         if not any(e.a in reached for e in edges):
             ctx.add(

@@ -16,18 +16,18 @@ def check_delays(ctx: Context, layout: Layout) -> None:
     halt = "until whatever ran at a power cut stands at a signal at stop: the longest way to one"
     halt += f", at half of {rules.line_speed_kmh:g} km/h"
     _signals(ctx, layout)
-    timed = dict(layout.signal_releases)
-    trains = [least.stop[g.id] for g in layout.signals if g.main and g.id not in timed]
-    shunts = [least.shunt for g in layout.signals if g.shunt and g.id not in timed][:1]
-    own_times = dict(layout.overlap_releases)
-    overlapped = [least.stand[o.signal] for o in layout.overlaps if o.length and o.signal not in own_times]
-    tokens = [least.agreed for b in layout.boundaries if b.block == "token"]
+    timed = dict(layout.signalling.releases)
+    trains = [least.stop[g.id] for g in layout.signalling.signals if g.main and g.id not in timed]
+    shunts = [least.shunt for g in layout.signalling.signals if g.shunt and g.id not in timed][:1]
+    own_times = dict(layout.overlaps.releases)
+    overlapped = [least.stand[o.signal] for o in layout.overlaps.all if o.length and o.signal not in own_times]
+    tokens = [least.agreed for b in layout.track.boundaries if b.block == "token"]
     ordered = (
         ("approach_release_s", trains, f"until a train that saw proceed stands or has passed: {why}"),
         ("shunt_release_s", shunts, f"until a shunting movement that saw proceed stands or has passed: {why}"),
         ("overlap_release_s", overlapped, f"until a train before the signal stands: {why}"),
         ("restart_delay_s", [least.restart], f"{halt}, {why}"),
-        ("point_supervision_s", [least.run] if layout.points else [], "for a machine to run"),
+        ("point_supervision_s", [least.run] if layout.pointwork.points else [], "for a machine to run"),
         ("token_delay_s", tokens, "as agreed with the neighbour"),
     )
     for name, found, words in ordered:
@@ -45,7 +45,7 @@ def check_delays(ctx: Context, layout: Layout) -> None:
                 ctx.at_key(*at),
                 f"state {f'`{wanted}` under `principles`' if spoken else f'`principles: {{{wanted}}}`'}{slower}",
             )
-    for g, own in layout.overlap_releases:
+    for g, own in layout.overlaps.releases:
         if round(own * 1000) < least.stand[g]:
             needed = f"{least.stand[g] / 1000:.1f} s are needed until a train before it stands: {why}"
             at_least = f"state at least {-(-least.stand[g] // 1000)} s, or the lower speed that is run before {g}"
@@ -55,13 +55,13 @@ def check_delays(ctx: Context, layout: Layout) -> None:
                 ctx.at_key("overlaps", g),
                 at_least,
             )
-    for m, own in layout.supervision:
+    for m, own in layout.pointwork.supervision:
         if round(own * 1000) < least.run:
             text = f"the supervision of {m} is {own:g} s, and {least.run / 1000:.1f} s are needed for a machine to run"
             room = "level_crossings" if m in ctx.file.level_crossings else "interlocks"
             where = Element("points", layout.machines.ends[m][0].id) if m in layout.machines.ends else Element(room, m)
             ctx.sink.add("IL3023", text, None, f"state at least {-(-least.run // 1000)} s", about=where)
-    for o in layout.overlaps:
+    for o in layout.overlaps.all:
         if o.swing and o.signal not in least.swings:
             why, fix = _not_in_time(layout)
             text = f"the overlap of {o.signal} cannot swing: {why}"
@@ -88,9 +88,9 @@ def _not_in_time(layout: Layout) -> tuple[str, str]:
 def _signals(ctx: Context, layout: Layout) -> None:
     """Times of single signals, each against what whoever obeys it needs; no train obeys one where trains only end."""
     least, rules = needs(layout), layout.principles
-    for g, own in layout.signal_releases:
-        signal = layout.signal[g]
-        trains = least.stop[g] if signal.main and g not in layout.stops else 0
+    for g, own in layout.signalling.releases:
+        signal = layout.signalling.signal[g]
+        trains = least.stop[g] if signal.main and g not in layout.signalling.stops else 0
         need = max(trains, least.shunt if signal.shunt else 0)
         if round(own * 1000) < need:
             until = f"{need / 1000:.1f} s are needed until whoever saw proceed stands or has passed"

@@ -10,7 +10,7 @@ from interlock.model.traversal import topology
 
 def check_detection(ctx: Context, layout: Layout) -> None:
     """Report sections without detection in which movements could not end."""
-    for s in sorted(layout.undetected - topology(layout).berths):
+    for s in sorted(layout.track.undetected - topology(layout).berths):
         ctx.add(
             "IL3020",
             f"{called('section', s)} has no detection, and is no siding where shunting movements end",

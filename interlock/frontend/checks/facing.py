@@ -16,9 +16,9 @@ from interlock.model.plain import plains
 def check_facing(ctx: Context, layout: Layout) -> None:
     """Report turned signals."""
     found = plains(layout)
-    for g in layout.signals:
+    for g in layout.signalling.signals:
         behind = found.behind_points(g)
-        if g.id in layout.boards or behind is None or not found.turned(g):
+        if g.id in layout.signalling.boards or behind is None or not found.turned(g):
             continue
         spec = ctx.file.signals[g.id]
         ctx.add(

@@ -12,7 +12,7 @@ def check_foul(ctx: Context, layout: Layout) -> None:
     """Report each foul joint; the derivation protects it."""
     for f in foul_joints(layout):
         kind, side = ("points", "leg") if isinstance(f.side, Position) else ("crossings", "arm")
-        before = next((e.section for e in layout.edges_at[f.node] if e.section != f.neighbour), f.section)
+        before = next((e.section for e in layout.track.edges_at[f.node] if e.section != f.neighbour), f.section)
         ctx.add(
             "IL3018",
             f"the joint {before}|{f.neighbour} is foul of {f.name}: it lies {f.distance:g} m "

@@ -10,9 +10,9 @@ from interlock.model.layout import Layout
 
 def check_lanes(ctx: Context, layout: Layout) -> None:
     """Report inclined sections over which no condition is required (R17)."""
-    guarded = {s for c in layout.conditions for s in c.over}
-    guarded |= {s for d in layout.devices for s in d.over}
-    for s in layout.sections:
+    guarded = {s for c in layout.signalling.conditions for s in c.over}
+    guarded |= {s for d in layout.signalling.devices for s in d.over}
+    for s in layout.track.sections:
         if s.lane is Lane.INCLINED and s.id not in guarded:
             ctx.add(
                 "IL3021",

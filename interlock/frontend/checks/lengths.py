@@ -92,7 +92,7 @@ def _computed(ctx: Context, layout: Layout) -> Iterator[tuple[str, float, tuple[
             if item.strip() in ends or not NAME.fullmatch(section):
                 continue
             if not stated:
-                metres = layout.edge[EdgeId(f"{track}.{count}")].length
+                metres = layout.track.edge[EdgeId(f"{track}.{count}")].length
                 at, about = ctx.at("tracks", track, i), Element("sections", section)
                 yield called("section", section), metres, (SHORT_M, LONG_M), at, about
             count += 1

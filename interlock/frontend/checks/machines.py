@@ -11,7 +11,7 @@ from interlock.model.layout import Layout
 
 def check_machines(ctx: Context, layout: Layout) -> None:
     """Report machines with more than two ends, and machines that bear another point's name."""
-    named = {str(q) for q in layout.point}
+    named = {str(q) for q in layout.pointwork.point}
     of_slip = {p: name for name, s in ctx.file.slips.items() if one_motor(s) for p in points_of(name, s)}
     halves = {p: name for name, s in ctx.file.slips.items() if not one_motor(s) for p in points_of(name, s)}
     for name, slip in sorted(ctx.file.slips.items()):

@@ -17,9 +17,9 @@ from interlock.model.traversal import Traversal
 
 def check_overlaps(ctx: Context, layout: Layout) -> None:
     """Report entries of `ways` that fit no alternative of their overlap, and of `not_over` that bar none, or all."""
-    used = [own_way(layout, o.signal, ways) for o in layout.overlaps for ways in overlap_paths(layout, o.signal)]
+    used = [own_way(layout, o.signal, ways) for o in layout.overlaps.all for ways in overlap_paths(layout, o.signal)]
     for g in ctx.file.overlaps:
-        own = [w for w in layout.overlap_ways if w.signal == g]
+        own = [w for w in layout.overlaps.ways if w.signal == g]
         inside = _inside(ctx, layout, SignalId(g), own)
         if own:
             _covered(ctx, layout, SignalId(g))
@@ -46,7 +46,7 @@ def _inside(ctx: Context, layout: Layout, g: SignalId, own: Sequence[OverlapWay]
         left.append(way)
         places = [i for i, w in enumerate(own) if w is way]
         found.update(places)
-        metres, onward = way.length if way is not None else layout.overlap_of[g], long[len(short)].section
+        metres, onward = way.length if way is not None else layout.overlaps.length[g], long[len(short)].section
         only = f"bar the longer one: `not_over: [{onward}]`"
         if longer is not None:
             only = f"remove the longer one, over {', '.join(longer.over)}, from `ways`"
@@ -70,11 +70,11 @@ def _covered(ctx: Context, layout: Layout, g: SignalId) -> None:
         onward = long[len(short)].section
         ctx.add(
             "IL2027",
-            f"the overlap of {g} of {layout.overlap_of[g]:g} m would never be held: {way.length:g} m count wherever it "
+            f"the overlap of {g} of {layout.overlaps.length[g]:g} m would never be held: {way.length:g} m count wherever it "
             f"leads over {', '.join(way.over)}",
             ctx.at_key("overlaps", g),
             "to have a short one inside a long one, state the long one in `ways`, over the section into which it goes "
-            f"on, `ways: [{{over: [{onward}], length: {layout.overlap_of[g]:g}}}]`, and the short one as length and "
+            f"on, `ways: [{{over: [{onward}], length: {layout.overlaps.length[g]:g}}}]`, and the short one as length and "
             f"`entry_speed` of {g}",
         )
 
@@ -106,8 +106,8 @@ def _to_have_both(layout: Layout, g: SignalId, short: tuple[Traversal, ...]) -> 
 
 def _bars(ctx: Context, layout: Layout, g: SignalId) -> None:
     for i, s in enumerate(ctx.file.overlaps[g].not_over):
-        others = tuple(x for x in layout.overlap_bars if x != (g, s))
-        free = overlap_paths(replace(layout, overlap_bars=others), g)
+        others = tuple(x for x in layout.overlaps.bars if x != (g, s))
+        free = overlap_paths(replace(layout, overlaps=replace(layout.overlaps, bars=others)), g)
         if not any(s in (t.section, *t.edges) for ways in free for t in ways):
             ctx.add(
                 "IL1014",
@@ -115,7 +115,7 @@ def _bars(ctx: Context, layout: Layout, g: SignalId) -> None:
                 ctx.at("overlaps", g, "not_over", i),
                 "remove it, or name what the unwanted way alone leads over",
             )
-    if ctx.file.overlaps[g].not_over and g in layout.overlap_of and not overlap_paths(layout, g):
+    if ctx.file.overlaps[g].not_over and g in layout.overlaps.length and not overlap_paths(layout, g):
         ctx.add(
             "IL1014",
             f"`not_over` leaves {g} no overlap: every way of that length leads over {_listed(layout, g)}",
@@ -125,4 +125,4 @@ def _bars(ctx: Context, layout: Layout, g: SignalId) -> None:
 
 
 def _listed(layout: Layout, g: SignalId) -> str:
-    return " or ".join(s for h, s in layout.overlap_bars if h == g)
+    return " or ".join(s for h, s in layout.overlaps.bars if h == g)

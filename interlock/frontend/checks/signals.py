@@ -12,7 +12,7 @@ SHUNTED = "; shunting movements keep to it, too: where they run both ways, leave
 
 def check_signals(ctx: Context, layout: Layout) -> None:
     """Report layouts without signals, and signals that govern nothing."""
-    if not layout.signals:
+    if not layout.signalling.signals:
         ctx.add(
             "IL3016",
             "the layout has no signal",
@@ -20,9 +20,9 @@ def check_signals(ctx: Context, layout: Layout) -> None:
             "add `signals:` with at least one entry, for instance `X1: {from: W, into: q1}`",
         )
         return
-    for g in layout.signals:
-        boundary = layout.boundary_at.get(g.node)
-        e = layout.edge[g.into]
+    for g in layout.signalling.signals:
+        boundary = layout.track.boundary_at.get(g.node)
+        e = layout.track.edge[g.into]
         if boundary is not None and boundary.kind is BoundaryKind.OUT:
             ctx.add(
                 "IL3019",
@@ -37,7 +37,7 @@ def check_signals(ctx: Context, layout: Layout) -> None:
                 ctx.at_key("signals", g.id),
                 "turn the signal round, or change `one_way`",
             )
-        behind = next((x for x in layout.edges_at[g.node] if x.id != g.into), None)
+        behind = next((x for x in layout.track.edges_at[g.node] if x.id != g.into), None)
         if behind is not None and behind.one_way and behind.b != g.node:
             ctx.add(
                 "IL3019",

@@ -11,7 +11,7 @@ def check_standing(ctx: Context, layout: Layout) -> None:
     """Report each road in which vehicles could stand, were there no door, bridge or level crossing over it; and what is
     denied in vain."""
     topo = topology(layout)
-    for d in layout.devices:
+    for d in layout.signalling.devices:
         kind = "level_crossings" if d.id in ctx.file.level_crossings else "interlocks"
         for s in d.over:
             if s in topo.standing - topo.berths:
@@ -22,7 +22,7 @@ def check_standing(ctx: Context, layout: Layout) -> None:
                     f"shunting movements need {s} clear; give the part under {d.id} a section of its own "
                     f"if vehicles shall stand beside it",
                 )
-    for s in layout.no_berths:
+    for s in layout.declared.no_berths:
         if s not in topo.standing:
             points = any(t.points or t.crossings for t in topo.traversals[s])
             why = "points lie in it" if points else "it can be left without a signal"

@@ -13,7 +13,7 @@ from interlock.model.traversal import topology
 def check_zones(ctx: Context, layout: Layout) -> None:
     """Report overlaps that lead into a zone from outside, and sections in which vehicles are shunted (R17)."""
     topo = topology(layout)
-    for z in layout.zones:
+    for z in layout.declared.zones:
         for s in z.sections:
             if s in topo.berths:
                 ctx.add(
@@ -22,9 +22,9 @@ def check_zones(ctx: Context, layout: Layout) -> None:
                     ctx.at_key("zones", z.id),
                     f"leave {s} out of the zone, or the shunt signals out of it",
                 )
-        for g in layout.signals:
+        for g in layout.signalling.signals:
             paths = overlap_paths(layout, g.id)
-            before = topo.beyond(layout.section_of(g.into), g.node)
+            before = topo.beyond(layout.track.section_of(g.into), g.node)
             runs = [[before, *(t.section for t in path)] for path in paths]
             if any(b in z.sections and a not in z.sections for run in runs for a, b in pairwise(run)):
                 ctx.add(

@@ -20,7 +20,7 @@ from interlock.table.rows import RouteRow, last_left
 
 def holds(r: RouteRow) -> Name | None:
     """The bit that tells that a route holds what was added to it; None where nothing was."""
-    return names.HOLDS_ADDED(r.number) if r.barred or r.added else None
+    return names.HOLDS_ADDED(r.number) if r.locking.barred or r.locking.added else None
 
 
 def free(d: Draft, r: RouteRow) -> list[Term]:
@@ -32,9 +32,9 @@ def free(d: Draft, r: RouteRow) -> list[Term]:
             c.because.text,
             c.because.rule,
         )
-        for c in r.barred
+        for c in r.locking.barred
     ]
-    for p in r.added:
+    for p in r.locking.added:
         free_ = var(names.POINT_AVAILABLE(p.machine, p.position))
         out.append(Term(free_, "added point available", f"{p.machine} {p.position}: {p.because.text}", p.because.rule))
         out += _not_trailed(d, p.machine)
@@ -48,7 +48,7 @@ def _not_trailed(d: Draft, m: MachineId) -> list[Term]:
 def detected(d: Draft, r: RouteRow) -> list[Term]:
     """The points that were added lie and are detected, and were not trailed (R10)."""
     out = []
-    for p in r.added:
+    for p in r.locking.added:
         note = f"{p.machine} {p.position}: {p.because.text}"
         out.append(Term(d.machines.detected(p.machine, p.position), "added point detected", note, p.because.rule))
         out += _not_trailed(d, p.machine)
@@ -59,7 +59,7 @@ def clear(d: Draft, r: RouteRow) -> list[Term]:
     """The sections beside or beyond the path that were added are clear (R3)."""
     return [
         Term(d.sections.clear(c.section), "added section clear", c.because.text, c.because.rule)
-        for c in r.demanded_clear or ()
+        for c in r.clear.demanded or ()
     ]
 
 
@@ -70,13 +70,13 @@ def held(d: Draft, m: MachineId) -> list[Expr]:
 
 def demanded(d: Draft) -> set[tuple[MachineId, Position]]:
     """Machines with the positions in which the author has some route hold them."""
-    return {(p.machine, p.position) for r in d.table.routes for p in r.added}
+    return {(p.machine, p.position) for r in d.table.routes for p in r.locking.added}
 
 
 def granted(d: Draft) -> Iterator[tuple[MachineId, Position, Expr]]:
     """The grants that demand a machine that was added."""
     for r in d.table.routes:
-        for p in r.added:
+        for p in r.locking.added:
             yield p.machine, p.position, var(names.GRANTED(r.number))
 
 
@@ -87,9 +87,9 @@ def keep(d: Draft) -> None:
         if name is None:
             continue
         overlaps = []
-        if r.overlap is not None:
-            options = {r.overlap.option, *r.overlap.swings}
-            overlaps = [d.overlaps.held(o) for o in d.overlaps.of_signal[r.overlap.signal] if o[1] in options]
+        if r.locking.overlap is not None:
+            options = {r.locking.overlap.option, *r.locking.overlap.swings}
+            overlaps = [d.overlaps.held(o) for o in d.overlaps.of_signal[r.locking.overlap.signal] if o[1] in options]
         under_way = disj(
             (var(names.GRANTED(r.number)), var(names.ACTIVE(r.number)), d.sections.lock(*last_left(r)), *overlaps)
         )

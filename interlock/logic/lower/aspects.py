@@ -16,7 +16,8 @@ from interlock.logic.lower.draft import Draft
 from interlock.logic.symbols import AspectSymbols
 from interlock.model.elements import Signal, SignalId
 from interlock.model.principles import Caution
-from interlock.table.rows import RouteKind, RouteRow, Shows
+from interlock.table.cells import RouteKind, Shows
+from interlock.table.rows import RouteRow
 
 
 def cautions(d: Draft) -> bool:
@@ -44,8 +45,8 @@ def keep(d: Draft) -> None:
     for g in d.routes.open_for_trains if cautions(d) else ():
         ways = []
         for r in d.routes.of_signal[g]:
-            if r.kind is RouteKind.MAIN and r.aspect.shows in (Shows.CLEAR, Shows.NEXT):
-                onward = [_opens(d, r.aspect.next, names.OPENS)] if r.aspect.next is not None else []
+            if r.kind is RouteKind.MAIN and r.signal.aspect.shows in (Shows.CLEAR, Shows.NEXT):
+                onward = [_opens(d, r.signal.aspect.next, names.OPENS)] if r.signal.aspect.next is not None else []
                 ways.append(conj((var(names.OPENS(r.number)), *onward)))
         terms = [
             Term(_opens(d, g, names.OPENS), "open"),
@@ -58,13 +59,13 @@ def keep(d: Draft) -> None:
 
 def symbols(d: Draft) -> AspectSymbols:
     """The outputs of each signal's lamps."""
-    signals = [g for g in d.layout.signals if d.routes.of_signal[g.id]]
+    signals = [g for g in d.layout.signalling.signals if d.routes.of_signal[g.id]]
     calls = [g for g in signals if any(r.kind is RouteKind.CALL_ON for r in d.routes.of_signal[g.id])]
 
     def each(family: names.Family, shown_by: Sequence[Signal]) -> dict[SignalId, names.Name]:
         return {g.id: family(g.id) for g in shown_by}
 
-    mains = [g for g in signals if g.main and d.layout.opens(g.id, False)]
+    mains = [g for g in signals if g.main and d.layout.signalling.opens(g.id, False)]
     return AspectSymbols(
         clear=each(names.CLEAR_ASPECT, mains),
         caution=each(names.CAUTION_ASPECT, mains if cautions(d) else []),
@@ -73,20 +74,22 @@ def symbols(d: Draft) -> AspectSymbols:
         shunt=each(names.SHUNT_ASPECT, [g for g in signals if g.shunt]),
         stop=each(names.STOP_ASPECT, signals),
         speed={(g, kmh): name for g in d.routes.open_for_trains for kmh, name in speeds(d, g).items()},
-        distant_clear={x.id: names.DISTANT_CLEAR(x.id) for x in d.layout.distants},
-        distant_caution={x.id: names.DISTANT_CAUTION(x.id) for x in d.layout.distants},
+        distant_clear={x.id: names.DISTANT_CLEAR(x.id) for x in d.layout.signalling.distants},
+        distant_caution={x.id: names.DISTANT_CAUTION(x.id) for x in d.layout.signalling.distants},
     )
 
 
 def speeds(d: Draft, g: SignalId) -> dict[int, names.Name]:
     """The speeds that a signal can show, each with the name of its output."""
-    found = {r.speed.kmh for r in d.routes.of_signal[g] if r.kind is RouteKind.MAIN and r.speed.kmh is not None}
+    found = {
+        r.signal.speed.kmh for r in d.routes.of_signal[g] if r.kind is RouteKind.MAIN and r.signal.speed.kmh is not None
+    }
     return {kmh: names.SPEED_ASPECT(g, kmh) for kmh in sorted(found)}
 
 
 def outputs(d: Draft) -> None:
     """The lamps of every signal: stop, caution, clear, shunt, call-on; what a distant signal shows."""
-    for signal in d.layout.signals:
+    for signal in d.layout.signalling.signals:
         routes = d.routes.of_signal[signal.id]
         if not routes:
             continue
@@ -94,7 +97,7 @@ def outputs(d: Draft) -> None:
         mains = disj((_opens(d, signal.id, names.SHOWING), *_passing(routes, RouteKind.MAIN)))
         whites = [var(names.SHOWING(r.number)) for r in routes if r.kind is RouteKind.SHUNT]
         shunts = disj([*whites, *_passing(routes, RouteKind.SHUNT)])
-        if signal.main and d.layout.opens(signal.id, False):
+        if signal.main and d.layout.signalling.opens(signal.id, False):
             clear = _clear(d, signal.id)
             d.outputs.append(Output(names.CLEAR_ASPECT(signal.id), clear, False, f"{said}: clear (green)"))
             if cautions(d):
@@ -108,7 +111,7 @@ def outputs(d: Draft) -> None:
                     )
                 )
         for kmh, name in speeds(d, signal.id).items():
-            over = [r for r in routes if r.kind is RouteKind.MAIN and r.speed.kmh == kmh]
+            over = [r for r in routes if r.kind is RouteKind.MAIN and r.signal.speed.kmh == kmh]
             shown = disj([*(var(names.SHOWING(r.number)) for r in over), *_passing(over, RouteKind.MAIN)])
             d.outputs.append(Output(name, shown, False, f"{said}: speed indicator {kmh} km/h"))
         if signal.shunt:
@@ -129,7 +132,7 @@ def outputs(d: Draft) -> None:
             d.outputs.append(Output(names.IDENTIFIER_ASPECT(signal.id), identified, False, note))
         stop = neg(disj((mains, shunts, identified)))
         d.outputs.append(Output(names.STOP_ASPECT(signal.id), stop, True, f"{said}: stop"))
-    for distant in d.layout.distants:
+    for distant in d.layout.signalling.distants:
         clear = _clear(d, distant.of)
         d.outputs.append(
             Output(names.DISTANT_CLEAR(distant.id), clear, False, f"distant {distant.id}: {distant.of} shows clear")
@@ -147,4 +150,4 @@ def _clear(d: Draft, g: SignalId) -> Expr:
 
 def _passing(routes: Sequence[RouteRow], kind: RouteKind) -> list[Expr]:
     """Open for the movement that passes: a main signal with three aspects shows caution."""
-    return [var(names.PASSING(r.number)) for r in routes if r.kind is kind and r.closing.whole is not None]
+    return [var(names.PASSING(r.number)) for r in routes if r.kind is kind and r.signal.closing.whole is not None]

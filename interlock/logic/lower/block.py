@@ -20,7 +20,7 @@ from interlock.table.rows import RouteRow
 def tokens(d: Draft) -> dict[NodeId, BlockSymbols]:
     """The names of each boundary with a direction token."""
     out = {}
-    for b in d.layout.boundaries:
+    for b in d.layout.track.boundaries:
         if b.block is BlockKind.TOKEN:
             out[b.node] = _token(b.node)
     return out
@@ -120,9 +120,16 @@ def change(d: Draft) -> None:
 
 def terms(d: Draft, r: RouteRow) -> list[Term]:
     """The direction is ours, where the route leaves over a boundary with a token."""
-    if r.token is None:
+    if r.conditions.token is None:
         return []
-    return [Term(var(tokens(d)[r.token.boundary].have), "direction ours", r.token.because.text, r.token.because.rule)]
+    return [
+        Term(
+            var(tokens(d)[r.conditions.token.boundary].have),
+            "direction ours",
+            r.conditions.token.because.text,
+            r.conditions.token.because.rule,
+        )
+    ]
 
 
 def keep(d: Draft) -> None:

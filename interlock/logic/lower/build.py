@@ -27,7 +27,8 @@ from interlock.logic.symbols import (
 from interlock.model.elements import MachineId, Position, SignalId
 from interlock.model.layout import Layout
 from interlock.model.principles import Local
-from interlock.table.rows import InterlockingTable, RouteKind, RouteRow
+from interlock.table.cells import RouteKind
+from interlock.table.rows import InterlockingTable, RouteRow
 
 PASSES = (
     routes.inputs,
@@ -96,7 +97,7 @@ def _indications(d: Draft) -> dict[str, names.Name]:
     found |= {f"faulty {s}": names.FAULT_SHOWN(s) for s in d.sections.healthy}
     found |= {f"late {m}": names.LATE_SHOWN(m) for m in d.machines.all}
     found |= {f"trailed {m}": names.TRAILED_SHOWN(m) for m in d.machines.powered}
-    return found | {f"full {z.id}": names.ZONE_FULL_SHOWN(z.id) for z in d.layout.zones}
+    return found | {f"full {z.id}": names.ZONE_FULL_SHOWN(z.id) for z in d.layout.declared.zones}
 
 
 def _route(d: Draft, r: RouteRow) -> RouteSymbols:
@@ -113,21 +114,21 @@ def _route(d: Draft, r: RouteRow) -> RouteSymbols:
         names.WANTED(r.number),
         names.SHOWING(r.number),
         names.SHOWN(r.number),
-        names.PASSING(r.number) if r.closing.whole is not None else None,
+        names.PASSING(r.number) if r.signal.closing.whole is not None else None,
         added.holds(r),
     )
 
 
 def _path(d: Draft, r: RouteRow) -> RoutePath:
     return RoutePath(
-        r.locked,
-        r.traversals[-1] if r.berth is not None else None,
-        (r.overlap.signal, r.overlap.option) if r.overlap is not None else None,
+        r.path.locked,
+        r.path.traversals[-1] if r.path.berth is not None else None,
+        (r.locking.overlap.signal, r.locking.overlap.option) if r.locking.overlap is not None else None,
         r.kind is RouteKind.IDENTIFIER,
-        None if r.onward is None else d.table.route[r.onward].number,
+        None if r.path.onward is None else d.table.route[r.path.onward].number,
         tuple(x.number for x in d.routes.leading_past(r)),
-        tuple(d.table.route[c.route].number for c in r.barred),
-        tuple((p.machine, p.position) for p in r.added),
+        tuple(d.table.route[c.route].number for c in r.locking.barred),
+        tuple((p.machine, p.position) for p in r.locking.added),
     )
 
 
@@ -144,7 +145,7 @@ def _requests(d: Draft) -> RequestSymbols:
 
 def _sections(d: Draft) -> SectionSymbols:
     return SectionSymbols(
-        clear={s.id: names.CLEAR(s.id) for s in d.layout.sections if s.detected},
+        clear={s.id: names.CLEAR(s.id) for s in d.layout.track.sections if s.detected},
         healthy=d.sections.healthy,
         blocked={s: names.BLOCKED(s) for s in d.sections.lockable},
         release={s: names.RELEASE_BY_HAND(s) for s in d.sections.all},
@@ -197,7 +198,7 @@ def _lamp_proof(d: Draft, signals: Sequence[SignalId]) -> LampProofSymbols:
     proved = d.layout.principles.lamp_proof
     lit = d.routes.open_for_trains if proved else {}
     return LampProofSymbols(
-        stop={g.id: names.STOP_LAMP(g.id) for g in d.layout.signals} if proved else {},
+        stop={g.id: names.STOP_LAMP(g.id) for g in d.layout.signalling.signals} if proved else {},
         clear={g: names.CLEAR_LAMP(g) for g in lit},
         caution={g: names.CAUTION_LAMP(g) for g in lit if aspects.cautions(d)},
         identifier={g: names.IDENTIFIER_LAMP(g) for g in signals if lit and d.routes.identifies(g)},
@@ -217,7 +218,7 @@ def _overlaps(d: Draft) -> OverlapSymbols:
 
 
 def _symbols(d: Draft) -> Symbols:
-    signals = [g.id for g in d.layout.signals if d.routes.of_signal[g.id]]
+    signals = [g.id for g in d.layout.signalling.signals if d.routes.of_signal[g.id]]
     return Symbols(
         valid=names.VALID,
         start=StartSymbols(names.POWERED, sections.RESTART_DELAY),
@@ -232,11 +233,11 @@ def _symbols(d: Draft) -> Symbols:
             {g: names.CANCEL(g) for g in signals},
             {g: names.CANCELLING(g) for g in signals},
             {g: names.APPROACH_OVER(g) for g in signals},
-            {g: d.sections.rear(d.signals.first_section(g), d.layout.signal[g].node) for g in signals},
+            {g: d.sections.rear(d.signals.first_section(g), d.layout.signalling.signal[g].node) for g in signals},
         ),
         overlaps=_overlaps(d),
         token=block.tokens(d),
-        condition={c.id: names.CONDITION(c.id) for c in d.layout.conditions},
-        zone_full={z.id: names.ZONE_FULL(z.id) for z in d.layout.zones},
+        condition={c.id: names.CONDITION(c.id) for c in d.layout.signalling.conditions},
+        zone_full={z.id: names.ZONE_FULL(z.id) for z in d.layout.declared.zones},
         indication=_indications(d),
     )

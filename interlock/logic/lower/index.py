@@ -14,7 +14,8 @@ from interlock.model.elements import MachineId, NodeId, Position, RouteId, Secti
 from interlock.model.layout import Layout
 from interlock.model.places import Approach
 from interlock.model.traversal import Topology
-from interlock.table.rows import InterlockingTable, RouteKind, RouteRow, TraversalKey, TraversalRow
+from interlock.table.cells import RouteKind, TraversalKey
+from interlock.table.rows import InterlockingTable, RouteRow, TraversalRow
 
 
 class RouteIndex:
@@ -28,7 +29,7 @@ class RouteIndex:
         """The routes that use each lock."""
         out: dict[tuple[SectionId, int], list[RouteRow]] = {}
         for r in self._table.routes:
-            for key in r.traversals:
+            for key in r.path.traversals:
                 out.setdefault(key, []).append(r)
         return {k: tuple(v) for k, v in out.items()}
 
@@ -37,8 +38,8 @@ class RouteIndex:
         """The shunt routes that end in each berth."""
         out: dict[SectionId, list[RouteRow]] = {}
         for r in self._table.routes:
-            if r.berth is not None:
-                out.setdefault(r.berth, []).append(r)
+            if r.path.berth is not None:
+                out.setdefault(r.path.berth, []).append(r)
         return {k: tuple(v) for k, v in out.items()}
 
     @cached_property
@@ -46,8 +47,8 @@ class RouteIndex:
         """The routes that hold each overlap."""
         out: dict[tuple[SignalId, int], list[RouteRow]] = {}
         for r in self._table.routes:
-            if r.overlap is not None:
-                out.setdefault((r.overlap.signal, r.overlap.option), []).append(r)
+            if r.locking.overlap is not None:
+                out.setdefault((r.locking.overlap.signal, r.locking.overlap.option), []).append(r)
         return {k: tuple(v) for k, v in out.items()}
 
     @cached_property
@@ -55,14 +56,14 @@ class RouteIndex:
         """The routes to which the author has added each machine."""
         out: dict[MachineId, list[RouteRow]] = {}
         for r in self._table.routes:
-            for m in dict.fromkeys(p.machine for p in r.added):
+            for m in dict.fromkeys(p.machine for p in r.locking.added):
                 out.setdefault(m, []).append(r)
         return {m: tuple(rs) for m, rs in out.items()}
 
     @cached_property
     def of_signal(self) -> Mapping[SignalId, tuple[RouteRow, ...]]:
         """The routes of each signal."""
-        out: dict[SignalId, list[RouteRow]] = {g.id: [] for g in self._layout.signals}
+        out: dict[SignalId, list[RouteRow]] = {g.id: [] for g in self._layout.signalling.signals}
         for r in self._table.routes:
             out[r.entry].append(r)
         return {g: tuple(v) for g, v in out.items()}
@@ -72,8 +73,8 @@ class RouteIndex:
         """The routes with an overlap, by the signal of which it is."""
         found: dict[SignalId, list[RouteRow]] = {}
         for r in self._table.routes:
-            if r.overlap is not None:
-                found.setdefault(r.overlap.signal, []).append(r)
+            if r.locking.overlap is not None:
+                found.setdefault(r.locking.overlap.signal, []).append(r)
         return found
 
     def leading_past(self, r: RouteRow) -> tuple[RouteRow, ...]:
@@ -90,8 +91,8 @@ class RouteIndex:
     def _leading_past(self) -> Mapping[RouteId, tuple[RouteRow, ...]]:
         out: dict[RouteId, list[RouteRow]] = {}
         for r in self._table.routes:
-            if r.onward is not None:
-                out.setdefault(r.onward, []).append(r)
+            if r.path.onward is not None:
+                out.setdefault(r.path.onward, []).append(r)
         return {k: tuple(v) for k, v in out.items()}
 
     def onward(self, r: RouteRow) -> tuple[RouteRow, ...]:
@@ -106,7 +107,7 @@ class RouteIndex:
     def parts_first(self) -> tuple[RouteRow, ...]:
         """The routes, those of kind identifier before the ones that lead on over them."""
         return tuple(
-            sorted(self._table.routes, key=lambda r: (r.kind is not RouteKind.IDENTIFIER, len(r.passed or ())))
+            sorted(self._table.routes, key=lambda r: (r.kind is not RouteKind.IDENTIFIER, len(r.path.passed or ())))
         )
 
     @cached_property
@@ -118,12 +119,12 @@ class RouteIndex:
     def open_for_trains(self) -> dict[SignalId, None]:
         """The signals that open for trains, in order."""
         trains = {r.entry for r in self._table.routes if r.kind is RouteKind.MAIN}
-        return {g.id: None for g in self._layout.signals if g.id in trains}
+        return {g.id: None for g in self._layout.signalling.signals if g.id in trains}
 
     @cached_property
     def berths(self) -> frozenset[SectionId]:
         """Sections in which shunt routes end and vehicles may stand."""
-        return frozenset(r.berth for r in self._table.routes if r.berth is not None)
+        return frozenset(r.path.berth for r in self._table.routes if r.path.berth is not None)
 
 
 class OverlapIndex:
@@ -135,7 +136,11 @@ class OverlapIndex:
     @cached_property
     def ways(self) -> Mapping[tuple[SignalId, int], tuple[TraversalKey, ...]]:
         """The overlap alternatives that some route uses: signal and number, ways."""
-        cells = {(r.overlap.signal, r.overlap.option): r.overlap.ways for r in self._table.routes if r.overlap}
+        cells = {
+            (r.locking.overlap.signal, r.locking.overlap.option): r.locking.overlap.ways
+            for r in self._table.routes
+            if r.locking.overlap
+        }
         return dict(sorted(cells.items()))
 
     @cached_property
@@ -149,7 +154,9 @@ class OverlapIndex:
     @cached_property
     def swinging(self) -> Mapping[SignalId, tuple[int, ...]]:
         """The signals with overlaps that may swing, and the alternatives that may be taken."""
-        cells = [r.overlap for r in self._table.routes if r.overlap is not None and r.overlap.swings]
+        cells = [
+            r.locking.overlap for r in self._table.routes if r.locking.overlap is not None and r.locking.overlap.swings
+        ]
         return {c.signal: tuple(sorted({c.option, *c.swings})) for c in sorted(cells, key=lambda c: c.signal)}
 
     def swing_number(self, g: SignalId) -> int:
@@ -201,7 +208,7 @@ class SectionIndex:
 
     def __init__(self, layout: Layout, table: InterlockingTable, topo: Topology, routes: RouteIndex) -> None:
         self._layout, self._table, self._topo, self._routes = layout, table, topo, routes
-        self._shunting = any(g.shunt for g in layout.signals)
+        self._shunting = any(g.shunt for g in layout.signalling.signals)
 
     @cached_property
     def all(self) -> tuple[SectionId, ...]:
@@ -229,7 +236,7 @@ class SectionIndex:
     def healthy(self) -> Mapping[SectionId, Name]:
         """The inputs that tell that a section's detector is healthy, where the principle asks for them."""
         asked = self._layout.principles.sensor_faults
-        return {s.id: names.HEALTHY(s.id) for s in self._layout.sections if asked and s.detected}
+        return {s.id: names.HEALTHY(s.id) for s in self._layout.track.sections if asked and s.detected}
 
     @cached_property
     def lockable(self) -> tuple[SectionId, ...]:
@@ -238,7 +245,7 @@ class SectionIndex:
 
     def rear(self, section: SectionId, node: NodeId) -> SectionId | None:
         """The section that a train comes from: the neighbour, or the approach section of a boundary."""
-        boundary = self._layout.boundary_at.get(node)
+        boundary = self._layout.track.boundary_at.get(node)
         return boundary.approach if boundary is not None else self._topo.beyond(section, node)
 
     def lock(self, section: SectionId, number: int) -> Expr:
@@ -255,13 +262,13 @@ class SectionIndex:
 
     def occupied(self, section: SectionId | None) -> Expr:
         """Reported occupied (or not reported at all); what has no detection counts as occupied."""
-        if section is None or section in self._layout.undetected:
+        if section is None or section in self._layout.track.undetected:
             return TRUE
         return var(names.OCCUPIED(section))
 
     def clear(self, section: SectionId | None) -> Expr:
         """Reported clear without a break for the release delay: no moment's reading of clear is relied on (R15)."""
-        if section is None or section in self._layout.undetected:
+        if section is None or section in self._layout.track.undetected:
             return FALSE
         return var(names.LONG_CLEAR(section))
 
@@ -325,17 +332,17 @@ class SignalIndex:
     @cached_property
     def shunting(self) -> bool:
         """Whether there are shunt signals at all."""
-        return any(g.shunt for g in self._layout.signals)
+        return any(g.shunt for g in self._layout.signalling.signals)
 
     def before(self, g: SignalId) -> SectionId:
         """The section before a signal inside the layout."""
-        rear = self._topo.beyond(self.first_section(g), self._layout.signal[g].node)
+        rear = self._topo.beyond(self.first_section(g), self._layout.signalling.signal[g].node)
         assert rear is not None
         return rear
 
     def first_section(self, g: SignalId) -> SectionId:
         """The section just beyond a signal."""
-        return self._layout.section_of(self._layout.signal[g].into)
+        return self._layout.track.section_of(self._layout.signalling.signal[g].into)
 
     def signal_at(self, section: SectionId, node: NodeId) -> SignalId | None:
         """The signal that governs entry into a section at an end."""
@@ -357,7 +364,9 @@ class SignalIndex:
 
     def passing_signal(self, g: SignalId) -> Expr:
         """The signal is still open for a movement that has begun to pass it."""
-        return disj(var(names.PASSING(r.number)) for r in self._routes.of_signal[g] if r.closing.whole is not None)
+        return disj(
+            var(names.PASSING(r.number)) for r in self._routes.of_signal[g] if r.signal.closing.whole is not None
+        )
 
     def coming(self, x: Approach) -> Expr:
         """A train may be on its way from there: where it may stand or run, or over a way that is locked for it."""
@@ -371,7 +380,7 @@ class SignalIndex:
 
     def approach_clear(self, g: SignalId) -> Expr:
         """No train can be on its way to the signal."""
-        found = self._routes.of_signal[g][0].approach.coming
+        found = self._routes.of_signal[g][0].locking.approach.coming
         return var(names.APPROACH_CLEAR(g)) if found.further else neg(self.coming(found))
 
     def approach_safe(self, g: SignalId) -> Expr:

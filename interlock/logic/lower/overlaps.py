@@ -20,7 +20,7 @@ def standing(d: Draft) -> None:
     signals = sorted({g for g, _ in d.overlaps.ways})
     for g in signals:
         b = d.signals.before(g)
-        node = d.layout.signal[g].node
+        node = d.layout.signalling.signal[g].node
         to = d.sections.locked_out(b, node)
         terms = [
             *sections.arrived(d, b),
@@ -41,7 +41,7 @@ def standing(d: Draft) -> None:
         )
     for g in signals:
         b = d.signals.before(g)
-        to = d.sections.locked_out(b, d.layout.signal[g].node)
+        to = d.sections.locked_out(b, d.layout.signalling.signal[g].node)
         terms = [
             Term(neg(to), "no route to it", f"{b} not locked towards {g}"),
             Term(var(names.STANDING(g)), "train stands"),

@@ -13,7 +13,7 @@ from interlock.logic.lower import added, ways
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import MachineId, Position
 from interlock.model.times import supervision_s
-from interlock.table.rows import Role
+from interlock.table.cells import Role
 
 
 def inputs(d: Draft) -> None:
@@ -171,7 +171,7 @@ def _driving(d: Draft) -> dict[tuple[MachineId, Position], Expr]:
     """The grants that drive a machine beside their path."""
     found: dict[tuple[MachineId, Position], list[Expr]] = {}
     for r in d.table.routes:
-        for p in r.driven:
+        for p in r.locking.driven:
             found.setdefault((p.machine, p.position), []).append(var(names.GRANTED(r.number)))
     return {k: disj(xs) for k, xs in found.items()}
 

@@ -19,16 +19,17 @@ from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
 from interlock.logic.lower import added, aspects, block, requests, sections, ways, zones
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import Position, Signal, SignalId
-from interlock.table.rows import RouteKind, RouteRow
+from interlock.table.cells import RouteKind
+from interlock.table.rows import RouteRow
 
 
 def inputs(d: Draft) -> None:
     """Route request, cancellations and external conditions."""
     d.inputs.append(Input(names.VALID, "all input devices healthy"))
-    for g in d.layout.signals:
+    for g in d.layout.signalling.signals:
         d.inputs.append(Input(names.CANCEL(g.id), f"operator: cancel the route from {g.id}"))
     if d.layout.principles.lamp_proof:
-        for g in d.layout.signals:
+        for g in d.layout.signalling.signals:
             d.inputs.append(Input(names.STOP_LAMP(g.id), f"stop lamp of {g.id} intact"))
         for lit in d.routes.open_for_trains:
             d.inputs.append(Input(names.CLEAR_LAMP(lit), f"clear lamp of {lit} intact, or not lit"))
@@ -36,16 +37,16 @@ def inputs(d: Draft) -> None:
                 d.inputs.append(Input(names.CAUTION_LAMP(lit), f"caution lamp of {lit} intact, or not lit"))
         for passed in filter(d.routes.identifies, d.routes.of_signal):
             d.inputs.append(Input(names.IDENTIFIER_LAMP(passed), f"identifier lamp of {passed} intact, or not lit"))
-    for c in d.layout.conditions:
+    for c in d.layout.signalling.conditions:
         d.inputs.append(Input(names.CONDITION(c.id), f"external {called('condition', c.id)}: {c.text or 'holds'}"))
 
 
 def _berth_terms(d: Draft, r: RouteRow) -> list[Term]:
     """Vehicles may stand in the berth, but no train is about to come in, nor another shunting movement (R2, R6.6)."""
-    if r.berth is None:
+    if r.path.berth is None:
         return []
-    s = r.berth
-    into = r.traversals[-1]
+    s = r.path.berth
+    into = r.path.traversals[-1]
     entry = d.table.lock[into].entry
     out = [*ways.not_blocked(s), *ways.available(d, into)]
     out += [Term(neg(d.sections.train(s)), "no train into the berth", f"{s} is not locked for a train")]
@@ -72,7 +73,7 @@ def _berth_terms(d: Draft, r: RouteRow) -> list[Term]:
 def _needs(d: Draft, r: RouteRow) -> list[Term]:
     """Everything that a route needs to be granted but that it is asked for."""
     terms = [Term(var(names.VALID), "inputs valid")]
-    for key in r.locked:
+    for key in r.path.locked:
         terms += ways.free_terms(d, r, key)
     terms += [*_rear_terms(d, r), *ways.overlap_terms(d, r), *_berth_terms(d, r), *zones.terms(d, r)]
     return [*terms, *added.free(d, r)]
@@ -89,7 +90,7 @@ def grants(d: Draft) -> None:
         d.wire(
             names.GRANTED(r.number), Join.ALL, terms, f"route {r.id}", f"grant of route {r.id} ({rules.HOSTILE_ROUTES})"
         )
-    for r in sorted(d.table.routes, key=lambda r: -len(r.passed or ())):
+    for r in sorted(d.table.routes, key=lambda r: -len(r.path.passed or ())):
         if r.kind is RouteKind.IDENTIFIER:  # what leads over it is before it
             with_ = [Term(var(names.GRANTED(x.number)), "requested", f"route {x.id}") for x in d.routes.leading_past(r)]
             d.wire(names.GRANTED(r.number), Join.ANY, with_, f"route {r.id}", f"grant of route {r.id}, with another")
@@ -131,18 +132,18 @@ def locking(d: Draft) -> None:
 def _rear_terms(d: Draft, r: RouteRow) -> list[Term]:
     """No train is called from a section in which it may have stood since the restart on points that lie anyhow, or on
     a crossing or bridge that is open (R9, R16): such a train is moved under local rules."""
-    rear = d.topo.beyond(r.section_ids[0], r.entry_node)
+    rear = d.topo.beyond(r.path.section_ids[0], r.path.entry_node)
     if rear is None:
         return []
     released = neg(var(names.RESTART_LOCK(rear)))
     out = []
     if any(t.points or t.crossings for t in d.topo.traversals[rear]):
         out.append(Term(released, "rear released", f"{rear}, with points or a diamond, is released after the restart"))
-    for device in d.layout.devices:
+    for device in d.layout.signalling.devices:
         if rear in device.over:
             closed = d.machines.detected(device.id, Position.REVERSE)
             out.append(Term(disj((released, closed)), "rear device closed", f"{device.id} over {rear} is closed"))
-    beyond = {d.topo.beyond(rear, node) for node in d.topo.ends[rear] if node != r.entry_node}
+    beyond = {d.topo.beyond(rear, node) for node in d.topo.ends[rear] if node != r.path.entry_node}
     for other in sorted({*(s for s in beyond if s is not None), *d.sections.foul_of.get(rear, ())}):
         alone = disj((released, neg(var(names.RESTART_LOCK(other))), d.sections.clear(other)))
         out.append(Term(alone, "stands alone", f"nothing stands across from {other}, or foul of it, since the restart"))
@@ -153,25 +154,29 @@ def _beside(d: Draft, r: RouteRow) -> list[Term]:
     """What proceed needs besides the ways themselves."""
     terms = _rear_terms(d, r)
     terms += [
-        Term(var(names.CONDITION(c.condition)), "condition", c.because.text, c.because.rule) for c in r.conditions
+        Term(var(names.CONDITION(c.condition)), "condition", c.because.text, c.because.rule)
+        for c in r.conditions.external
     ]
-    terms += [Term(d.sections.clear(b.section), "line beyond clear", b.because.text, b.because.rule) for b in r.block]
+    terms += [
+        Term(d.sections.clear(b.section), "line beyond clear", b.because.text, b.because.rule)
+        for b in r.conditions.block
+    ]
     terms += block.terms(d, r)
     terms += [*added.detected(d, r), *added.clear(d, r)]
     if r.kind is not RouteKind.CALL_ON:
-        terms.append(Term(neg(var(names.STALE(r.section_ids[0]))), "inputs never lost"))
+        terms.append(Term(neg(var(names.STALE(r.path.section_ids[0]))), "inputs never lost"))
     terms += aspects.lamp_terms(d, r)
-    if r.overlap:
-        some = {r.overlap.option, *r.overlap.swings}
-        options = disj(d.overlaps.held(o) for o in d.overlaps.of_signal[r.overlap.signal] if o[1] in some)
-        terms.append(Term(options, "overlap held", r.overlap.because.text, r.overlap.because.rule))
+    if r.locking.overlap:
+        some = {r.locking.overlap.option, *r.locking.overlap.swings}
+        options = disj(d.overlaps.held(o) for o in d.overlaps.of_signal[r.locking.overlap.signal] if o[1] in some)
+        terms.append(Term(options, "overlap held", r.locking.overlap.because.text, r.locking.overlap.because.rule))
     return terms
 
 
 def approaches(d: Draft) -> None:
     """Whether a train may be on its way to a signal, where more than one section tells (R8)."""
-    for g in d.layout.signals:
-        if d.routes.of_signal[g.id] and (x := (cell := d.routes.of_signal[g.id][0].approach).coming).further:
+    for g in d.layout.signalling.signals:
+        if d.routes.of_signal[g.id] and (x := (cell := d.routes.of_signal[g.id][0].locking.approach).coming).further:
             rule = cell.because.rule
             nobody = (Term(neg(d.signals.coming(x)), "nobody comes", "nothing in the approach, nor called into it"),)
             d.wire(
@@ -187,7 +192,7 @@ def _release_waits(d: Draft, g: Signal) -> Expr:
     """What is locked behind a signal is to be released, by hand or behind a train that has gone; another may come."""
     first = d.signals.first_section(g.id)
     leaving = disj(
-        d.sections.lock(*t.key) if t.exit in d.layout.boundary_at else d.sections.into_berth(t)
+        d.sections.lock(*t.key) if t.exit in d.layout.track.boundary_at else d.sections.into_berth(t)
         for t in d.sections.locks_of[first]
         if t.entry == g.node
     )
@@ -208,8 +213,8 @@ def _release_waits(d: Draft, g: Signal) -> Expr:
 
 def cancellation(d: Draft) -> None:
     """Cancel: at once while nobody has seen the signal or the approach is clear, else after the delay (R8)."""
-    signals = [g for g in d.layout.signals if d.routes.of_signal[g.id]]
-    approach = {g.id: d.routes.of_signal[g.id][0].approach for g in signals}
+    signals = [g for g in d.layout.signalling.signals if d.routes.of_signal[g.id]]
+    approach = {g.id: d.routes.of_signal[g.id][0].locking.approach for g in signals}
     for g in signals:
         rule = approach[g.id].because.rule
         d.wire(
@@ -263,13 +268,13 @@ def _lamp_terms(d: Draft, r: RouteRow) -> list[Term]:
 
 def _entered(d: Draft, r: RouteRow) -> Expr:
     """A train comes into the first section in this scan."""
-    first = r.section_ids[0]
-    return var(names.ENTERED(first, d.topo.ends[first].index(r.entry_node) + 1))
+    first = r.path.section_ids[0]
+    return var(names.ENTERED(first, d.topo.ends[first].index(r.path.entry_node) + 1))
 
 
 def _passing(d: Draft, r: RouteRow) -> None:
     """The signal stays open until the whole movement has passed it (R3): where the table says so."""
-    whole, first = r.closing.whole, r.section_ids[0]
+    whole, first = r.signal.closing.whole, r.path.section_ids[0]
     if whole is None:
         return
     name = names.PASSING(r.number)
@@ -303,7 +308,7 @@ def keep(d: Draft) -> None:
         )
         _opens(d, r, stays, stop)
         _keep_route(d, r, stays, stop)
-    for signal in d.layout.signals:
+    for signal in d.layout.signalling.signals:
         if d.routes.of_signal[signal.id]:
             _keep_cancelling(d, signal.id)
 
@@ -323,7 +328,7 @@ def _past(d: Draft, r: RouteRow) -> list[Term]:
     if r.kind is not RouteKind.IDENTIFIER:
         return shown
     before = d.signals.before(r.entry)
-    leads = conj((d.sections.locked_out(before, r.entry_node), var(names.FIRM(before)), d.sections.train(before)))
+    leads = conj((d.sections.locked_out(before, r.path.entry_node), var(names.FIRM(before)), d.sections.train(before)))
     set_ = disj((var(names.SHOWING(r.number)), *(var(names.ACTIVE(x.number)) for x in d.routes.leading_past(r))))
     return [
         *shown,
@@ -341,7 +346,7 @@ def _opens(d: Draft, r: RouteRow, stays: Term, stop: tuple[Term, ...]) -> None:
         names.STAYS(k),
         Join.ALL,
         (
-            Term(neg(used), "not entered", f"no train has entered {r.section_ids[0]}"),
+            Term(neg(used), "not entered", f"no train has entered {r.path.section_ids[0]}"),
             Term(neg(var(names.CANCELLED(r.entry))), "not cancelled"),
         ),
         group,

@@ -15,13 +15,14 @@ from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.logic.lower import ways
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import NodeId, SectionId, SignalId
-from interlock.table.rows import RouteKind, RouteRow
+from interlock.table.cells import RouteKind
+from interlock.table.rows import RouteRow
 
 
 def inputs(d: Draft) -> None:
     """Detection (1 = clear, so that a broken wire reads occupied), manual release and blocking."""
-    for s in d.layout.sections:
-        if s.id in d.layout.undetected:
+    for s in d.layout.track.sections:
+        if s.id in d.layout.track.undetected:
             continue
         d.inputs.append(Input(names.CLEAR(s.id), f"{called('section', s.id)} reported clear"))
     for s_, name in d.sections.healthy.items():
@@ -52,8 +53,8 @@ def alarms(d: Draft) -> None:
 
 def image(d: Draft) -> None:
     """A section counts as occupied unless it is validly reported clear (R3, R16)."""
-    for s in d.layout.sections:
-        if s.id in d.layout.undetected:
+    for s in d.layout.track.sections:
+        if s.id in d.layout.track.undetected:
             continue
         d.wire(
             names.OCCUPIED(s.id),
@@ -171,7 +172,7 @@ def restart_delay(d: Draft) -> None:
 
 def detected(d: Draft) -> list[SectionId]:
     """Sections inside and approaches that are reported."""
-    return [s.id for s in d.layout.sections if s.id not in d.layout.undetected]
+    return [s.id for s in d.layout.track.sections if s.id not in d.layout.track.undetected]
 
 
 def clear_time(d: Draft) -> None:
@@ -340,7 +341,7 @@ def _exits(d: Draft, s: SectionId) -> list[Term]:
     out = [Term(var(names.PASSED(s)), "passed on", "the next section was occupied together with this one")]
     by_entry: dict[NodeId, list[Expr]] = {}
     for t in d.sections.locks_of[s]:
-        if t.exit in d.layout.boundary_at:
+        if t.exit in d.layout.track.boundary_at:
             by_entry.setdefault(t.entry, []).append(d.sections.lock(*t.key))
     for node, locks in by_entry.items():
         g = d.signals.signal_at(s, node)
@@ -377,7 +378,7 @@ def _keep_locks(d: Draft, s: SectionId, locks: Expr, stays: Term) -> None:
         grants = [ways.grant_of(d, t.key), berth]
         for r in d.routes.over.get(t.key, ()):
             lock = var(names.LOCKS(r.number))
-            firmer.append(conj((lock, locks)) if r.berth == s else lock)
+            firmer.append(conj((lock, locks)) if r.path.berth == s else lock)
         held = Term(disj((var(name), *grants)), "held or granted")
         d.kept(name, False, f"{s} locked from {t.entry} to {t.exit}", Join.ALL, (held, stays), group)
     if d.signals.shunting:
@@ -414,7 +415,7 @@ def keep(d: Draft) -> None:
     """Next values of every section's state."""
     called: dict[SectionId, list[RouteRow]] = {}
     for r in d.table.routes:
-        for s in r.section_ids if r.kind is RouteKind.CALL_ON else ():
+        for s in r.path.section_ids if r.kind is RouteKind.CALL_ON else ():
             called.setdefault(s, []).append(r)
     for s in d.sections.all:
         group = f"section {s}"

@@ -16,7 +16,8 @@ from interlock.logic.expr import Expr, conj, disj, neg, var
 from interlock.logic.lower import added
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import MachineId, Position, SectionId, SignalId
-from interlock.table.rows import Role, RouteKind, RouteRow, TraversalKey, TraversalRow
+from interlock.table.cells import Role, RouteKind, TraversalKey
+from interlock.table.rows import RouteRow, TraversalRow
 
 
 def _wire(d: Draft, family: names.Family, t: TraversalRow, terms: Sequence[Term], note: str) -> None:
@@ -32,7 +33,7 @@ def _way(t: TraversalRow, note: str) -> str:
 
 def _of_routes(d: Draft) -> set[TraversalKey]:
     """The ways that routes go through, not only overlaps, nor only as a berth."""
-    return {key for r in d.table.routes for key in r.locked}
+    return {key for r in d.table.routes for key in r.path.locked}
 
 
 # --- what is looked at ---------------------------------------------------------------------------
@@ -176,7 +177,7 @@ def free_terms(d: Draft, r: RouteRow, key: TraversalKey) -> list[Term]:
     own = [o for o in d.overlaps.over(s) if o[0] == r.entry and key in d.overlaps.ways[o]]
     if r.kind is not RouteKind.MAIN:  # nobody knows what stands in an overlap that a call-on would run over
         own = []
-    clear = s in r.kept_clear
+    clear = s in r.clear.section_ids
     if not own and not clear:
         free = var(names.FREE(s))
         return [Term(free, "section free", f"{s} not locked"), *_unlocked(d, key, clear)]
@@ -191,47 +192,49 @@ def free_terms(d: Draft, r: RouteRow, key: TraversalKey) -> list[Term]:
 
 def overlap_terms(d: Draft, r: RouteRow) -> list[Term]:
     """The route's overlap may be held."""
-    if r.overlap is None:
+    if r.locking.overlap is None:
         return []
-    g, k = r.overlap.signal, r.overlap.option
+    g, k = r.locking.overlap.signal, r.locking.overlap.option
     return [Term(var(names.OVERLAP_FREE(g, k)), "overlap free", f"overlap of {g} may be held")]
 
 
 def lying_terms(d: Draft, r: RouteRow) -> list[Term]:
     """Everything lies and is clear; vehicles may stand in the berth."""
-    out = [x for k in r.locked for x in (_lying(k, "way lies") if k[0] in r.kept_clear else _detected(d, k))]
-    if r.berth is not None:
-        out += _detected(d, r.traversals[-1])
+    out = [
+        x for k in r.path.locked for x in (_lying(k, "way lies") if k[0] in r.clear.section_ids else _detected(d, k))
+    ]
+    if r.path.berth is not None:
+        out += _detected(d, r.path.traversals[-1])
     return [*out, *_some_overlap_lies(d, r)]
 
 
 def proceed_terms(d: Draft, r: RouteRow) -> list[Term]:
     """Proceed may be shown over every way, and the overlap lies and is clear."""
     out = []
-    for k in r.locked:
-        if k[0] in r.kept_clear:
+    for k in r.path.locked:
+        if k[0] in r.clear.section_ids:
             out.append(Term(var(names.WAY_IN_ORDER(*k)), "way in order", f"way through {k[0]} in order"))
         else:
             out += [*_detected(d, k), *not_blocked(k[0])]
-    if r.berth is not None:
-        out += [*_detected(d, r.traversals[-1]), *not_blocked(r.berth)]
+    if r.path.berth is not None:
+        out += [*_detected(d, r.path.traversals[-1]), *not_blocked(r.path.berth)]
     return [*out, *_some_overlap_lies(d, r)]
 
 
 def passing_terms(d: Draft, r: RouteRow) -> list[Term]:
     """Proceed may go on being shown to the movement that has begun to pass the signal."""
     out = []
-    for k in r.traversals:
+    for k in r.path.traversals:
         out += [*_detected(d, k), *not_blocked(k[0])]
     return [*out, *_some_overlap_lies(d, r)]
 
 
 def _some_overlap_lies(d: Draft, r: RouteRow) -> list[Term]:
     """The overlap of the route, or the one to which it has swung."""
-    if r.overlap is None or not r.overlap.swings:
+    if r.locking.overlap is None or not r.locking.overlap.swings:
         return _overlap_lies(r)
-    note = f"an overlap of {r.overlap.signal} lies and is clear"
-    return [Term(var(names.OVERLAP_LIES(r.overlap.signal)), "overlap lies", note)]
+    note = f"an overlap of {r.locking.overlap.signal} lies and is clear"
+    return [Term(var(names.OVERLAP_LIES(r.locking.overlap.signal)), "overlap lies", note)]
 
 
 def swung(d: Draft) -> None:
@@ -251,7 +254,7 @@ def swung(d: Draft) -> None:
 
 
 def _overlap_lies(r: RouteRow) -> list[Term]:
-    return [x for key in (r.overlap.ways if r.overlap else ()) for x in _lying(key, "overlap lies")]
+    return [x for key in (r.locking.overlap.ways if r.locking.overlap else ()) for x in _lying(key, "overlap lies")]
 
 
 # --- what grants reach ---------------------------------------------------------------------------
@@ -262,8 +265,8 @@ def granted(d: Draft) -> None:
     for t in d.table.locks:
         over = d.routes.over.get(t.key, ())
         for family, routes in (
-            (names.WAY_GRANTED, [r for r in over if r.berth != t.section]),
-            (names.BERTH_GRANTED, [r for r in over if r.berth == t.section]),
+            (names.WAY_GRANTED, [r for r in over if r.path.berth != t.section]),
+            (names.BERTH_GRANTED, [r for r in over if r.path.berth == t.section]),
         ):
             if routes:
                 terms = [Term(var(names.GRANTED(r.number)), "granted", f"route {r.id}") for r in routes]
@@ -281,7 +284,7 @@ def overlap_users(d: Draft, option: tuple[SignalId, int]) -> list[RouteRow]:
 def grant_of(d: Draft, key: TraversalKey, berth: bool = False) -> Expr:
     """The way is granted in this scan: to a route that goes through it, or to one that ends in it as a berth."""
     s = key[0]
-    ends = any((r.berth == s) is berth for r in d.routes.over.get(key, ()))
+    ends = any((r.path.berth == s) is berth for r in d.routes.over.get(key, ()))
     return var((names.BERTH_GRANTED if berth else names.WAY_GRANTED)(*key)) if ends else disj(())
 
 

@@ -33,7 +33,8 @@ from interlock.logic.words import (
     Words,
 )
 from interlock.model.elements import MachineId, SectionId
-from interlock.table.rows import RouteKind, RouteRow
+from interlock.table.cells import RouteKind
+from interlock.table.rows import RouteRow
 
 OWN_WORD: dict[Family, Family] = {
     names.FREE: names.WHY_NOT_FREE,
@@ -202,7 +203,7 @@ class _Writer:
     def route(self, r: RouteRow) -> Name:
         """The word of a route: what it does after this scan, or why a request in this scan is refused."""
         name, active = names.STATUS(r.number), var(computed(names.ACTIVE(r.number)))
-        whole = (names.SHOWING, names.PASSING) if r.closing.whole is not None else (names.SHOWING,)
+        whole = (names.SHOWING, names.PASSING) if r.signal.closing.whole is not None else (names.SHOWING,)
         shows = disj(var(computed(family(r.number))) for family in whole)
         grant = self.equations[names.GRANTED(r.number)]
         refused = self._cases([t for t in grant.terms if t.kind != "requested"])

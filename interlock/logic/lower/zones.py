@@ -17,7 +17,7 @@ from interlock.table.rows import RouteRow
 
 def count(d: Draft) -> None:
     """How many trains there may be in each zone."""
-    for k, z in enumerate(d.layout.zones, 1):
+    for k, z in enumerate(d.layout.declared.zones, 1):
         before: list[Expr] = []
         for i, s in enumerate(z.sections, 1):
             busy = d.wire(
@@ -46,7 +46,7 @@ def _busy(d: Draft, z: Zone, s: SectionId) -> list[Term]:
 
 def _at_least(d: Draft, number: int, trains: int) -> Expr:
     """At least so many trains may be in a zone."""
-    k, z = number, d.layout.zones[number - 1]
+    k, z = number, d.layout.declared.zones[number - 1]
     if trains <= 0:
         return neg(FALSE)
     return var(names.ZONE_COUNT(z.id, k, len(z.sections), trains)) if trains <= len(z.sections) else FALSE
@@ -55,9 +55,9 @@ def _at_least(d: Draft, number: int, trains: int) -> Expr:
 def terms(d: Draft, r: RouteRow) -> list[Term]:
     """There is room in every zone into which the route leads."""
     out = []
-    number = {z.id: k for k, z in enumerate(d.layout.zones, 1)}
-    for c in r.zones:
-        z = d.layout.zones[number[c.zone] - 1]
+    number = {z.id: k for k, z in enumerate(d.layout.declared.zones, 1)}
+    for c in r.conditions.zones:
+        z = d.layout.declared.zones[number[c.zone] - 1]
         full = _at_least(d, number[c.zone], z.trains - c.entries + 1)
         out.append(Term(neg(full), "zone not full", c.because.text, c.because.rule))
     return out
@@ -65,7 +65,7 @@ def terms(d: Draft, r: RouteRow) -> list[Term]:
 
 def outputs(d: Draft) -> None:
     """Full zones are shown, a scan late."""
-    for k, z in enumerate(d.layout.zones, 1):
+    for k, z in enumerate(d.layout.declared.zones, 1):
         name = names.ZONE_FULL(z.id)
         full = [Term(_at_least(d, k, z.trains), "full")]
         d.kept(name, True, f"{called('zone', z.id)} is full", Join.ALL, full, f"zone {z.id}")

@@ -48,7 +48,7 @@ class PlantBuilder:
         self.topo = topology(layout)
         self.w = wiring
         self.dropped = dropped
-        self._shunts = any(g.shunt for g in layout.signals)
+        self._shunts = any(g.shunt for g in layout.signalling.signals)
         self._overlaps = {g: self.topo.paths(ways) for g, ways in read.overlaps.items()}
         self._shorts = ShortEnds(read, self._overlaps)
         self._overlapped: dict[SectionId, list[SignalId]] = {}
@@ -67,13 +67,13 @@ class PlantBuilder:
     def build(self) -> Plant:
         """All parts in order."""
         machines(self)
-        tokens = [b for b in self.layout.boundaries if b.node in self.w.token]
+        tokens = [b for b in self.layout.track.boundaries if b.node in self.w.token]
         for b in tokens:
             neighbour(self, b)
         self._movements()
         self._states()
         for b in tokens:
-            s = self.layout.section_of(self.layout.edges_at[b.node][0].id)
+            s = self.layout.track.section_of(self.layout.track.edges_at[b.node][0].id)
             on_the_line(self, b, self.p.events.get(names.HEAD(b.node, s), FALSE))
         images(self)
         self.p.hazards.extend(hazards(self, self._fouls))
@@ -101,9 +101,9 @@ class PlantBuilder:
 
     def _rear(self, g: SignalId) -> tuple[NodeId, SectionId, SectionId | None]:
         """Joint, section beyond and section in rear (None: outside without detection) of a signal."""
-        signal = self.layout.signal[g]
-        first = self.layout.section_of(signal.into)
-        boundary = self.layout.boundary_at.get(signal.node)
+        signal = self.layout.signalling.signal[g]
+        first = self.layout.track.section_of(signal.into)
+        boundary = self.layout.track.boundary_at.get(signal.node)
         if boundary is not None:
             return signal.node, first, boundary.approach
         return signal.node, first, self.topo.beyond(first, signal.node)
@@ -122,15 +122,15 @@ class PlantBuilder:
         topo = self.topo
         for s in topo.sections:
             for j in topo.ends[s]:
-                if j in self.layout.buffer_at:
+                if j in self.layout.track.buffer_at:
                     continue
                 ahead = topo.beyond(s, j)
                 g = topo.signal_into.get((j, ahead)) if ahead is not None else None
                 self._head(s, j, g)
                 self._tail(s, j, ahead)
-        for b in self.layout.boundaries:
+        for b in self.layout.track.boundaries:
             self._enters(b)
-        for g_ in self.layout.signals:
+        for g_ in self.layout.signalling.signals:
             self._ready(g_)
         for s in topo.sections:
             reversals(self, s)
@@ -140,7 +140,7 @@ class PlantBuilder:
         topo = self.topo
         if b.kind is BoundaryKind.OUT:
             return
-        s = self.layout.section_of(self.layout.edges_at[b.node][0].id)
+        s = self.layout.track.section_of(self.layout.track.edges_at[b.node][0].id)
         g = topo.signal_into.get((b.node, s))
         if g is None:
             return
@@ -179,7 +179,7 @@ class PlantBuilder:
     def _ready(self, g: Signal) -> None:
         """What stands before a signal inside the layout may accept it."""
         node, first, rear = self._rear(g.id)
-        if node in self.layout.boundary_at or rear is None:
+        if node in self.layout.track.boundary_at or rear is None:
             return
         ready = conj(
             (
@@ -209,7 +209,7 @@ class PlantBuilder:
         called_heading = TRUE if self.standing.berth(s) else heading
         called = FALSE if g is None else disj(conj((called_heading, accepted(g, k))) for k in functions(self.layout, g))
         passes: Expr = FALSE  # without a signal to obey
-        if g is None or not self.layout.signal[g].main:
+        if g is None or not self.layout.signalling.signal[g].main:
             free = neg(rests(s)) if "A-RESTART" not in self.dropped else TRUE
             if "A-PARTED" not in self.dropped:
                 free = conj((free, neg(self.standing.parted(s))))
@@ -233,7 +233,7 @@ class PlantBuilder:
         for h, x in running_over.items():
             self.p.events[names.OVERRUNS(h, j, s)] = conj((head, x, neg(disj((called, passes)))))
         if self._shunts:
-            by_call = FALSE if g is None or not self.layout.signal[g].shunt else accepted(g, True)
+            by_call = FALSE if g is None or not self.layout.signalling.signal[g].shunt else accepted(g, True)
             goes_on = conj((passes, shunting(s))) if g is None else FALSE
             self.p.events[names.SHUNTS(j, s)] = conj((head, disj((by_call, goes_on))))
 
@@ -258,8 +258,8 @@ class PlantBuilder:
         if g not in self._in_time:
             return []
         over = [t for path in self._overlaps[g] for t in path]
-        machines = [self.layout.point[p].machine for t in over for p, _ in t.points]
-        machines += [MachineId(d.id) for d in self.layout.devices if any(t.section in d.over for t in over)]
+        machines = [self.layout.pointwork.point[p].machine for t in over for p, _ in t.points]
+        machines += [MachineId(d.id) for d in self.layout.signalling.devices if any(t.section in d.over for t in over)]
         return [var(names.TURNS_SINCE(g, m)) for m in dict.fromkeys(machines)]
 
     def _turns_since(self, g: SignalId, s: SectionId) -> None:
@@ -288,7 +288,7 @@ class PlantBuilder:
 
     def _staying(self, s: SectionId) -> Expr:
         """Vehicles remain in a berth although a tail leaves it: left behind, or part of another movement."""
-        ends = [j for j in self.topo.ends[s] if j not in self.layout.buffer_at]
+        ends = [j for j in self.topo.ends[s] if j not in self.layout.track.buffer_at]
         out = [conj((across(j, s), neg(self.p.events[names.TAIL(j, s)]))) for j in ends]
         out += [self.p.events[names.HEAD(j, s)] for j in ends]
         into = [self.standing.coming(s, j) for j in ends]
@@ -306,16 +306,16 @@ class PlantBuilder:
     def _states(self) -> None:
         for s in self.topo.sections:
             self._section(s)
-        for b in self.layout.boundaries:
+        for b in self.layout.track.boundaries:
             self._outside(b)
-        for g in self.layout.signals:
+        for g in self.layout.signalling.signals:
             self._signal(g)
         speeds_called(self, self._shorts)
 
     def _section(self, s: SectionId) -> None:
         """What stands in a section: whether it rests, was called, has parted, has overrun, runs, shunts."""
         topo, p = self.topo, self.p
-        out = disj(p.events[names.TAIL(j, s)] for j in topo.ends[s] if j not in self.layout.buffer_at)
+        out = disj(p.events[names.TAIL(j, s)] for j in topo.ends[s] if j not in self.layout.track.buffer_at)
         enter = {j: self.entries.comes_in(s, j) for j in topo.ends[s]}
         p.state[names.STANDS(s)] = f"a train stands in {s}"
         parts: Expr = FALSE
@@ -371,7 +371,7 @@ class PlantBuilder:
             turned_out = disj(p.events[names.TURNS(s, j, b)] for b in topo.ends[s] if names.TURNS(s, j, b) in p.events)
             p.state[names.CAME(s, j)] = f"the train in {s} came in at {j}"
             p.next[names.CAME(s, j)] = disj((conj((came(s, j), neg(out), neg(turned_out))), enter[j], turned_in))
-            if j in self.layout.buffer_at:
+            if j in self.layout.track.buffer_at:
                 continue
             p.state[names.ACROSS(j, s)] = f"a train stands across {j}, going out of {s}"
             p.next[names.ACROSS(j, s)] = disj(
@@ -380,7 +380,7 @@ class PlantBuilder:
         p.initial.append(at_most_one(came(s, j) for j in topo.ends[s]))
         p.initial.append(iff(o(s), disj(came(s, j) for j in topo.ends[s])))
         for j in topo.ends[s]:
-            if j in self.layout.buffer_at:
+            if j in self.layout.track.buffer_at:
                 continue
             ahead = topo.beyond(s, j)
             standing = conj((o(s), o(ahead), came(ahead, j))) if ahead is not None else o(s)
@@ -399,7 +399,7 @@ class PlantBuilder:
         p.next[names.ACROSS(b.node, outside)] = disj(
             (conj((across(b.node, outside), neg(left))), p.events[names.HEAD(b.node, outside)])
         )
-        s = self.layout.section_of(self.layout.edges_at[b.node][0].id)
+        s = self.layout.track.section_of(self.layout.track.edges_at[b.node][0].id)
         p.initial.append(implies(across(b.node, outside), conj((o(outside), o(s), came(s, b.node)))))
 
     def _signal(self, g: Signal) -> None:
@@ -434,7 +434,7 @@ class PlantBuilder:
         shunts = disj(self.entries.shunts_in(s, j) for j in topo.ends[s]) if self._shunts else FALSE
         stands: Expr = FALSE
         for g in self._before[s]:
-            j = self.layout.signal[g].node
+            j = self.layout.signalling.signal[g].node
             comes = [
                 conj(
                     (

@@ -65,7 +65,7 @@ def shows_more(b: Making, g: SignalId, kmh: int) -> Expr:
 def speeds_called(b: Making, ends: ShortEnds) -> None:
     """State and next states: what the train before each signal has seen, how that in each section was called."""
     for kmh in ends.speeds:
-        for g in b.layout.signals:
+        for g in b.layout.signalling.signals:
             go, name = names.accepted(g.id), names.FAST(g.id, kmh)
             if g.main and go in b.p.next:
                 b.p.state[name] = f"the train before {g.id} may have seen that more than {kmh} km/h is permitted"

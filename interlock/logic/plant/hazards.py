@@ -62,7 +62,7 @@ def _derailment(b: Railway, s: SectionId) -> Expr:
             wrong.append(conj((b.entries.comes_in(s, j), neg(good))))
     if "A-BUFFER" in b.dropped:
         for j in topo.ends[s]:
-            if j in layout.buffer_at:
+            if j in layout.track.buffer_at:
                 chance = b.choice(names.THROUGH(j), f"the train in {s} runs through buffer {j}")
                 p.events[names.THROUGH(j)] = conj((o(s), neg(rests(s)), b.standing.heading(s, j), chance))
                 wrong.append(p.events[names.THROUGH(j)])
@@ -75,7 +75,7 @@ def _points_move(b: Railway) -> Iterator[Hazard]:
     for m, ends in sorted(layout.machines.ends.items()):
         starts = disj(p.events[names.MACHINE_STARTS(m, x)] for x in Position)
         bad = []
-        for s_ in sorted({layout.section_of(e.toe) for e in ends}):
+        for s_ in sorted({layout.track.section_of(e.toe) for e in ends}):
             mine = {e.id for e in ends}
             over = [t for t in topo.traversals[s_] if mine & {q for q, _ in t.points}]
             # under a train, as the points lie; anywhere under one that has stood there since the restart
@@ -87,7 +87,7 @@ def _points_move(b: Railway) -> Iterator[Hazard]:
 
 def _open_roads(b: Railway) -> Iterator[Hazard]:
     """A train over a level crossing or bridge that is not closed."""
-    for d in b.layout.devices:
+    for d in b.layout.signalling.devices:
         closed = lies(d.id, Position.REVERSE)
         for s_ in d.over:
             entering = disj(b.entries.comes_in(s_, j) for j in b.topo.ends[s_])
@@ -99,10 +99,10 @@ def _open_roads(b: Railway) -> Iterator[Hazard]:
 def _diamonds(b: Railway) -> Iterator[Hazard]:
     """Trains on both arms of a diamond."""
     topo, layout = b.topo, b.layout
-    for c in layout.crossings:
+    for c in layout.pointwork.crossings:
         sides = []
         for arm in (0, 1):
-            sec = layout.section_of(c.arms[arm][0])
+            sec = layout.track.section_of(c.arms[arm][0])
             sides.append(
                 (
                     sec,
@@ -157,7 +157,7 @@ def _collision(b: Railway, s: SectionId, enter: list[Expr]) -> Expr:
     shunts = [b.entries.shunts_in(s, j) for j in ends]
     trains = [conj((b.entries.comes_in(s, j), neg(b.entries.shunts_in(s, j)))) for j in ends]
     train = disj(trains)
-    coming = disj(b.standing.coming(s, j) for j in ends if j not in b.layout.buffer_at)
+    coming = disj(b.standing.coming(s, j) for j in ends if j not in b.layout.track.buffer_at)
     running_in = conj((o(s), neg(rests(s)), coming))
     return disj(
         (

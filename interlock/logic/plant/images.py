@@ -42,7 +42,7 @@ def images(b: Making) -> None:
     p, topo = b.p, b.topo
     valid = var(b.w.valid)
     false_: dict[str, Expr] = {}
-    for blind in sorted(b.layout.undetected):  # always taken as occupied
+    for blind in sorted(b.layout.track.undetected):  # always taken as occupied
         p.state[names.IMAGE(blind)] = f"{blind} has no detection"
         p.next[names.IMAGE(blind)] = TRUE
         p.initial.append(image(blind))
@@ -61,8 +61,8 @@ def images(b: Making) -> None:
         )
         false_[s] = conj((reported, neg(o(s)), neg(p.next[names.STANDS(s)]), valid))
     pairs = [(a, b) for _, a, b in topo.joints()] + [
-        (x.approach, b.layout.section_of(b.layout.edges_at[x.node][0].id))
-        for x in b.layout.boundaries
+        (x.approach, b.layout.track.section_of(b.layout.track.edges_at[x.node][0].id))
+        for x in b.layout.track.boundaries
         if x.approach is not None
     ]
     for a, b_ in pairs:

@@ -173,5 +173,5 @@ ASSUMPTIONS: dict[str, str] = {
 def assumed_of(layout: Layout) -> dict[str, str]:
     """The assumptions about the world that a layout's proof may rest on: A-SLOW where short overlaps lie inside longer
     ones, the others always."""
-    nested = any(told_apart(layout, o.signal) for o in layout.overlaps)
+    nested = any(told_apart(layout, o.signal) for o in layout.overlaps.all)
     return {k: sentence for k, sentence in ASSUMPTIONS.items() if k != "A-SLOW" or nested}

@@ -29,7 +29,7 @@ class Making(Protocol):
 
 def trail(b: Making, m: MachineId) -> Expr:
     """A vehicle that is moved under local rules runs through a point that lies against it."""
-    here = sorted({b.layout.section_of(e.toe) for e in b.layout.machines.ends.get(m, ())})
+    here = sorted({b.layout.track.section_of(e.toe) for e in b.layout.machines.ends.get(m, ())})
     under = disj(conj((o(s), rests(s))) for s in here)
     chance = b.choice(names.RUN_THROUGH(m), f"a vehicle that is moved under local rules runs through {m}")
     b.p.events[names.RUN_THROUGH(m)] = conj((under, chance))

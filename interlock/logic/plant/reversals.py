@@ -35,7 +35,7 @@ def reversals(b: Making, s: SectionId) -> None:
     for x in b.topo.ends[s]:
         ahead = b.topo.beyond(s, x)
         g = b.topo.signal_into.get((x, ahead)) if ahead is not None else None
-        if g is None and ("A-REVERSE" not in b.dropped or x in b.layout.buffer_at):
+        if g is None and ("A-REVERSE" not in b.dropped or x in b.layout.track.buffer_at):
             continue
         for y in b.topo.ends[s]:
             back = disj(b.standing.lie(t) for t in b.standing.ways(s, y, x))
@@ -45,7 +45,7 @@ def reversals(b: Making, s: SectionId) -> None:
             alone = conj(
                 neg(z)
                 for k in b.topo.ends[s]
-                if k not in b.layout.buffer_at
+                if k not in b.layout.track.buffer_at
                 for z in (across(k, s), b.standing.coming(s, k))
             )
             waiting = conj(
@@ -56,7 +56,7 @@ def reversals(b: Making, s: SectionId) -> None:
                         for h in b.topo.signals_out(s)
                         for k in functions(b.layout, h)
                     ),
-                    *(neg(b.p.events[names.HEAD(k, s)]) for k in b.topo.ends[s] if k not in b.layout.buffer_at),
+                    *(neg(b.p.events[names.HEAD(k, s)]) for k in b.topo.ends[s] if k not in b.layout.track.buffer_at),
                 ]
             )
             b.p.events[names.TURNS(s, x, y)] = conj(

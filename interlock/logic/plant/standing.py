@@ -15,7 +15,7 @@ from interlock.model.traversal import Topology, Traversal
 
 def functions(layout: Layout, g: SignalId) -> list[bool]:
     """Whom a signal speaks to: False for trains, True for shunting movements."""
-    signal = layout.signal[g]
+    signal = layout.signalling.signal[g]
     return [*([False] if signal.main else []), *([True] if signal.shunt else [])]
 
 
@@ -24,7 +24,7 @@ def across_end(layout: Layout, topo: Topology, s: SectionId, j: NodeId) -> str:
     ahead = topo.beyond(s, j)
     if ahead is not None:
         return ahead
-    boundary = layout.boundary_at.get(j)
+    boundary = layout.track.boundary_at.get(j)
     return (boundary.approach if boundary and boundary.approach else None) or names.outside(j)
 
 
@@ -37,7 +37,7 @@ class Standing:
 
     def lie(self, t: Traversal) -> Expr:
         """Every point on the way really lies for it."""
-        return conj(lies(self._layout.point[p].machine, x) for p, x in t.points)
+        return conj(lies(self._layout.pointwork.point[p].machine, x) for p, x in t.points)
 
     def ways(self, s: SectionId, a: NodeId, b: NodeId | None = None) -> list[Traversal]:
         """Traversals from an end, to an end if given."""
@@ -54,7 +54,7 @@ class Standing:
     def calls(self, s: SectionId) -> Iterator[tuple[NodeId, Expr]]:
         """For each signal that governs leaving s: its joint, and whether somebody has accepted it."""
         for g in self._topo.signals_out(s):
-            yield self._layout.signal[g].node, disj(accepted(g, k) for k in functions(self._layout, g))
+            yield self._layout.signalling.signal[g].node, disj(accepted(g, k) for k in functions(self._layout, g))
 
     def called(self, s: SectionId) -> Expr:
         """What stands in s has accepted a signal."""
@@ -67,7 +67,7 @@ class Standing:
     def drawn(self, s: SectionId) -> Iterator[Expr]:
         """What stands in s stands across an end, too, and the part beyond it moves."""
         for j in self._topo.ends[s]:
-            ahead = None if j in self._layout.buffer_at else self._topo.beyond(s, j)
+            ahead = None if j in self._layout.track.buffer_at else self._topo.beyond(s, j)
             if ahead is not None:
                 came_on = FALSE if self.berth(ahead) else neg(rests(ahead))  # in a berth others may have
                 yield conj((across(j, s), disj((came_on, self.moves(ahead)))))
@@ -86,8 +86,8 @@ class Standing:
 
     def coming(self, s: SectionId, j: NodeId) -> Expr:
         """A train stands across j on its way into s."""
-        boundary = self._layout.boundary_at.get(j)
-        if j in self._layout.buffer_at or (boundary is not None and (j, s) not in self._topo.signal_into):
+        boundary = self._layout.track.boundary_at.get(j)
+        if j in self._layout.track.buffer_at or (boundary is not None and (j, s) not in self._topo.signal_into):
             return FALSE
         return across(j, across_end(self._layout, self._topo, s, j))
 
@@ -102,19 +102,19 @@ class Entries:
 
     def comes_in(self, s: SectionId, j: NodeId) -> Expr:
         """A head comes into s at j in this step."""
-        if j in self._layout.buffer_at:
+        if j in self._layout.track.buffer_at:
             return FALSE
         return self._events.get(names.HEAD(j, across_end(self._layout, self._topo, s, j)), FALSE)
 
     def shunts_in(self, s: SectionId, j: NodeId) -> Expr:
         """A shunting movement comes into s at j in this step."""
-        if j in self._layout.buffer_at:
+        if j in self._layout.track.buffer_at:
             return FALSE
         return self._events.get(names.SHUNTS(j, across_end(self._layout, self._topo, s, j)), FALSE)
 
     def overruns_in(self, g: SignalId, s: SectionId) -> Expr:
         """A train that has overrun g comes into s in this step."""
-        ends = [j for j in self._topo.ends[s] if j not in self._layout.buffer_at]
+        ends = [j for j in self._topo.ends[s] if j not in self._layout.track.buffer_at]
         return disj(
             self._events.get(names.OVERRUNS(g, j, across_end(self._layout, self._topo, s, j)), FALSE) for j in ends
         )
@@ -124,7 +124,7 @@ class Entries:
         return disj(
             self._events.get(names.OVERRUNS(g, j, across_end(self._layout, self._topo, s, j)), FALSE)
             for g in self._overlapped.get(s, ())
-            if j not in self._layout.buffer_at
+            if j not in self._layout.track.buffer_at
         )
 
     def turns(self, s: SectionId) -> Expr:

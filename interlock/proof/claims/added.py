@@ -38,13 +38,13 @@ def _aspect(f: Facts, choice: Choice, g: SignalId, shunt: bool) -> Expr:
 
 def declared(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """S-DECLARED, for each two signals with such routes."""
-    callings = [(g.id, k) for g in f.layout.signals for k in f.track.functions(g.id)]
+    callings = [(g.id, k) for g in f.layout.signalling.signals for k in f.track.functions(g.id)]
 
     def shown(g: SignalId, shunt: bool, choice: Choice) -> Expr:
         over = disj(lie(f, p.ways) for _, p in chosen(f, choice, g, shunt))
         return conj((_aspect(f, choice, g, shunt), over))
 
-    for i, b in enumerate(f.layout.barred, 1):
+    for i, b in enumerate(f.layout.declared.barred, 1):
         ones = [(who, x) for who in callings if (x := shown(*who, b.one)) is not FALSE]
         others = [(who, x) for who in callings if (x := shown(*who, b.other)) is not FALSE]
         for (g, k), x in ones:
@@ -65,11 +65,11 @@ def held(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         yield id_, f"{r.id} held", implies(after(var(r.proceed)), after(holds))
         ends = conj((holds, neg(after(holds))))
         yield id_, f"{r.id} given up", implies(ends, neg(disj((var(r.active), after(var(r.active)), _last_lock(f, r)))))
-        for d in of_points(f.layout.demanded):
+        for d in of_points(f.layout.declared.demanded):
             if (d.machine, d.position) in r.path.demands and route_fits(f, d.routes, r):
                 commanded = after(var(f.sym.machines.command[d.machine, d.position]))
                 yield "S-DEMANDED", f"{r.id} {d.machine} held", implies(after(holds), commanded)
-    for i, b in enumerate(f.layout.barred, 1):
+    for i, b in enumerate(f.layout.declared.barred, 1):
         ones, others = ([r for r in f.sym.routes if route_fits(f, x, r)] for x in (b.one, b.other))
         for r, x in ((r, x) for r in ones for x in others if r is not x):
             both = conj(after(var(name)) for name in (r.added, x.added) if name is not None)
@@ -82,7 +82,7 @@ def route_fits(f: Facts, choice: Choice, r: RouteSymbols) -> bool:
 
 
 def _among_hostile(f: Facts, r: RouteSymbols) -> bool:
-    return any(route_fits(f, x, r) for b in f.layout.barred for x in (b.one, b.other))
+    return any(route_fits(f, x, r) for b in f.layout.declared.barred for x in (b.one, b.other))
 
 
 def _run(f: Facts, r: RouteSymbols) -> list[Traversal]:
@@ -94,7 +94,7 @@ def _run(f: Facts, r: RouteSymbols) -> list[Traversal]:
 def _last_lock(f: Facts, r: RouteSymbols) -> Expr:
     """The lock that a train leaves behind when it is wholly in the last section; of a route that leads out over a
     boundary, as no shunting movement does, or that has one section, the last one."""
-    leaves = not r.shunt and _run(f, r)[-1].exit in f.layout.boundary_at
+    leaves = not r.shunt and _run(f, r)[-1].exit in f.layout.track.boundary_at
     through = r.path.ways if r.path.berth is not None or leaves else r.path.ways[:-1]
     return f.locking.lock(*(through or r.path.ways)[-1])
 
@@ -102,17 +102,17 @@ def _last_lock(f: Facts, r: RouteSymbols) -> Expr:
 def demanded(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """S-DEMANDED, path by path."""
     after = f.system.after
-    for d in of_points(f.layout.demanded):
+    for d in of_points(f.layout.declared.demanded):
         m, x = d.machine, d.position
         there = [var(f.sym.machines.detected[m, x]), neg(var(f.sym.machines.detected[m, x.other]))]
         if m in f.sym.machines.trailed:
             there.append(neg(var(f.sym.machines.trailed[m])))
-        for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.track.functions(h.id)):
+        for g, shunt in ((h.id, k) for h in f.layout.signalling.signals for k in f.track.functions(h.id)):
             for n, path in chosen(f, d.routes, g, shunt):
                 here = conj((after(_aspect(f, d.routes, g, shunt)), after(lie(f, path.ways))))
                 yield "S-DEMANDED", f"{_who(g, shunt, d.routes.called_on)}:{n} {m} {x}", implies(here, conj(there))
-    for a in of_sections(f.layout.demanded):
-        for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.track.functions(h.id)):
+    for a in of_sections(f.layout.declared.demanded):
+        for g, shunt in ((h.id, k) for h in f.layout.signalling.signals for k in f.track.functions(h.id)):
             for n, path in chosen(f, a.routes, g, shunt):
                 here = conj((after(_aspect(f, a.routes, g, shunt)), after(lie(f, path.ways))))
                 who = _who(g, shunt, a.routes.called_on)
@@ -125,8 +125,8 @@ def _who(g: SignalId, shunt: bool, called_on: bool) -> str:
 
 def called_on_lit(f: Facts) -> Iterator[tuple[SignalId, Expr]]:
     """The call-on aspect is lit for call-on routes and no others, where the author adds something to these alone."""
-    added = [x for b in f.layout.barred for x in (b.one, b.other)]
-    added += [d.routes for d in f.layout.demanded]
+    added = [x for b in f.layout.declared.barred for x in (b.one, b.other)]
+    added += [d.routes for d in f.layout.declared.demanded]
     for g, lamp in f.sym.aspects.call_on.items():
         if any(x.called_on and x.entry in (None, g) for x in added):
             yield g, iff(var(lamp), f.sym.routes.called(g))

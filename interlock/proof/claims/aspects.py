@@ -63,7 +63,7 @@ def entry(
 
 def overlap_ready(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
     """An overlap is clear, its points lie and are detected."""
-    points = [(f.layout.point[p].machine, x) for t in ways for p, x in t.points]
+    points = [(f.layout.pointwork.point[p].machine, x) for t in ways for p, x in t.points]
     return conj(
         [
             *(f.seen.steadily_clear(t.section) for t in ways),
@@ -96,7 +96,7 @@ def allows_clear(f: Facts, path: SignalPath) -> Expr:
 
 def _ends_clear(f: Facts, path: SignalPath) -> Expr:
     """The line beyond a path is checked, or the next main signal will be open."""
-    boundary = f.layout.boundary_at.get(path.ways[-1].exit)
+    boundary = f.layout.track.boundary_at.get(path.ways[-1].exit)
     if boundary is not None and boundary.checked:
         return FALSE if _slow(f, path) else TRUE
     exit_ = exit_of(f, path)
@@ -106,7 +106,7 @@ def _ends_clear(f: Facts, path: SignalPath) -> Expr:
 def _awaits(f: Facts, path: SignalPath) -> bool:
     """Clear may be shown over a path to a main signal, if that is open."""
     turned = any(x is Position.REVERSE for t in path.ways for _, x in t.points)
-    last = exit_of(f, path) is not None and path.ways[-1].exit not in f.layout.boundary_at
+    last = exit_of(f, path) is not None and path.ways[-1].exit not in f.layout.track.boundary_at
     return last and not _slow(f, path) and not (turned and f.layout.principles.caution is Caution.TURNOUT)
 
 
@@ -116,6 +116,6 @@ def _slow(f: Facts, path: SignalPath) -> bool:
 
 
 def distants(f: Facts) -> Iterator[tuple[str, str, Expr]]:
-    for d in f.layout.distants:
+    for d in f.layout.signalling.distants:
         shown = f.system.after(var(f.sym.aspects.distant_clear[d.id]))
         yield "S-ASPECT", d.id, implies(shown, clear_aspect(f, d.of))

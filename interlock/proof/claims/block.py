@@ -21,7 +21,7 @@ def _one_token(f: Facts, b: NodeId) -> list[tuple[str, Expr]]:
     has, gives, fresh = (has_token(b, w) for w in ("has", "gives", "fresh"))
     told_has, told_gives = telegram(b, "has"), telegram(b, "gives")
     saw_has, saw_gives = seen_by(b, "has"), seen_by(b, "gives")
-    boundary = f.layout.boundary_at[b]
+    boundary = f.layout.track.boundary_at[b]
     sent = disj((line(b, "in"), o(boundary.approach or names.outside(b))))
     leaving = line(b, "out")
     return [

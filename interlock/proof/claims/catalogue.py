@@ -170,11 +170,11 @@ def _says(c: Claim) -> bool:
 
 
 def _zones(f: Facts) -> Iterator[tuple[str, str, Expr]]:
-    for z in f.layout.zones:
+    for z in f.layout.declared.zones:
         yield "T-ZONE", z.id, neg(f.system.overfull.get(z.id, FALSE))
         for s, j in zone_joints(f.topo, z):
             rear = f.topo.beyond(s, j)
-            boundary = f.layout.boundary_at.get(j)
+            boundary = f.layout.track.boundary_at.get(j)
             where = rear or (boundary.approach if boundary and boundary.approach else names.outside(j))
             comes = f.system.plant.events.get(names.HEAD(j, where), FALSE)
             yield "T-ZONE", f"{z.id} at {j}", implies(comes, f.system.called_in(s, j))
@@ -210,10 +210,10 @@ def _pairs(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                 bad.setdefault(kind, []).append(conj((shown[t.key], shown[x.key])))
         for kind, cases in sorted(bad.items()):
             yield kind, s, neg(disj(cases))
-    for g in f.layout.signals:
+    for g in f.layout.signalling.signals:
         one = [f.sym.aspects.signal(g.id, k) for k in f.track.functions(g.id)] + [disj(ground.past.get(g.id, ()))]
         yield "S-HOSTILE", f"signal {g.id}", at_most_one(one)
-    for c in f.layout.crossings:
+    for c in f.layout.pointwork.crossings:
         arms = [
             shown_over(ground, (t for s in f.topo.sections for t in f.topo.traversals[s] if (c.id, arm) in t.crossings))
             for arm in (0, 1)
@@ -231,7 +231,7 @@ def _who(g: SignalId, shunt: bool) -> str:
 
 def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """Claims about the scan that shows proceed: new outputs against the inputs of that scan."""
-    for signal, shunt in ((g.id, k) for g in f.layout.signals for k in f.track.functions(g.id)):
+    for signal, shunt in ((g.id, k) for g in f.layout.signalling.signals for k in f.track.functions(g.id)):
         shows = f.system.after(f.sym.aspects.signal(signal, shunt))
         paths = signal_paths(f, signal, shunt)
         yield from _signal(f, signal, shunt, shows, paths)
@@ -274,14 +274,14 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
     lit = FALSE if shunt else f.sym.aspects.identifies(signal)
     opened = conj((after(disj((shows_open(f, signal, shunt), lit))), after(lie(f, path.ways))))
     yield "S-CLEAR", "", implies(opened, conj(f.seen.steadily_clear(t.section) for t in path.kept_clear))
-    if signal in f.sym.aspects.call_on and f.layout.signal[signal].call_on and not shunt:
+    if signal in f.sym.aspects.call_on and f.layout.signalling.signal[signal].call_on and not shunt:
         called = conj((after(var(f.sym.aspects.call_on[signal])), here))
         yield "S-CALL-ON", "", implies(called, _may_call_on(f, path))
     yield "S-DETECTED", "", implies(here, _points_detected(f, path))
     if not shunt:
         for what, x in at_speed(f, signal, path, here):
             yield "S-SPEED", what, x
-    machines = (f.layout.point[p].machine for t in path.ways for p, _ in t.points)
+    machines = (f.layout.pointwork.point[p].machine for t in path.ways for p, _ in t.points)
     trailed = [neg(var(f.sym.machines.trailed[m])) for m in dict.fromkeys(machines) if m in f.sym.machines.trailed]
     if trailed:
         yield "S-TRAILED", "", implies(here, conj(trailed))
@@ -302,7 +302,7 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
                 neg(var(f.sym.machines.detected[d.id, Position.NORMAL])),
             )
         )
-        for d in f.layout.devices
+        for d in f.layout.signalling.devices
         if any(t.section in d.over for t in path.ways)
     ]
     if secured:
@@ -315,7 +315,7 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
 
 def _points_detected(f: Facts, path: SignalPath) -> Expr:
     """Every point of a path is detected as it must lie, and not otherwise."""
-    ends = [(f.layout.point[p].machine, x) for t in path.ways for p, x in t.points]
+    ends = [(f.layout.pointwork.point[p].machine, x) for t in path.ways for p, x in t.points]
     return conj(
         conj((var(f.sym.machines.detected[m, x]), neg(var(f.sym.machines.detected[m, x.other])))) for m, x in ends
     )
@@ -336,12 +336,12 @@ def _beyond_the_path(
     """External conditions, the direction of the line beyond, and what may stand foul of the path."""
     needed = [
         var(f.sym.condition[c.id])
-        for c in f.layout.conditions
+        for c in f.layout.signalling.conditions
         if signal in c.signals
         or any(t.section in c.over for t in path.ways)
         or (not shunt and path.ways[-1].exit in c.exits)
     ]
-    boundary = f.layout.boundary_at.get(path.ways[-1].exit)
+    boundary = f.layout.track.boundary_at.get(path.ways[-1].exit)
     if boundary is not None and boundary.node in f.sym.token and not shunt:
         ours = conj((var(f.sym.token[boundary.node].have), neg(has_token(boundary.node, "has"))))
         yield "S-DIRECTION", "", implies(here, f.system.after(ours))
@@ -355,7 +355,7 @@ def _beyond_the_path(
 def _still_passing(f: Facts, g: SignalId, shunt: bool) -> Expr:
     """A signal stays open for one movement alone: it was open, that movement occupies the sections before and beyond
     it, and none in rear of it may take the signal for itself."""
-    first, rear = f.layout.section_of(f.layout.signal[g].into), f.sym.cancellation.approach_of[g]
+    first, rear = f.layout.track.section_of(f.layout.signalling.signal[g].into), f.sym.cancellation.approach_of[g]
     assert rear is not None
     occupied = [neg(f.seen.clear(s)) for s in (first, rear) if s in f.sym.sections.clear]
     name = names.accepted(g, shunt)
@@ -385,7 +385,7 @@ def _requests(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             f"{sig} swings",
             implies(conj((after(swings), neg(swings))), f.sym.requests.asked(number)),
         )
-    for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.track.functions(h.id)):
+    for g, shunt in ((h.id, k) for h in f.layout.signalling.signals for k in f.track.functions(h.id)):
         shown = implies(after(f.sym.aspects.signal(g, shunt)), after(f.sym.routes.opened(g, shunt)))
         yield "S-REQUEST", f"{_who(g, shunt)} shown", shown
     for r in f.sym.routes:
@@ -418,11 +418,17 @@ def _set(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
 def _boards(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """Way by way past a board, or past a shunt signal at which trains end, in the scan in which it is locked."""
-    for g in sorted({*f.layout.boards, *f.layout.stops}):
-        signal = f.layout.signal[g]
-        s = f.layout.section_of(signal.into)
+    for g in sorted({*f.layout.signalling.boards, *f.layout.signalling.stops}):
+        signal = f.layout.signalling.signal[g]
+        s = f.layout.track.section_of(signal.into)
         train = f.system.after(f.locking.train(s))
-        past = FALSE if g in f.layout.boards and g in f.layout.stops else train if g in f.layout.boards else neg(train)
+        past = (
+            FALSE
+            if g in f.layout.signalling.boards and g in f.layout.signalling.stops
+            else train
+            if g in f.layout.signalling.boards
+            else neg(train)
+        )
         for n, name in f.sym.sections.locks_of.get(s, ()):
             if f.topo.traversals[s][n - 1].entry == signal.node:
                 new = conj((f.system.after(var(name)), neg(var(name))))
@@ -478,7 +484,9 @@ def _held_fast(f: Facts, s: SectionId) -> Expr:
     """Held otherwise than by an overlap that swings away in this step, with the section before its signal clear."""
     held = [f.locking.locked(s)]
     for (g, _), name in f.locking.options(s).items():
-        before = f.topo.beyond(f.layout.section_of(f.layout.signal[g].into), f.layout.signal[g].node)
+        before = f.topo.beyond(
+            f.layout.track.section_of(f.layout.signalling.signal[g].into), f.layout.signalling.signal[g].node
+        )
         close = neg(f.seen.steadily_clear(before)) if g in f.sym.overlaps.swings and before is not None else TRUE
         held.append(conj((var(name), disj((close, f.system.after(var(name)))))))
     return disj(held)

@@ -20,7 +20,7 @@ def excluded(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """Claim, place and expression for each path of a signal, and for each row of them where the signals between them
     show their identifier lights, that no route may take."""
     after = f.system.after
-    for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.track.functions(h.id)):
+    for g, shunt in ((h.id, k) for h in f.layout.signalling.signals for k in f.track.functions(h.id)):
         who = f"{g} shunt" if shunt else g
         for k, path in enumerate(signal_paths(f, g, shunt), 1):
             here = after(conj((f.sym.aspects.signal(g, shunt), lie(f, path.ways))))
@@ -41,30 +41,30 @@ def excluded(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 def _passed(f: Facts, path: SignalPath) -> SignalId | None:
     """The signal at the end of a train's path, where the layout gives it an identifier light."""
     signal = exit_of(f, path)
-    return signal if signal in f.layout.identifiers else None
+    return signal if signal in f.layout.signalling.identifiers else None
 
 
 def _unwanted(f: Facts, g: SignalId, shunt: bool, path: SignalPath) -> bool:
     """The author excludes a route over the path."""
-    return any(fits(f, x, g, shunt, path.ways, not shunt) for x in f.layout.excluded)
+    return any(fits(f, x, g, shunt, path.ways, not shunt) for x in f.layout.declared.excluded)
 
 
 def _can_be(f: Facts, g: SignalId, shunt: bool, path: SignalPath) -> bool:
     """A route may begin at the signal, run over the path, and end or leave where it does."""
     end = path.ways[-1].exit
-    buffer, boundary = f.layout.buffer_at.get(end), f.layout.boundary_at.get(end)
+    buffer, boundary = f.layout.track.buffer_at.get(end), f.layout.track.boundary_at.get(end)
     trap = buffer is not None and buffer.kind is BufferKind.TRAP
     against = boundary is not None and boundary.kind is BoundaryKind.IN and not shunt
     leads_on = not (trap or against) or path.berth is not None
-    return leads_on and f.layout.opens(g, shunt) and _can_be_run(f, path.ways, path.kept_clear)
+    return leads_on and f.layout.signalling.opens(g, shunt) and _can_be_run(f, path.ways, path.kept_clear)
 
 
 def _can_be_run(f: Facts, ways: Sequence[Traversal], clear: Sequence[Traversal]) -> bool:
     """No machine is needed in both positions, no key is turned, no diamond is passed twice, and what must be clear is
     detected."""
     arms = [c for t in ways for c, _ in t.crossings]
-    lie_so = {(f.layout.point[p].machine, x) for t in ways for p, x in t.points}
+    lie_so = {(f.layout.pointwork.point[p].machine, x) for t in ways for p, x in t.points}
     turned = {machine for machine, x in lie_so if x is Position.REVERSE}
     once = len({machine for machine, _ in lie_so}) == len(lie_so)
-    seen = not any(t.section in f.layout.undetected for t in clear)
+    seen = not any(t.section in f.layout.track.undetected for t in clear)
     return once and len(arms) == len(set(arms)) and not turned & f.layout.machines.by_hand and seen

@@ -29,7 +29,7 @@ def exposed(f: Facts, beyond: Beyond) -> Expr:
     if beyond.one_way or beyond.closed:
         return FALSE
     if beyond.signal is not None:
-        g = f.layout.signal[beyond.signal]
+        g = f.layout.signalling.signal[beyond.signal]
         called = [
             x
             for k in f.track.functions(g.id)
@@ -50,7 +50,7 @@ def exposed(f: Facts, beyond: Beyond) -> Expr:
 
 def flank(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     over: dict[tuple[SectionId, int], dict[tuple[SignalId, bool], None]] = {}
-    for g in f.layout.signals:
+    for g in f.layout.signalling.signals:
         for k in f.track.functions(g.id):
             for path in signal_paths(f, g.id, k):
                 for t in path.ways:
@@ -80,16 +80,16 @@ def flank(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
 
 def _points_lie(f: Facts, t: Traversal) -> Iterator[Expr]:
-    return (lies(f.layout.point[p].machine, x) for p, x in t.points)
+    return (lies(f.layout.pointwork.point[p].machine, x) for p, x in t.points)
 
 
 def _dangers(f: Facts, t: Traversal) -> Iterator[tuple[str, Expr]]:
     """Every place on a way at which a vehicle might come in, and whether one could roll there now."""
     for pid, x in t.points:
-        p = f.layout.point[pid]
+        p = f.layout.pointwork.point[pid]
         yield f"{pid}.{x.other}", exposed(f, f.track.beyond[p.node, p.leg(x.other)])
     for cid, arm in t.crossings:
-        c = f.layout.crossing[cid]
+        c = f.layout.pointwork.crossing[cid]
         for edge in c.arms[1 - arm]:
             yield f"{cid}.{edge}", exposed(f, f.track.beyond[c.node, edge])
 
@@ -114,19 +114,19 @@ def scissors(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 def _crossover(f: Facts, crossing: CrossingId, arm: int) -> tuple[MachineId, ...]:
     """The machines of an arm that is a crossover: plain track leads from both of its ends to the reverse leg of a
     point."""
-    c = f.layout.crossing[crossing]
+    c = f.layout.pointwork.crossing[crossing]
     found: dict[MachineId, None] = {}
     for edge in c.arms[arm]:
-        node, seen = f.layout.far(edge, c.node), {c.node}
-        while node not in f.layout.point_at:
-            onward = [e.id for e in f.layout.edges_at[node] if e.id != edge]
+        node, seen = f.layout.track.far(edge, c.node), {c.node}
+        while node not in f.layout.pointwork.point_at:
+            onward = [e.id for e in f.layout.track.edges_at[node] if e.id != edge]
             if node in seen or len(onward) != 1:
                 return ()
             seen.add(node)
-            edge, node = onward[0], f.layout.far(onward[0], node)
-        if f.layout.point_at[node].reverse != edge:
+            edge, node = onward[0], f.layout.track.far(onward[0], node)
+        if f.layout.pointwork.point_at[node].reverse != edge:
             return ()
-        found[f.layout.point_at[node].machine] = None
+        found[f.layout.pointwork.point_at[node].machine] = None
     return tuple(found)
 
 
@@ -140,18 +140,18 @@ def flank_space(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     if not rules.flank_space and not rules.flank_lamp:
         return
     ground, movements = ground_of(f), _movements(f)
-    waived = {(w.point, w.leg) for w in f.layout.waivers}
+    waived = {(w.point, w.leg) for w in f.layout.declared.waivers}
     for s in f.topo.sections:
         for t in f.topo.traversals[s]:
             shown = disj(shown_over(ground, [t]).values())
             beside = frozenset(x for x, those in movements.items() if any(s not in over for over in those))
             for pid, x in t.points:
-                p = f.layout.point[pid]
+                p = f.layout.pointwork.point[pid]
                 if (pid, x.other) not in waived:
                     quiet = _Space(f, s, beside).quiet(f.track.beyond[p.node, p.leg(x.other)])
                     yield "S-FLANK-SPACE", f"{s}:{t.number}:{pid}", implies(f.system.after(shown), quiet)
             for cid, arm in t.crossings:
-                c = f.layout.crossing[cid]
+                c = f.layout.pointwork.crossing[cid]
                 for edge in c.arms[1 - arm]:
                     quiet = _Space(f, s, beside).quiet(f.track.beyond[c.node, edge])
                     yield "S-FLANK-SPACE", f"{s}:{t.number}:{cid}.{edge}", implies(f.system.after(shown), quiet)
@@ -161,9 +161,9 @@ def _movements(f: Facts) -> dict[SectionId, list[frozenset[SectionId]]]:
     """For each section the paths, as sections, over it; none at all for a train that stands there before its path, or
     vehicles at its end.  Nobody is called into a trap."""
     found: dict[SectionId, list[frozenset[SectionId]]] = {}
-    traps = {b.node for b in f.layout.buffers if b.kind is BufferKind.TRAP}
-    for g in f.layout.signals:
-        rear = f.topo.beyond(f.layout.section_of(g.into), g.node)
+    traps = {b.node for b in f.layout.track.buffers if b.kind is BufferKind.TRAP}
+    for g in f.layout.signalling.signals:
+        rear = f.topo.beyond(f.layout.track.section_of(g.into), g.node)
         for k in f.track.functions(g.id):
             for path in signal_paths(f, g.id, k):
                 if path.ways[-1].exit in traps:
@@ -191,7 +191,9 @@ class _Space:
         layout, s = self.f.layout, beyond.section
         if beyond.one_way:
             return TRUE
-        looked_at = layout.principles.flank_space and s != self.own and s not in (*layout.undetected, *self.beside)
+        looked_at = (
+            layout.principles.flank_space and s != self.own and s not in (*layout.track.undetected, *self.beside)
+        )
         clear = self.f.seen.steadily_clear(s) if looked_at else TRUE
         if beyond.signal is not None:
             lit = layout.principles.flank_lamp and beyond.signal in self.f.sym.lamp_proof.stop

@@ -13,7 +13,7 @@ def identifiers(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     past it only while it does."""
     after = f.system.after
     for g, name in f.sym.aspects.identifier.items():
-        before, node = f.sym.cancellation.approach_of[g], f.layout.signal[g].node
+        before, node = f.sym.cancellation.approach_of[g], f.layout.signalling.signal[g].node
         assert before is not None
         others = [
             f.sym.aspects.stop[g],

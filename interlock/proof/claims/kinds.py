@@ -101,7 +101,7 @@ class TrackFacts:
 
     def functions(self, g: str) -> tuple[bool, ...]:
         """Whom a signal speaks to: False for trains, True for shunting movements."""
-        signal = self._layout.signal[SignalId(g)]
+        signal = self._layout.signalling.signal[SignalId(g)]
         return (*([False] if signal.main else []), *([True] if signal.shunt else []))
 
     def way(self, s: str, n: int) -> tuple[NodeId, NodeId]:
@@ -280,7 +280,7 @@ class SeenFacts:
 
     @cached_property
     def _overrun(self) -> dict[str, list[SignalId]]:
-        order = {g: n for n, g in enumerate(self._layout.overlap_of)}
+        order = {g: n for n, g in enumerate(self._layout.overlaps.length)}
         found: dict[str, list[SignalId]] = {}
         for name in self._plant.state:
             if name.family is names.OVERRAN:

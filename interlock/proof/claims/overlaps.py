@@ -53,7 +53,7 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
             ]
             there = conj((o(s), rests(s), disj(firmly)))
             out.append(Invariant(f"O-OVER:{g}", s, implies(overran(g, s), there)))
-    for g in f.layout.overlap_of:
+    for g in f.layout.overlaps.length:
         out += _signal(f, g)
     for j, s, t, past in f.track.passed_joints():
         if f.track.berth(t) and not past and f.locking.overlaps(t):
@@ -138,8 +138,8 @@ def turned(f: Facts, option: tuple[SignalId, int]) -> Expr:
 
 def running_into(f: Facts, g: SignalId, s: SectionId) -> Expr:
     """A train runs or comes to a signal, firmly, or runs on beyond it, so that it may overrun into a section."""
-    node = f.layout.signal[g].node
-    b = f.topo.beyond(f.layout.section_of(f.layout.signal[g].into), node)
+    node = f.layout.signalling.signal[g].node
+    b = f.topo.beyond(f.layout.track.section_of(f.layout.signalling.signal[g].into), node)
     assert b is not None
     out = []
     for opt, name in f.sym.overlaps.held.items():
@@ -167,8 +167,8 @@ def _towards(f: Facts, b: SectionId, n: int, node: NodeId) -> tuple[Expr, ...]:
 
 def _signal(f: Facts, g: SignalId) -> list[Invariant]:
     """A train that runs towards the signal, or may still come, finds an overlap."""
-    node = f.layout.signal[g].node
-    t = f.layout.section_of(f.layout.signal[g].into)
+    node = f.layout.signalling.signal[g].node
+    t = f.layout.track.section_of(f.layout.signalling.signal[g].into)
     b = f.topo.beyond(t, node)
     assert b is not None
     firm = var(f.sym.overlaps.firm[g]) if g in f.sym.overlaps.firm else neg(TRUE)  # no train route leads to it

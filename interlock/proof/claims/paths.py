@@ -41,7 +41,7 @@ def signal_paths(f: Facts, g: SignalId, shunt: bool = False) -> list[SignalPath]
 
 
 def _search_paths(f: Facts, g: SignalId, shunt: bool) -> list[SignalPath]:
-    signal = f.layout.signal[g]
+    signal = f.layout.signalling.signal[g]
     stops = f.topo.signal_into if shunt else f.topo.main_into
     found: list[SignalPath] = []
 
@@ -51,14 +51,14 @@ def _search_paths(f: Facts, g: SignalId, shunt: bool) -> list[SignalPath]:
             ahead = f.topo.beyond(section, t.exit)
             stands = shunt and f.track.berth(section)
             ends = stands or section in f.topo.turning
-            if ahead is None and shunt and not ends and t.exit in f.layout.boundary_at:
+            if ahead is None and shunt and not ends and t.exit in f.layout.track.boundary_at:
                 continue
             if ahead is None or (t.exit, ahead) in stops or stands:
                 found.append(SignalPath(g, shunt, path, section if stands and len(path) > 1 else None))
             elif all(w.section != ahead for w in path):
                 go(ahead, t.exit, path)
 
-    go(f.layout.section_of(signal.into), signal.node, ())
+    go(f.layout.track.section_of(signal.into), signal.node, ())
     return found
 
 
@@ -98,7 +98,7 @@ def runs_past(f: Facts, path: SignalPath) -> Iterator[Run]:
     while todo:
         run = todo.pop()
         passed = exit_of(f, run.parts[-1])
-        if passed is None or passed not in f.layout.identifiers or passed in run.passed:
+        if passed is None or passed not in f.layout.signalling.identifiers or passed in run.passed:
             continue
         for k, onward in enumerate(signal_paths(f, passed), 1):
             todo.append(Run((*run.parts, onward), f"{run.called} past {passed}:{k}"))
@@ -107,7 +107,7 @@ def runs_past(f: Facts, path: SignalPath) -> Iterator[Run]:
 
 def lie(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
     """All points of a path really lie for it."""
-    return conj(lies(f.layout.point[p].machine, x) for t in ways for p, x in t.points)
+    return conj(lies(f.layout.pointwork.point[p].machine, x) for t in ways for p, x in t.points)
 
 
 Shown = tuple[SignalId, bool]
@@ -123,7 +123,7 @@ class Ground:
 
 def ground_of(f: Facts) -> Ground:
     ground = Ground({}, {})
-    for who in ((g.id, k) for g in f.layout.signals for k in f.track.functions(g.id)):
+    for who in ((g.id, k) for g in f.layout.signalling.signals for k in f.track.functions(g.id)):
         for path in signal_paths(f, *who):
             there = conj((f.sym.aspects.signal(*who), lie(f, path.ways)))
             for t in path.ways:

@@ -66,7 +66,7 @@ def _ends(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
 def _rear(f: Facts, s: SectionId, j: NodeId) -> SectionId | None:
     """The section or approach from which a train comes in at an end."""
-    boundary = f.layout.boundary_at.get(j)
+    boundary = f.layout.track.boundary_at.get(j)
     return boundary.approach if boundary is not None else f.topo.beyond(s, j)
 
 
@@ -90,8 +90,8 @@ def _given_up(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """R8: comprehensive approach locking, over what is `measured`."""
     after = f.system.after
     for g, routes in f.sym.routes.of_signal.items():
-        signal = f.layout.signal[g]
-        first = f.layout.section_of(signal.into)
+        signal = f.layout.signalling.signal[g]
+        first = f.layout.track.section_of(signal.into)
         from_g = f.locking.locked_in(first, signal.node)
         shown = disj(var(r.shown) for r in routes)
         given_up = conj((from_g, neg(after(from_g)), neg(f.seen.used(first)), shown))

@@ -37,7 +37,7 @@ def slow_invariants(f: Facts) -> list[Invariant]:
             shown = implies(disj(map(var, r.open_while)), conj((within, neg(above))))
             out.append(Invariant(f"V-LIT:{kmh}", r.id, shown))
     for kmh in sorted({kmh for _, kmh in held}):
-        for g in (x.id for x in f.layout.signals if names.FAST(x.id, kmh) in f.system.plant.state):
+        for g in (x.id for x in f.layout.signalling.signals if names.FAST(x.id, kmh) in f.system.plant.state):
             out.append(Invariant(f"V-FAST:{kmh}", g, implies(fast(g, kmh), disj((lamp(g), accepted(g))))))
     for (g, kmh), xs in held.items():
         out += _on_the_way(f, g, kmh, disj(xs))
@@ -46,8 +46,8 @@ def slow_invariants(f: Facts) -> list[Invariant]:
 
 def _on_the_way(f: Facts, g: SignalId, kmh: int, held: Expr) -> Iterator[Invariant]:
     """Backwards from the section before a signal to the signals from which locks lead there."""
-    node = f.layout.signal[g].node
-    before = f.topo.beyond(f.layout.section_of(f.layout.signal[g].into), node)
+    node = f.layout.signalling.signal[g].node
+    before = f.topo.beyond(f.layout.track.section_of(f.layout.signalling.signal[g].into), node)
     assert before is not None
     leads = _Leads(f, before, node)
     for s, n, on in leads.ways():

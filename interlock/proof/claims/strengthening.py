@@ -45,7 +45,7 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
         out += [Invariant(i, f"{j}:{s}>{t}", x) for i, x in _joint(f, j, s, t, past)]
     for joint, here, there in _all_joints(f):
         out += [Invariant(i, f"{joint}:{here}>{there}", x) for i, x in _crossing_joint(f, joint, here, there)]
-    for g in f.layout.signals:
+    for g in f.layout.signalling.signals:
         for k in f.track.functions(g.id):
             lit = iff(f.sym.aspects.signal(g.id, k), f.sym.routes.opened(g.id, k))
             out.append(Invariant("G-SHUNT-LIT" if k else "G-LIT", g.id, lit))
@@ -64,7 +64,7 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
     out += overlap_invariants(f)
     out += slow_invariants(f)
     out += token_invariants(f)
-    for s in sorted({s for z in f.layout.zones for s in z.sections}):
+    for s in sorted({s for z in f.layout.declared.zones for s in z.sections}):
         inside = conj((o(s), neg(rests(s)), neg(disj(_coming(f, s)))))
         if names.IMAGE(s) in f.system.plant.state:
             out.append(Invariant("Z-SEEN", s, implies(inside, image(s))))
@@ -95,10 +95,10 @@ def _all_joints(f: Facts) -> list[tuple[str, str, str]]:
     out: list[tuple[str, str, str]] = []
     for s in f.topo.sections:
         for j in f.topo.ends[s]:
-            if j in f.layout.buffer_at:
+            if j in f.layout.track.buffer_at:
                 continue
             out.append((j, s, f.topo.beyond(s, j) or ""))
-            boundary = f.layout.boundary_at.get(j)
+            boundary = f.layout.track.boundary_at.get(j)
             if boundary is not None:
                 outside = boundary.approach or names.outside(j)
                 if names.STANDS(outside) in f.system.plant.state:
@@ -108,7 +108,7 @@ def _all_joints(f: Facts) -> list[tuple[str, str, str]]:
 
 def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
     locks = f.locking.of(s)
-    if s in f.layout.undetected:
+    if s in f.layout.track.undetected:
         yield "S-BLIND", f.locking.restart(s)  # never reported clear, so never released after the restart
     yield "S-ONE", at_most_one([f.locking.restart(s), *(x for _, x in locks)])
     yield "S-FIRM", implies(f.locking.firm(s), f.locking.any_lock(s))
@@ -163,11 +163,11 @@ def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
 def _standing_section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
     """What stands in a section since the restart, and what does not move under it."""
     if not f.track.berth(s):
-        closed = [f.seen.settled(MachineId(d.id), Position.REVERSE) for d in f.layout.devices if s in d.over]
+        closed = [f.seen.settled(MachineId(d.id), Position.REVERSE) for d in f.layout.signalling.devices if s in d.over]
         alone = [neg(across(k, t)) for k in f.topo.ends[s] if (t := f.topo.beyond(s, k)) is not None]
         plain = neg(disj(TRUE for t in f.topo.traversals[s] if t.points or t.crossings))
         heading = disj(
-            conj((came(s, t.entry), conj(lies(f.layout.point[p].machine, x) for p, x in t.points)))
+            conj((came(s, t.entry), conj(lies(f.layout.pointwork.point[p].machine, x) for p, x in t.points)))
             for t in f.topo.traversals[s]
         )
         stood = conj((f.locking.restart(s), plain, heading, *closed, *alone, *(neg(x) for x in _foul(f, s))))
@@ -177,7 +177,9 @@ def _standing_section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
         if s in f.layout.machines.sections[m]:
             told = [(p, x) for p in Position for x in (var(f.sym.machines.command[m, p]), old_command(m, p))]
             quiet = [implies(x, lies(m, p)) for p, x in told]
-            held_open = any((d.machine, d.position) == (m, Position.NORMAL) for d in of_points(f.layout.demanded))
+            held_open = any(
+                (d.machine, d.position) == (m, Position.NORMAL) for d in of_points(f.layout.declared.demanded)
+            )
             if m in f.layout.machines.device and not held_open:  # it may be closed, and nothing opens it
                 quiet = [neg(x) for p, x in told if p is Position.NORMAL]
             yield f"S-QUIET:{m}", implies(f.locking.restart(s), conj(quiet))
@@ -213,7 +215,7 @@ def _movement(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
         for n, x in f.locking.of(s):
             a, b = f.track.way(s, n)
             out = f.track.signal_out(s, b)
-            if out is not None and not f.layout.signal[SignalId(out)].main:
+            if out is not None and not f.layout.signalling.signal[SignalId(out)].main:
                 yield f"M-BERTH-END:{n}", implies(conj((x, moving, came(s, a))), f.locking.train(s))
         return
     along = disj(conj((x, came(s, f.track.way(s, n)[0]))) for n, x in f.locking.of(s))
@@ -297,7 +299,7 @@ def _crossing_joint(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Exp
     yield "X-BOTH", implies(across(j, s), conj((o(s), conj((o(t), came(t, j))) if t else o(s))))
     if SectionId(s) in f.topo.ends:
         heading = disj(
-            conj((came(s, way.entry), conj(lies(f.layout.point[p].machine, x) for p, x in way.points)))
+            conj((came(s, way.entry), conj(lies(f.layout.pointwork.point[p].machine, x) for p, x in way.points)))
             for way in f.topo.traversals[SectionId(s)]
             if way.exit == j
         )
@@ -347,9 +349,9 @@ def _crossing_joint(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Exp
 
 
 def _signal(f: Facts, g: SignalId, shunt: bool) -> Iterator[tuple[str, Expr]]:
-    signal = f.layout.signal[g]
-    j, t = signal.node, f.layout.section_of(signal.into)
-    boundary = f.layout.boundary_at.get(j)
+    signal = f.layout.signalling.signal[g]
+    j, t = signal.node, f.layout.track.section_of(signal.into)
+    boundary = f.layout.track.boundary_at.get(j)
     rear: str | None = f.topo.beyond(t, j)
     if boundary is not None:
         rear = boundary.approach or names.outside(j)
@@ -376,7 +378,7 @@ def _signal(f: Facts, g: SignalId, shunt: bool) -> Iterator[tuple[str, Expr]]:
     if rear in f.sym.sections.restart and not f.track.berth(rear):
         standing.append(
             disj(
-                conj((came(rear, way.entry), conj(lies(f.layout.point[p].machine, x) for p, x in way.points)))
+                conj((came(rear, way.entry), conj(lies(f.layout.pointwork.point[p].machine, x) for p, x in way.points)))
                 for way in f.topo.traversals[SectionId(rear)]
                 if way.exit == j
             )
@@ -401,7 +403,7 @@ def _from_rear(f: Facts, joint: str, rear: SectionId, called: Expr) -> Expr:
     if any(t.points or t.crossings for t in f.topo.traversals[rear]):
         out.append(implies(called, neg(f.locking.restart(rear))))
     stood = conj((f.locking.restart(rear), called))
-    for d in f.layout.devices:
+    for d in f.layout.signalling.devices:
         if rear in d.over:
             out.append(implies(stood, f.seen.settled(MachineId(d.id), Position.REVERSE)))
     behind = [
@@ -463,7 +465,7 @@ def _route(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:
 def _identifier(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:
     """While a signal shows its identifier light, the section before it is locked towards it for one route alone: the
     one that leads past it."""
-    before, node = f.sym.cancellation.approach_of[r.entry], f.layout.signal[r.entry].node
+    before, node = f.sym.cancellation.approach_of[r.entry], f.layout.signalling.signal[r.entry].node
     assert before is not None
     lit = var(r.proceed)
     yield (

@@ -35,16 +35,16 @@ def _lamps(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         yield "S-STOP", g, after(conj((iff(var(stop), neg(disj(others))), one)))
         for name in _not_for(f, g):
             yield "S-STOP", f"{g} never {name}", neg(after(var(name)))
-        if g in f.sym.aspects.call_on and not f.layout.signal[g].call_on:
+        if g in f.sym.aspects.call_on and not f.layout.signalling.signal[g].call_on:
             yield "S-CALL-ON", f"{g} never", neg(after(var(f.sym.aspects.call_on[g])))
-    for d in f.layout.distants:
+    for d in f.layout.signalling.distants:
         clear, caution = var(f.sym.aspects.distant_clear[d.id]), var(f.sym.aspects.distant_caution[d.id])
         yield "S-STOP", d.id, after(iff(caution, neg(clear)))
 
 
 def _not_for(f: Facts, g: SignalId) -> list[Name]:
     """Lamps of a signal that speak to trains, or to shunting movements, of which the layout does not let it speak."""
-    signal = f.layout.signal[g]
+    signal = f.layout.signalling.signal[g]
     trains = [*f.sym.aspects.main_lamps(g), *(name for (h, _), name in f.sym.aspects.speed.items() if h == g)]
     return [*([] if signal.main else trains), *([] if signal.shunt else f.sym.aspects.proceed_lamps(g, shunt=True))]
 
@@ -91,7 +91,7 @@ def _delays(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     rules, needs = f.layout.principles, f.system.measured.needs
     presets = f.system.presets
     ordered: dict[Name, list[float]] = {}
-    own = dict(f.layout.signal_releases)
+    own = dict(f.layout.signalling.releases)
     for g, name in f.sym.cancellation.approach_timer.items():
         kinds = {r.shunt for r in f.sym.routes.of_signal.get(g, ())}
         trains = [own.get(g, rules.approach_release_s), needs.stop[g] / 1000] if False in kinds else []

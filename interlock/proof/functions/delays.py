@@ -22,7 +22,7 @@ def delays(w: Words) -> Iterator[tuple[str, str, Expr]]:
     for m, name in sym.machines.late_timer.items():
         reasons[name] = disj(conj((w.points.commanded(m, x), neg(w.points.detected(m, x)))) for x in Position)
     for g, name in sym.overlaps.timer.items():
-        node = w.layout.signal[g].node
+        node = w.layout.signalling.signal[g].node
         before = w.topo.beyond(w.signals.first(g), node)
         assert before is not None
         reasons[name] = conj(
@@ -37,10 +37,10 @@ def delays(w: Words) -> Iterator[tuple[str, str, Expr]]:
         yield "F-DELAY", name, iff(var(f.system.waits_for[name]), reason)
     rules, presets = w.layout.principles, f.system.presets
     for g, name in sym.cancellation.approach_timer.items():  # whatever routes it has today
-        signal = w.layout.signal[g]
+        signal = w.layout.signalling.signal[g]
         trains = rules.approach_release_s if signal.main else 0.0
         kind = max(trains, rules.shunt_release_s if signal.shunt else 0.0)
-        ordered = dict(w.layout.signal_releases).get(g, kind)
+        ordered = dict(w.layout.signalling.releases).get(g, kind)
         yield "F-DELAY", f"{name} as its signal's kind", TRUE if presets[name] >= round(1000 * ordered) else FALSE
     yield "F-DELAY", f"{sym.start.restart_timer} goes on", w.after(var(sym.start.running))
 
@@ -49,7 +49,7 @@ def _waiting(w: Words, g: SignalId) -> Expr:
     """Stop stands, and what is locked from the signal waits for a train that may still come: somebody wants it
     released, or what came in has left it on a way that nobody releases behind it."""
     first = w.signals.first(g)
-    node = w.layout.signal[g].node
+    node = w.layout.signalling.signal[g].node
     left = conj((w.sections.outward(first, node), w.f.seen.used(first), neg(w.sections.occupied(first))))
     quiet = [neg(w.signals.active(g)), neg(w.signals.passing(g)), w.f.locking.locked_in(first, node)]
     return conj((*quiet, disj((var(w.sym.sections.release[first]), left))))

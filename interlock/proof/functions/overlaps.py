@@ -13,7 +13,7 @@ def overlaps(w: Words) -> Iterator[tuple[str, str, Expr]]:
     """F-OVERLAP, F-SWING, F-ZONE and F-TOKEN."""
     f, sym = w.f, w.sym
     for o, name in sym.overlaps.held.items():
-        g, node = o[0], w.layout.signal[o[0]].node
+        g, node = o[0], w.layout.signalling.signal[o[0]].node
         before = w.topo.beyond(w.signals.first(g), node)
         assert before is not None
         needless = disj((neg(f.locking.locked_out(before, node)), var(sym.overlaps.timer[g])))
@@ -34,7 +34,7 @@ def _swings(w: Words) -> Iterator[tuple[str, str, Expr]]:
     """The first alternative that can be had is taken."""
     f, sym = w.f, w.sym
     for g in sym.overlaps.swings:
-        node = w.layout.signal[g].node
+        node = w.layout.signalling.signal[g].node
         before = w.topo.beyond(w.signals.first(g), node)
         assert before is not None
         options = [o for o in sym.overlaps.held if o[0] == g]
@@ -80,7 +80,7 @@ def _only_by(w: Words, g: SignalId, s: SectionId) -> Expr:
 
 
 def _zones(w: Words) -> Iterator[tuple[str, str, Expr]]:
-    for z in w.layout.zones:
+    for z in w.layout.declared.zones:
         full = _at_least([_counts(w, z.sections, s) for s in z.sections], z.trains)
         yield "F-ZONE", z.id, iff(w.after(var(w.sym.zone_full[z.id])), full)
 

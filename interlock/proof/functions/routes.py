@@ -119,7 +119,7 @@ def _past(w: Words, r: RouteSymbols) -> Expr:
     shown = conj(w.after(w.sym.aspects.identifies(x.entry)) for x in w.sym.routes.parts(r)[1:2])
     if not r.path.identifier:
         return shown
-    before, node = w.sym.cancellation.approach_of[r.entry], w.layout.signal[r.entry].node
+    before, node = w.sym.cancellation.approach_of[r.entry], w.layout.signalling.signal[r.entry].node
     if before is None:
         return FALSE
     led = conj((w.f.locking.locked_out(before, node), w.f.locking.firm(before), w.f.locking.train(before)))
@@ -191,7 +191,7 @@ def _refusing(w: Words, r: RouteSymbols, wide: bool) -> Iterator[Expr]:
     for m, x in r.path.demands:
         yield neg(w.points.obtainable(m, x))
         yield var(w.sym.machines.trailed[m]) if w.points.powered(m) else FALSE
-    for z in w.layout.zones if wide else ():  # how many trains there may be is T-ZONE's business
+    for z in w.layout.declared.zones if wide else ():  # how many trains there may be is T-ZONE's business
         if any(s in z.sections for s, _ in r.path.ways):
             yield _zone_may_be_full(w, z.sections)
 
@@ -242,7 +242,7 @@ def _rear(w: Words, r: RouteSymbols) -> Iterator[Expr]:
     lies_anyhow = any(t.points or t.crossings for t in w.topo.traversals[rear])
     if lies_anyhow:
         yield f.locking.restart(rear)
-    for d in w.layout.devices:
+    for d in w.layout.signalling.devices:
         if rear in d.over:
             yield conj((f.locking.restart(rear), neg(w.points.detected(d.id, Position.REVERSE))))
     beside = {w.topo.beyond(rear, j) for j in w.topo.ends[rear] if j != node}
@@ -286,7 +286,7 @@ def _added_lie(w: Words, r: RouteSymbols) -> Iterator[Expr]:
 def _holds_added(w: Words, r: RouteSymbols, name: Name) -> Expr:
     """What was added is held from the grant until the train is wholly in the last section (R6)."""
     last = w.topo.traversals[r.path.ways[-1][0]][r.path.ways[-1][1] - 1]
-    leaves = last.exit in w.layout.boundary_at or r.path.berth is not None
+    leaves = last.exit in w.layout.track.boundary_at or r.path.berth is not None
     through = r.path.ways if leaves or len(r.path.ways) == 1 else r.path.ways[:-1]
     overlaps = [x for o, x in w.sym.overlaps.held.items() if r.path.overlap is not None and o[0] == r.path.overlap[0]]
     mine = [w.sym.overlaps.held[r.path.overlap]] if r.path.overlap is not None else []
@@ -307,14 +307,14 @@ def _in_order(w: Words, r: RouteSymbols, wide: bool, clear: bool = True) -> Iter
         yield neg(w.ways.blocked(s))
     yield from map(neg, _rear(w, r))
     ways = [w.ways.way(s, n) for s, n in r.path.ways]
-    for c in w.layout.conditions:
+    for c in w.layout.signalling.conditions:
         exits = not r.shunt and ways[-1].exit in c.exits
         if r.entry in c.signals or any(t.section in c.over for t in ways) or exits:
             yield var(sym.condition[c.id])
-    for d in of_sections(w.layout.demanded):
+    for d in of_sections(w.layout.declared.demanded):
         if route_fits(f, d.routes, r):
             yield w.sections.long(d.section)
-    boundary = w.layout.boundary_at.get(ways[-1].exit)
+    boundary = w.layout.track.boundary_at.get(ways[-1].exit)
     if boundary is not None and not r.shunt:
         if boundary.node in sym.token:
             yield var(sym.token[boundary.node].have)

@@ -93,6 +93,6 @@ def _left(w: Words, s: SectionId) -> Iterator[Expr]:
         entry, exit_ = w.f.track.way(s, n)
         g = w.sections.signal_at(s, entry)
         alone = TRUE if g is None else w.signals.safe(g)
-        if exit_ in w.layout.boundary_at:
+        if exit_ in w.layout.track.boundary_at:
             yield conj((lock, alone))
         yield conj((w.sections.into_berth(s, n), w.sections.occupied(w.topo.beyond(s, exit_)), alone))

@@ -35,7 +35,7 @@ class SectionWords:
 
     def rear(self, s: SectionId, j: NodeId) -> str | None:
         """The section that a train comes from: the neighbour, or the approach section of a boundary."""
-        boundary = self._w.layout.boundary_at.get(j)
+        boundary = self._w.layout.track.boundary_at.get(j)
         return boundary.approach if boundary is not None else self._w.topo.beyond(s, j)
 
     def ends_shunts(self, s: SectionId | None) -> bool:
@@ -49,7 +49,7 @@ class SectionWords:
     def long(self, s: str) -> Expr:
         """Steadily clear: without a break for the release delay (R15); never, without detection."""
         name = self._w.sym.sections.release_timer.get(SectionId(s))
-        return FALSE if name is None or s in self._w.layout.undetected else var(name)
+        return FALSE if name is None or s in self._w.layout.track.undetected else var(name)
 
     def on(self, s: SectionId, j: NodeId, rear: SectionId) -> Expr:
         """Locks go on over a joint: past a shunt signal only those of trains."""
@@ -127,7 +127,7 @@ class SectionWords:
         for n, lock in self._w.f.locking.of(s):
             entry, exit_ = self._w.f.track.way(s, n)
             if entry == j:
-                out.append(lock if exit_ in self._w.layout.boundary_at else self.into_berth(s, n))
+                out.append(lock if exit_ in self._w.layout.track.boundary_at else self.into_berth(s, n))
         return disj(out)
 
     def closed(self, s: SectionId) -> Expr:
@@ -177,7 +177,7 @@ class SignalWords:
 
     def first(self, g: SignalId) -> SectionId:
         """The section just beyond a signal."""
-        return self._w.layout.section_of(self._w.layout.signal[g].into)
+        return self._w.layout.track.section_of(self._w.layout.signalling.signal[g].into)
 
     def given_up(self, g: SignalId) -> Expr:
         """The cancelled route may be given up (R8)."""
@@ -301,16 +301,16 @@ class WayWords:
         if not rules.flank_space and not rules.flank_lamp:
             return FALSE
         for pid, x in t.points:
-            p = self._w.layout.point[pid]
+            p = self._w.layout.pointwork.point[pid]
             out.append(self._anything(t.section, self._w.f.track.beyond[p.node, p.leg(x.other)]))
         for cid, arm in t.crossings:
-            c = self._w.layout.crossing[cid]
+            c = self._w.layout.pointwork.crossing[cid]
             out += [self._anything(t.section, self._w.f.track.beyond[c.node, edge]) for edge in c.arms[1 - arm]]
         return disj(out)
 
     def _anything(self, own: SectionId, beyond: Beyond) -> Expr:
         s = beyond.section
-        out = [neg(self._w.sections.long(s))] if s != own and s not in self._w.layout.undetected else []
+        out = [neg(self._w.sections.long(s))] if s != own and s not in self._w.layout.track.undetected else []
         if beyond.signal is not None and beyond.signal in self._w.sym.lamp_proof.stop:
             out.append(neg(var(self._w.sym.lamp_proof.stop[beyond.signal])))
         return disj((*out, *(self._anything(own, x) for x in beyond.onward)))

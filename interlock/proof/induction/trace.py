@@ -17,7 +17,7 @@ def views(system: System) -> dict[str, list[list[str]]]:
     """What each state variable shows on the plan: kind of element, its id, and what is shown."""
     sym, layout = system.symbols, system.layout
     out: dict[str, list[list[str]]] = {}
-    for s in layout.sections:
+    for s in layout.track.sections:
         if names.STANDS(s.id) in system.state:
             out[names.STANDS(s.id)] = [["section", s.id, "occupied"]]
     for (s_, n), name in sym.sections.lock.items():

@@ -34,44 +34,66 @@ def more(others: Others) -> Callable[[Layout, InterlockingTable], Iterator[Mutan
 
 def exclusions(layout: Layout) -> Iterator[tuple[str, Layout]]:
     """Each `exclude` is forgotten by itself."""
-    for i, x in enumerate(layout.excluded):
-        yield f"exclude {i + 1}: {x.reason}", replace(layout, excluded=layout.excluded[:i] + layout.excluded[i + 1 :])
+    for i, x in enumerate(layout.declared.excluded):
+        yield (
+            f"exclude {i + 1}: {x.reason}",
+            replace(
+                layout,
+                declared=replace(
+                    layout.declared, excluded=layout.declared.excluded[:i] + layout.declared.excluded[i + 1 :]
+                ),
+            ),
+        )
 
 
 def traps(layout: Layout) -> Iterator[tuple[str, Layout]]:
     """A trap counts as a buffer, before which routes end."""
-    for b in layout.buffers:
+    for b in layout.track.buffers:
         if b.kind is BufferKind.TRAP:
-            more = tuple(replace(x, kind=BufferKind.STOP) if x is b else x for x in layout.buffers)
-            yield b.node, replace(layout, buffers=more)
+            more = tuple(replace(x, kind=BufferKind.STOP) if x is b else x for x in layout.track.buffers)
+            yield b.node, replace(layout, track=replace(layout.track, buffers=more))
 
 
 def entrances(layout: Layout) -> Iterator[tuple[str, Layout]]:
     """Trains leave over a boundary where they only come in."""
-    for b in layout.boundaries:
+    for b in layout.track.boundaries:
         if b.kind is BoundaryKind.IN:
-            more = tuple(replace(x, kind=BoundaryKind.BOTH) if x is b else x for x in layout.boundaries)
-            yield b.node, replace(layout, boundaries=more)
+            more = tuple(replace(x, kind=BoundaryKind.BOTH) if x is b else x for x in layout.track.boundaries)
+            yield b.node, replace(layout, track=replace(layout.track, boundaries=more))
 
 
 def calls(layout: Layout) -> Iterator[tuple[str, Layout]]:
     """A signal calls trains on though the layout does not let it."""
-    for g in layout.signals:
-        if g.main and not g.call_on and layout.opens(g.id, False):
-            more = tuple(replace(x, call_on=True) if x is g else x for x in layout.signals)
-            yield g.id, replace(layout, signals=more)
+    for g in layout.signalling.signals:
+        if g.main and not g.call_on and layout.signalling.opens(g.id, False):
+            more = tuple(replace(x, call_on=True) if x is g else x for x in layout.signalling.signals)
+            yield g.id, replace(layout, signalling=replace(layout.signalling, signals=more))
 
 
 def to_called_on(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     """Each `hostile` and each `demand` that chooses call-on routes alone is forgotten by itself."""
     others = [
-        (f"hostile {i}: {x.reason}", replace(layout, barred=layout.barred[: i - 1] + layout.barred[i:]))
-        for i, x in enumerate(layout.barred, 1)
+        (
+            f"hostile {i}: {x.reason}",
+            replace(
+                layout,
+                declared=replace(layout.declared, barred=layout.declared.barred[: i - 1] + layout.declared.barred[i:]),
+            ),
+        )
+        for i, x in enumerate(layout.declared.barred, 1)
         if x.one.called_on or x.other.called_on
     ]
     others += [
-        (f"demand {i}: {x.reason}", replace(layout, demanded=layout.demanded[: i - 1] + layout.demanded[i:]))
-        for i, x in enumerate(layout.demanded, 1)
+        (
+            f"demand {i}: {x.reason}",
+            replace(
+                layout,
+                declared=replace(
+                    layout.declared, demanded=layout.declared.demanded[: i - 1] + layout.declared.demanded[i:]
+                ),
+            ),
+        )
+        for i, x in enumerate(layout.declared.demanded, 1)
         if x.routes.called_on
     ]
     for place, other in others:

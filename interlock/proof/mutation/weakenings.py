@@ -37,7 +37,8 @@ from interlock.proof.mutation.ways import (
     shorter,
 )
 from interlock.proof.system.transition import System
-from interlock.table.rows import InterlockingTable, PointDemand, RouteKind, RouteRow, TraversalRow
+from interlock.table.cells import PointDemand, RouteKind
+from interlock.table.rows import InterlockingTable, RouteRow, TraversalRow
 
 Make = Callable[[Layout, InterlockingTable], Iterator[Mutant]]
 
@@ -124,12 +125,16 @@ def _relower(layout: Layout, table: InterlockingTable, key: tuple[str, int], row
     routes = []
     for r in table.routes:
         points: dict[str, PointDemand] = {}
-        over = r.overlap.ways if r.overlap else ()
-        for k in (*r.traversals, *over):
+        over = r.locking.overlap.ways if r.locking.overlap else ()
+        for k in (*r.path.traversals, *over):
             for p in by_key[k].points:
                 points.setdefault(p.machine, p)
-        points |= {p.machine: p for p in r.added}
-        routes.append(replace(r, points=tuple(points.values())) if key in (*r.traversals, *over) else r)
+        points |= {p.machine: p for p in r.locking.added}
+        routes.append(
+            replace(r, locking=replace(r.locking, points=tuple(points.values())))
+            if key in (*r.path.traversals, *over)
+            else r
+        )
     return lower(layout, replace(table, locks=locks, routes=tuple(routes)))
 
 
@@ -170,8 +175,8 @@ def _unguarded(kind: str) -> Callable[[Layout, InterlockingTable], Iterator[Muta
 
 def _blind_call_on(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     for r in table.routes:
-        for i, c in enumerate(r.sections if r.kind is RouteKind.CALL_ON else ()):
-            less = replace(r, sections=r.sections[:i] + r.sections[i + 1 :])
+        for i, c in enumerate(r.clear.sections if r.kind is RouteKind.CALL_ON else ()):
+            less = replace(r, clear=replace(r.clear, sections=r.clear.sections[:i] + r.clear.sections[i + 1 :]))
             rows = tuple(less if x is r else x for x in table.routes)
             yield f"{r.id} without {c.section}", lower(layout, replace(table, routes=rows))
 
@@ -197,20 +202,30 @@ def _call_on_trusted(layout: Layout, table: InterlockingTable) -> Iterator[Mutan
 
 def _closes_late(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     """A signal stays open for the whole movement although another may follow: vehicles stand before it."""
-    passing = {r.entry for r in table.routes if r.closing.whole is not None}
+    passing = {r.entry for r in table.routes if r.signal.closing.whole is not None}
     for r in table.routes:
-        if r.kind is RouteKind.CALL_ON or r.entry in passing or r.approach.section is None:
+        if r.kind is RouteKind.CALL_ON or r.entry in passing or r.locking.approach.section is None:
             continue
-        late = replace(r, closing=replace(r.closing, whole=r.approach.section))
+        late = replace(r, signal=replace(r.signal, closing=replace(r.signal.closing, whole=r.locking.approach.section)))
         yield r.id, lower(layout, replace(table, routes=tuple(late if x is r else x for x in table.routes)))
 
 
 def _short_approach(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     """Cancelling looks at the section in rear alone, whatever the braking distance."""
-    for g in {r.entry: None for r in table.routes if r.approach.coming.further or r.approach.coming.unseen}:
+    for g in {
+        r.entry: None for r in table.routes if r.locking.approach.coming.further or r.locking.approach.coming.unseen
+    }:
         rows = [r for r in table.routes if r.entry == g]
         short = {
-            r.id: replace(r, approach=replace(r.approach, coming=replace(r.approach.coming, further=(), unseen=False)))
+            r.id: replace(
+                r,
+                locking=replace(
+                    r.locking,
+                    approach=replace(
+                        r.locking.approach, coming=replace(r.locking.approach.coming, further=(), unseen=False)
+                    ),
+                ),
+            )
             for r in rows
         }
         yield g, lower(layout, replace(table, routes=tuple(short.get(r.id, r) for r in table.routes)))
@@ -218,23 +233,23 @@ def _short_approach(layout: Layout, table: InterlockingTable) -> Iterator[Mutant
 
 def _at_speed(layout: Layout, table: InterlockingTable, r: RouteRow, kmh: int | None) -> Controller:
     """A route shows another speed."""
-    faster = replace(r, speed=replace(r.speed, kmh=kmh))
+    faster = replace(r, signal=replace(r.signal, speed=replace(r.signal.speed, kmh=kmh)))
     return lower(layout, replace(table, routes=tuple(faster if x is r else x for x in table.routes)))
 
 
 def _entry_speed_forgotten(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     """A route shows the speed of its path, whatever its overlap is made for."""
     for r in table.routes:
-        along = path_speed(layout, [topology(layout).traversals[s][n - 1] for s, n in r.traversals])
-        if r.kind is RouteKind.MAIN and r.speed.kmh != along:
+        along = path_speed(layout, [topology(layout).traversals[s][n - 1] for s, n in r.path.traversals])
+        if r.kind is RouteKind.MAIN and r.signal.speed.kmh != along:
             yield r.id, _at_speed(layout, table, r, along)
 
 
 def _too_fast(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     """A route shows the speed of another one from the same signal."""
     for r in table.routes:
-        others = {x.speed.kmh for x in table.routes if x.entry == r.entry and x.kind is r.kind is RouteKind.MAIN}
-        for kmh in sorted(v for v in others if v is not None and v > (r.speed.kmh or v)):
+        others = {x.signal.speed.kmh for x in table.routes if x.entry == r.entry and x.kind is r.kind is RouteKind.MAIN}
+        for kmh in sorted(v for v in others if v is not None and v > (r.signal.speed.kmh or v)):
             yield f"{r.id} at {kmh}", _at_speed(layout, table, r, kmh)
 
 

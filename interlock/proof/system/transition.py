@@ -27,8 +27,8 @@ def wiring(controller: Controller, layout: Layout) -> Wiring:
     """How the plant sees a controller."""
     s = controller.symbols
     return Wiring(
-        proceed={g.id: s.aspects.signal(g.id) for g in layout.signals},
-        call={g.id: s.aspects.signal(g.id, shunt=True) for g in layout.signals},
+        proceed={g.id: s.aspects.signal(g.id) for g in layout.signalling.signals},
+        call={g.id: s.aspects.signal(g.id, shunt=True) for g in layout.signalling.signals},
         command={k: var(v) for k, v in s.machines.drive.items()},
         valid=s.valid,
         clear=s.sections.clear,
@@ -73,9 +73,9 @@ class System:
         self.definitions |= self.plant.events.definitions
         self.definitions |= {n.next: x for n, x in following.items()}
         self.definitions |= {n.next: self._after(x) for n, x in shown.items()}
-        for z in layout.zones:
+        for z in layout.declared.zones:
             self.definitions |= self._zone(z)
-        too_full = {z.id: names.OVERFULL(z.id) for z in layout.zones}
+        too_full = {z.id: names.OVERFULL(z.id) for z in layout.declared.zones}
         self.overfull: Mapping[str, Expr] = {z: var(name) for z, name in too_full.items() if name in self.definitions}
         self.assumptions: list[Assumption] = list(self.plant.assumptions)
         for t in controller.timers:
@@ -231,7 +231,7 @@ class System:
         ahead = self.topo.beyond(s, j)
         if ahead is not None:
             return ahead
-        b = self.layout.boundary_at.get(j)
+        b = self.layout.track.boundary_at.get(j)
         return (b.approach if b and b.approach else None) or names.outside(j)
 
     @cached_property
@@ -265,7 +265,7 @@ class System:
         """The sections of each machine, beyond each signal and first in each overlap."""
         found: dict[tuple[Kind, str], tuple[SectionId, ...]] = {}
         found |= {(Kind.MACHINE, m): self.layout.machines.sections[m] for m in self.layout.machines}
-        found |= {(Kind.SIGNAL, g.id): (self.layout.section_of(g.into),) for g in self.layout.signals}
+        found |= {(Kind.SIGNAL, g.id): (self.layout.track.section_of(g.into),) for g in self.layout.signalling.signals}
         found |= {(Kind.OVERLAP, g): (ways[0][0],) for (g, _), ways in self.symbols.overlaps.ways.items()}
         return {Owner.of(*x): tuple(Owner.of(Kind.SECTION, s) for s in those) for x, those in found.items()}
 

@@ -121,7 +121,7 @@ def availability(system: System, table: InterlockingTable) -> Availability:
         unmet = [i for i, x in enumerate(results) if x.failed is not None and not trial.meet(x.failed)]
         for i, x in zip(unmet, trial.results([otherwise(*pairs[i]) for i in unmet]), strict=True):
             results[i] = replace(x, apart=results[i].apart or results[i].failure)
-    clear = {r.id: {c.section for c in r.demanded_clear or ()} for r in table.routes}
+    clear = {r.id: {c.section for c in r.clear.demanded or ()} for r in table.routes}
     asked = {i: p for i, x in enumerate(results) if x.failure and (p := trial.demanded(*pairs[i], clear)) is not None}
     for (i, _), x in zip(asked.items(), trial.results([*asked.values()]), strict=True):
         results[i] = replace(x, apart=results[i].apart or results[i].failure)
@@ -133,7 +133,7 @@ def compatible(system: System, table: InterlockingTable) -> Iterator[tuple[Route
     """Every two routes that are not hostile."""
     routes = system.symbols.routes.whole
     for i, a in enumerate(routes):
-        hostile = set(table.route[a.id].hostile.routes)
+        hostile = set(table.route[a.id].locking.hostile.routes)
         yield from ((a, b) for b in routes[i + 1 :] if b.id not in hostile)
 
 
@@ -198,7 +198,7 @@ class Trial:
         railway = self.railway
         if not self._comes[a.id] or not self._comes[b.id]:
             return Manner.NONE, []
-        if any(self._full(z, a, b) for z in range(len(railway.layout.zones))):
+        if any(self._full(z, a, b) for z in range(len(railway.layout.declared.zones))):
             return Manner.ZONE, []
         onward = [
             (x, y)
@@ -267,7 +267,7 @@ class Trial:
         Where a train is called on, vehicles may stand in each section of its route: all of them count, and so do the
         sections of an overlap (R17).
         """
-        z = self.railway.layout.zones[zone]
+        z = self.railway.layout.declared.zones[zone]
         trains = 0
         for r in (a, b):
             over = [_before(self.railway, r), *(s for s, _ in r.path.ways)]
@@ -286,7 +286,10 @@ class Trial:
         """Trains before some signals, points lying under them as they stand; None if they would lie both ways."""
         state: dict[str, int] = {}
         for r in routes:
-            stands = _stand(self.railway, _before(self.railway, r), self.railway.layout.signal[r.entry].node) or {}
+            stands = (
+                _stand(self.railway, _before(self.railway, r), self.railway.layout.signalling.signal[r.entry].node)
+                or {}
+            )
             if any(state.get(name, value) != value for name, value in stands.items()):
                 return None
             state |= stands
@@ -334,7 +337,7 @@ class Trial:
     def _counted_twice(self, run: PairRun) -> bool:
         """A train stands in a zone since a restart, or turns about there: it counts where it stands, and where its
         route leads (R17)."""
-        zones = self.railway.layout.zones
+        zones = self.railway.layout.declared.zones
         chains = zip(run.trains, run.before, strict=False)
         twice = [r for r, chain in chains if not chain or not self._straight_on(chain[-1], r)]
         return any(_before(self.railway, r) in z.sections for r in twice for z in zones)
@@ -342,7 +345,10 @@ class Trial:
     def _straight_on(self, a: RouteSymbols, b: RouteSymbols) -> bool:
         """A train that has run one route stands before the signal of the other without turning about."""
         section, number = a.path.ways[-1]
-        return self.railway.topo.traversals[section][number - 1].exit == self.railway.layout.signal[b.entry].node
+        return (
+            self.railway.topo.traversals[section][number - 1].exit
+            == self.railway.layout.signalling.signal[b.entry].node
+        )
 
     def _once(self, runs: Sequence[PairRun]) -> list[_Failure | None]:
         found: list[_Failure | None] = []
@@ -447,7 +453,7 @@ def _goes_on(railway: Railway, a: RouteSymbols, b: RouteSymbols) -> bool:
         return False
     section, number = a.path.ways[-1] if a.path.berth is None else a.path.berth
     t = railway.topo.traversals[section][number - 1]
-    return railway.layout.signal[b.entry].node in (t.entry, t.exit)
+    return railway.layout.signalling.signal[b.entry].node in (t.entry, t.exit)
 
 
 def _needs_clear(system: System, railway: Railway, r: RouteSymbols) -> frozenset[str]:
@@ -460,6 +466,6 @@ def _needs_clear(system: System, railway: Railway, r: RouteSymbols) -> frozenset
     found: set[str] = {t.section for t in ways}
     found |= {f.neighbour for f in system.measured.fouls for t in ways if f.fouls(t)}
     if _leaves(railway, r):
-        boundary = railway.layout.boundary_at[_end(railway, r)[1]]
+        boundary = railway.layout.track.boundary_at[_end(railway, r)[1]]
         found |= {boundary.approach or names.outside(boundary.node)}
     return frozenset(found)

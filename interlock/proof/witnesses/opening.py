@@ -89,7 +89,7 @@ def along(system: System, r: RouteSymbols) -> set[MachineId]:
 
 def devices(system: System) -> set[MachineId]:
     """Level crossings, bridges and other interlocks: what opens by itself."""
-    return {d.id for d in system.layout.devices}
+    return {d.id for d in system.layout.signalling.devices}
 
 
 def steps(

@@ -188,7 +188,7 @@ def _by_hand(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
     if failure is not None:
         return failure
     sym, topo, layout = railway.symbols, railway.topo, railway.layout
-    signal = layout.signal[r.entry]
+    signal = layout.signalling.signal[r.entry]
     if not (yield from _until(lane, names.accepted(r.entry, r.shunt), Wish((names.accepts(r.entry, r.shunt),)))):
         return "no train can accept the signal"
     place, joint = _rear(layout, topo, signal.node, r.path.ways[0][0]), signal.node
@@ -207,7 +207,7 @@ def _by_hand(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
 
 def _free(railway: Railway, r: RouteSymbols, lane: Lane, wish: Wish, place: str = "") -> Part:
     """Nothing of the route stays locked but where the train is."""
-    keep = {place, *railway.layout.undetected}
+    keep = {place, *railway.layout.track.undetected}
     for _ in range(MAX_STEPS):
         locked = [s for s, _ in r.path.ways if s in lane.held() and s not in keep]
         if not locked:

@@ -159,7 +159,7 @@ def _berth(r: RouteSymbols) -> str:
 
 
 def _before(railway: Railway, r: RouteSymbols) -> str:
-    return _rear(railway.layout, railway.topo, railway.layout.signal[r.entry].node, r.path.ways[0][0])
+    return _rear(railway.layout, railway.topo, railway.layout.signalling.signal[r.entry].node, r.path.ways[0][0])
 
 
 Run = tuple[RouteSymbols, str, tuple[RouteSymbols, ...]]
@@ -207,13 +207,13 @@ def _given_up(railway: Railway, lane: Lane, r: RouteSymbols) -> Generator[Wish, 
 
 def _closing(railway: Railway, section: str) -> list[str]:
     """The inputs by which an operator closes the crossings and bridges over a section."""
-    over = [d.id for d in railway.layout.devices if section in d.over]
+    over = [d.id for d in railway.layout.signalling.devices if section in d.over]
     return [railway.symbols.machines.by_hand[m, Position.REVERSE] for m in over]
 
 
 def _start(railway: Railway, r: RouteSymbols, berth: str) -> dict[str, int] | str:
     """A restart with one train before the signal (and vehicles standing in a berth), or what is impossible."""
-    node = railway.layout.signal[r.entry].node
+    node = railway.layout.signalling.signal[r.entry].node
     state = _lying(railway, r)
     standing = _stand(railway, _before(railway, r), node)
     if standing is None:
@@ -227,7 +227,7 @@ def _start(railway: Railway, r: RouteSymbols, berth: str) -> dict[str, int] | st
 
 def _run(railway: Railway, lane: Lane, r: RouteSymbols, turning: str = "") -> Driver:
     """Set the route, drive it with the train before its signal, and wait for the release behind it."""
-    signal = railway.layout.signal[r.entry]
+    signal = railway.layout.signalling.signal[r.entry]
     if turning:
         turns = tuple(e for e in railway.plant.events if e.family is names.TURNS and e.at[:2] == (turning, signal.node))
         yield Wish(turns)
@@ -296,7 +296,7 @@ def _set(railway: Railway, lane: Lane, r: RouteSymbols) -> Driver:
 def _travel(railway: Railway, lane: Lane, r: RouteSymbols) -> Driver:
     """Drive the train that stands before an open signal to the end of its route."""
     layout, topo = railway.layout, railway.topo
-    signal = layout.signal[r.entry]
+    signal = layout.signalling.signal[r.entry]
     if not (yield from _until(lane, names.accepted(r.entry, r.shunt), Wish((names.accepts(r.entry, r.shunt),)))):
         return "no train can accept the signal"
     place, joint = _rear(layout, topo, signal.node, r.path.ways[0][0]), signal.node
@@ -325,7 +325,7 @@ def _end(railway: Railway, r: RouteSymbols) -> tuple[SectionId, NodeId]:
 
 def _leaves(railway: Railway, r: RouteSymbols) -> bool:
     """Whether a train leaves the layout at the end of a route."""
-    return _end(railway, r)[1] in railway.layout.boundary_at and not r.shunt
+    return _end(railway, r)[1] in railway.layout.track.boundary_at and not r.shunt
 
 
 def _kept(railway: Railway, r: RouteSymbols, failed: SectionId | None) -> set[SectionId]:
@@ -333,7 +333,7 @@ def _kept(railway: Railway, r: RouteSymbols, failed: SectionId | None) -> set[Se
     last = set() if _leaves(railway, r) else {_end(railway, r)[0]}
     if failed is not None:
         last |= {s for s, _ in r.path.ways[[s for s, _ in r.path.ways].index(failed) :]}
-    return last | set(railway.layout.undetected)
+    return last | set(railway.layout.track.undetected)
 
 
 def _until(lane: Lane, wanted: str, wish: Wish = NOTHING, limit: int = 12) -> Generator[Wish, None, bool]:
@@ -368,7 +368,7 @@ def _lying(railway: Railway, r: RouteSymbols, overlap: bool = False) -> dict[str
 
 
 def _rear(layout: Layout, topo: Topology, node: NodeId, first: SectionId) -> str:
-    boundary = layout.boundary_at.get(node)
+    boundary = layout.track.boundary_at.get(node)
     if boundary is not None:
         return boundary.approach or names.outside(node)
     rear = topo.beyond(first, node)
@@ -384,7 +384,7 @@ def _stand(railway: Railway, rear: str, node: NodeId) -> dict[str, int] | None:
         if t.exit == node:
             state: dict[str, int] = {names.STANDS(rear): 1, names.CAME(rear, t.entry): 1, names.RESTS(rear): 1}
             for p, x in t.points:
-                m = railway.layout.point[p].machine
+                m = railway.layout.pointwork.point[p].machine
                 state |= {
                     names.LIES(m, Position.NORMAL): int(x is Position.NORMAL),
                     names.LIES(m, Position.REVERSE): int(x is Position.REVERSE),

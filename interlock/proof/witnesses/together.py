@@ -123,7 +123,7 @@ def _used(system: System, railway: Railway, run: PairRun, lane: Lane) -> Driver:
     if failure is not None:
         return failure
     there = (second,) if run.how is How.ONWARD else run.trains
-    keep = set(railway.layout.undetected).union(*(_stays(railway, r, r not in there) for r in (first, second)))
+    keep = set(railway.layout.track.undetected).union(*(_stays(railway, r, r not in there) for r in (first, second)))
     left = [
         s for s, locks in railway.symbols.sections.locked_by.items() if s not in keep and any(map(lane.is_on, locks))
     ]
@@ -265,7 +265,7 @@ def _merged(runs: Sequence[Driver]) -> Driver:
 
 def _turn(railway: Railway, r: RouteSymbols) -> Generator[Wish, None, str | None]:
     """The train that has come before a signal turns towards it, if it must."""
-    place, node = _before(railway, r), railway.layout.signal[r.entry].node
+    place, node = _before(railway, r), railway.layout.signalling.signal[r.entry].node
     yield Wish(tuple(e for e in railway.plant.events if e.family is names.TURNS and e.at[:2] == (place, node)))
     return None
 
@@ -291,7 +291,7 @@ def _freed(railway: Railway, lane: Lane, routes: Sequence[RouteSymbols], keep: s
     mine = {s for s, _ in ways} | {SectionId(_before(railway, r)) for r in routes}
     locks = [
         (s, sym.sections.locked_by[s])
-        for s in sorted(mine - keep - set(railway.layout.undetected))
+        for s in sorted(mine - keep - set(railway.layout.track.undetected))
         if s in sym.sections.locked_by
     ]
     for _ in range(MAX_STEPS):

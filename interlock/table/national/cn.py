@@ -32,10 +32,11 @@ from interlock.model.elements import (
 )
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology, Traversal, topology
+from interlock.table.cells import ExitKind, Role, RouteKind
 from interlock.table.national.reading import Reading
 from interlock.table.national.sheet import Cell, Heading, Sheet, route_rows
 from interlock.table.printed import Printed, PrintedRoute
-from interlock.table.rows import ExitKind, InterlockingTable, Role, RouteKind, RouteRow
+from interlock.table.rows import InterlockingTable, RouteRow
 
 HEADINGS = (
     Heading("Direction", "方向", "Richtung"),
@@ -111,15 +112,15 @@ class _Form:
         return tuple(sorted(shown, key=lambda w: self._place(w.rows[0])))
 
     def _is_shown(self, r: RouteRow) -> bool:
-        return r.kind is RouteKind.MAIN or (r.kind is RouteKind.SHUNT and r.variant == 1)
+        return r.kind is RouteKind.MAIN or (r.kind is RouteKind.SHUNT and r.path.variant == 1)
 
     @cached_property
     def _tracks(self) -> frozenset[SectionId]:
         """Station tracks (股道): where train routes end, or begin inside the station."""
         ends = {
-            r.traversals[-1][0]
+            r.path.traversals[-1][0]
             for r in self.table.routes
-            if r.kind is RouteKind.MAIN and self._receiving(r) and self._is_plain(r.traversals[-1][0])
+            if r.kind is RouteKind.MAIN and self._receiving(r) and self._is_plain(r.path.traversals[-1][0])
         }
         starts = {self._behind(r) for r in self.table.routes if r.kind is RouteKind.MAIN}
         return frozenset(ends | {s for s in starts if s is not None and self._is_plain(s)})
@@ -142,13 +143,13 @@ class _Form:
 
     def _behind(self, r: RouteRow) -> SectionId | None:
         """The section in rear of the route's signal, inside the layout."""
-        return self.topo.beyond(r.traversals[0][0], r.entry_node)
+        return self.topo.beyond(r.path.traversals[0][0], r.path.entry_node)
 
     def _receiving(self, r: RouteRow) -> bool:
-        return r.entry_node in self.layout.boundary_at
+        return r.path.entry_node in self.layout.track.boundary_at
 
     def _departing(self, r: RouteRow) -> bool:
-        return r.exit_kind is ExitKind.BOUNDARY and not self._receiving(r)
+        return r.path.exit_kind is ExitKind.BOUNDARY and not self._receiving(r)
 
     def _opposing(self, s: SectionId, node: NodeId) -> SignalId | None:
         """The signal that governs leaving a section at the end over which the route came in."""
@@ -156,7 +157,7 @@ class _Form:
         return None if rear is None else self.topo.signal_into.get((node, rear))
 
     def _path(self, r: RouteRow) -> dict[MachineId, Position]:
-        return {p.machine: p.position for p in r.points if p.role is Role.PATH}
+        return {p.machine: p.position for p in r.locking.points if p.role is Role.PATH}
 
     # --- order ---------------------------------------------------------------------------------
 
@@ -164,17 +165,17 @@ class _Form:
         if r.kind is RouteKind.MAIN:
             line = self._direction(r)
             track = self._track_name(self._end(r)) if self._receiving(r) else self._target(r)[1:].removesuffix("股道")
-            return (0, line[:-2], not self._receiving(r), _order(r.entry), _order(track), r.variant)
-        return (1, "", False, _order(r.entry), _order(self._target(r)[1:].removesuffix("股道")), r.variant)
+            return (0, line[:-2], not self._receiving(r), _order(r.entry), _order(track), r.path.variant)
+        return (1, "", False, _order(r.entry), _order(self._target(r)[1:].removesuffix("股道")), r.path.variant)
 
     def _end(self, r: RouteRow) -> SectionId:
-        return r.traversals[-1][0]
+        return r.path.traversals[-1][0]
 
     # --- columns -------------------------------------------------------------------------------
 
     def row(self, r: RouteRow, number: str) -> tuple[Cell, ...]:
         """The fifteen cells."""
-        if r.onward is not None:
+        if r.path.onward is not None:
             return self._past(r, number)
         facing = self._facing(r)
         return (
@@ -198,11 +199,11 @@ class _Form:
     def _past(self, r: RouteRow, number: str) -> tuple[Cell, ...]:
         """A route that leads past signals: with the points and sections beyond them, in one row."""
         parts = [r, *(replace(p, kind=RouteKind.MAIN) for p in self.table.parts(r)[1:])]
-        passed, last = "、".join(r.passed or ()), parts[-1]
+        passed, last = "、".join(r.path.passed or ()), parts[-1]
         facing, told = self._facing(last), [*map(self._other, parts), f"越过{passed}（标志灯）"]
         return (
             self._direction(r),
-            f"越过{passed}至{r.destination}",
+            f"越过{passed}至{r.path.destination}",
             self._alternative(r),
             "、".join((*self._buttons(r), self._buttons(last)[-1])),
             self._deciding(r),
@@ -224,12 +225,17 @@ class _Form:
         out = []
         for r, received in straight:
             for d, departs in straight:
-                if self._receiving(r) and r.exit_kind is ExitKind.SIGNAL and r.exit == d.entry and self._departing(d):
+                if (
+                    self._receiving(r)
+                    and r.path.exit_kind is ExitKind.SIGNAL
+                    and r.exit == d.entry
+                    and self._departing(d)
+                ):
                     out.append(self._through(r, d, received, departs))
         return out
 
     def _straight(self, r: RouteRow) -> bool:
-        plain = r.kind is RouteKind.MAIN and r.variant == 1 and r.onward is None
+        plain = r.kind is RouteKind.MAIN and r.path.variant == 1 and r.path.onward is None
         return plain and Position.REVERSE not in self._path(r).values()
 
     def _through(self, r: RouteRow, d: RouteRow, received: str, departs: str) -> tuple[str, ...]:
@@ -250,9 +256,9 @@ class _Form:
         """The line to or from which a train goes, and whether it is received (接车) or departs (发车)."""
         if r.kind is RouteKind.SHUNT:
             return "调车"
-        node = r.entry_node if self._receiving(r) else self._way(r.traversals[-1]).exit
-        name = self.layout.labels.get(node, node).split(" (")[0]
-        if self._receiving(r) and r.exit_kind is ExitKind.BOUNDARY and self._end(r) not in self._tracks:
+        node = r.path.entry_node if self._receiving(r) else self._way(r.path.traversals[-1]).exit
+        name = self.layout.printed.labels.get(node, node).split(" (")[0]
+        if self._receiving(r) and r.path.exit_kind is ExitKind.BOUNDARY and self._end(r) not in self._tracks:
             return f"{name}通过"
         return f"{name}{'接车' if self._receiving(r) else '发车'}"
 
@@ -266,9 +272,9 @@ class _Form:
             return f"由{self._track_name(start)}股道" if start is not None else f"由{r.entry}"
         if r.kind is RouteKind.MAIN:
             return f"至{self._track_name(self._end(r))}股道"
-        if r.exit_kind is ExitKind.SIGNAL and self._end(r) not in self._tracks:
+        if r.path.exit_kind is ExitKind.SIGNAL and self._end(r) not in self._tracks:
             return f"至{r.exit}"
-        facing = self._opposing(self._end(r), self._way(r.traversals[-1]).entry)
+        facing = self._opposing(self._end(r), self._way(r.path.traversals[-1]).entry)
         if self._end(r) in self._tracks or facing is None:
             return f"至{self._track_name(self._end(r))}股道"
         return f"向{facing}"
@@ -276,18 +282,18 @@ class _Form:
     def _alternatives(self, r: RouteRow) -> list[RouteRow]:
         """All routes with the same ends, the basic one first."""
         same = {
-            x.variant: x
+            x.path.variant: x
             for x in reversed(self._of_signal[r.entry, r.kind])
-            if (x.exit, x.passed, x.destination) == (r.exit, r.passed, r.destination)
+            if (x.exit, x.path.passed, x.path.destination) == (r.exit, r.path.passed, r.path.destination)
         }
         return [same[k] for k in sorted(same)]
 
     def _alternative(self, r: RouteRow) -> str:
-        return str(r.variant) if r.kind is RouteKind.MAIN and len(self._alternatives(r)) > 1 else ""
+        return str(r.path.variant) if r.kind is RouteKind.MAIN and len(self._alternatives(r)) > 1 else ""
 
     def _deciding(self, r: RouteRow) -> str:
         """The points that tell the route from the others with the same ends, first come first."""
-        others = [x for x in self._alternatives(r) if x.variant != r.variant]
+        others = [x for x in self._alternatives(r) if x.path.variant != r.path.variant]
         if r.kind is RouteKind.SHUNT:
             return ""
         out = []
@@ -302,12 +308,12 @@ class _Form:
         if r.kind is RouteKind.MAIN:
             out = [f"{r.entry}LA", *self._between(r)]
             return [*out, self._end_of_train(r)]
-        last = self._way(r.traversals[-1])
-        if r.berth is not None:
+        last = self._way(r.path.traversals[-1])
+        if r.path.berth is not None:
             end = self._opposing(last.section, last.entry)
         else:
             back = self._opposing_at_exit(last)
-            end = back or (SignalId(r.exit) if r.exit_kind is ExitKind.SIGNAL else None)
+            end = back or (SignalId(r.exit) if r.path.exit_kind is ExitKind.SIGNAL else None)
         return [self._shunt_button(r.entry), self._shunt_button(end) if end is not None else f"{r.exit}A"]
 
     def _opposing_at_exit(self, last: Traversal) -> SignalId | None:
@@ -315,37 +321,37 @@ class _Form:
         return self.topo.signal_into.get((last.exit, last.section))
 
     def _shunt_button(self, g: SignalId) -> str:
-        return f"{g}DA" if self.layout.signal[g].kind is SignalKind.COMBINED else f"{g}A"
+        return f"{g}DA" if self.layout.signalling.signal[g].kind is SignalKind.COMBINED else f"{g}A"
 
     def _end_of_train(self, r: RouteRow) -> str:
-        last = self._way(r.traversals[-1])
+        last = self._way(r.path.traversals[-1])
         if self._departing(r):
-            boundary = self.layout.boundary_at[last.exit]
+            boundary = self.layout.track.boundary_at[last.exit]
             back = self.topo.signal_into.get((last.exit, last.section))
             return boundary.button or (f"{back}LA" if back is not None else f"{last.exit}LA")
         facing = self._opposing(last.section, last.entry)
         if facing is None:
             return f"{r.exit}LA"
-        return f"{facing}LA" if self.layout.signal[facing].main else self._shunt_button(facing)
+        return f"{facing}LA" if self.layout.signalling.signal[facing].main else self._shunt_button(facing)
 
     def _between(self, r: RouteRow) -> list[str]:
         """For an alternative, a signal along it that no route of a lower number passes, or else a button of its own."""
-        if r.variant == 1:
+        if r.path.variant == 1:
             return []
-        passed = [self._along(x) for x in self._alternatives(r)[: r.variant - 1]]
+        passed = [self._along(x) for x in self._alternatives(r)[: r.path.variant - 1]]
         for g in self._along(r):
             if all(g not in others for others in passed):
                 return [self._shunt_button(g)]
-        return [f"{r.entry}{r.variant - 1}BA"]
+        return [f"{r.entry}{r.path.variant - 1}BA"]
 
     def _along(self, r: RouteRow) -> list[SignalId]:
         """Shunt signals at the joints within the route, in order."""
         out: list[SignalId] = []
-        for a, b in zip(r.traversals, r.traversals[1:], strict=False):
+        for a, b in zip(r.path.traversals, r.path.traversals[1:], strict=False):
             node = self._way(a).exit
             for key in ((node, b[0]), (node, a[0])):
                 g = self.topo.shunt_into.get(key)
-                if g is not None and not self.layout.signal[g].main:
+                if g is not None and not self.layout.signalling.signal[g].main:
                     out.append(g)
         return out
 
@@ -354,36 +360,40 @@ class _Form:
         if r.kind is RouteKind.SHUNT:
             return "B"
         if self._departing(r):
-            block = self.layout.boundary_at[self._way(r.traversals[-1]).exit].block
+            block = self.layout.track.boundary_at[self._way(r.path.traversals[-1]).exit].block
             return "L、U、LU" if block is BlockKind.AUTOMATIC else "L"
         return "UU" if Position.REVERSE in self._path(r).values() else "U"
 
     def _indicator(self, r: RouteRow) -> str:
         """A route indicator tells a branching direction of departure."""
-        return "B" if self._departing(r) and self.layout.boundary_at[self._way(r.traversals[-1]).exit].indicator else ""
+        return (
+            "B"
+            if self._departing(r) and self.layout.track.boundary_at[self._way(r.path.traversals[-1]).exit].indicator
+            else ""
+        )
 
     def _points(self, r: RouteRow) -> list[str]:
         """Points in the order of the path; protecting and driven ones with the section that asks for them."""
-        on_path, flank = self._path(r), [p for p in r.points if p.role in (Role.FLANK, Role.ADDED)]
+        on_path, flank = self._path(r), [p for p in r.locking.points if p.role in (Role.FLANK, Role.ADDED)]
         out: dict[MachineId, str] = {}
-        for key in r.traversals:
+        for key in r.path.traversals:
             for q, _ in self._way(key).points:
-                m = self.layout.point[q].machine
+                m = self.layout.pointwork.point[q].machine
                 out.setdefault(m, _lying(m, on_path[m]))
             for p in flank:
                 if p.section == key[0]:
                     out.setdefault(p.machine, f"[{_lying(p.machine, p.position)}]")
-            for p in r.driven:
+            for p in r.locking.driven:
                 if p.section == key[0]:
                     out.setdefault(p.machine, f"{{{_lying(p.machine, p.position)}}}")
         return list(out.values())
 
     def _sections(self, r: RouteRow) -> list[str]:
         """Sections to be clear, each foul section behind the one that it fouls."""
-        named = {p.machine for p in (*r.points, *r.driven)}
+        named = {p.machine for p in (*r.locking.points, *r.locking.driven)}
         out: list[str] = []
-        foul = list(r.foul)
-        for cell in r.sections:
+        foul = list(r.clear.foul)
+        for cell in r.clear.sections:
             out.append(cell.section)
             for f in [f for f in foul if f.of == cell.section]:
                 foul.remove(f)
@@ -391,8 +401,8 @@ class _Form:
                     out.append(f.section)
                 elif f.when[0] not in named:
                     out.append(f"<{_lying(self._end_in(f.section, f.when[0]), f.when[1])}>{f.section}")
-        out += [c.name for c in r.space if not c.lamp]
-        out += [c.section for c in r.demanded_clear or ()]
+        out += [c.name for c in r.clear.space if not c.lamp]
+        out += [c.section for c in r.clear.demanded or ()]
         return list(dict.fromkeys(out))
 
     def _facing(self, r: RouteRow) -> tuple[str, str]:
@@ -400,8 +410,8 @@ class _Form:
         track = self._end(r)
         if track not in self._tracks or self._departing(r):
             return "", ""
-        exits = self._opposing(track, self._way(r.traversals[-1]).entry)
-        trains = track if exits is not None and self.layout.signal[exits].main else ""
+        exits = self._opposing(track, self._way(r.path.traversals[-1]).entry)
+        trains = track if exits is not None and self.layout.signalling.signal[exits].main else ""
         shunts = r.kind is RouteKind.MAIN or any(self._meet(r, t) for t in self._into[track] if t.kind is r.kind)
         return trains, track if shunts else ""
 
@@ -415,8 +425,8 @@ class _Form:
 
     def _meet(self, r: RouteRow, t: RouteRow) -> bool:
         """Both end in one track, into which they come at its two ends, and share nothing else."""
-        mine, theirs = self._way(r.traversals[-1]), self._way(t.traversals[-1])
-        shared = set(r.section_ids) & set(t.section_ids)
+        mine, theirs = self._way(r.path.traversals[-1]), self._way(t.path.traversals[-1])
+        shared = set(r.path.section_ids) & set(t.path.section_ids)
         return mine.section == theirs.section and mine.entry != theirs.entry and shared <= {mine.section}
 
     def _told_as_facing(self, r: RouteRow, t: RouteRow) -> bool:
@@ -426,21 +436,23 @@ class _Form:
     def _other(self, r: RouteRow) -> str:
         """The block of the line on which a train departs (BS: 闭塞)."""
         block = (
-            self.layout.boundary_at[self._way(r.traversals[-1]).exit].block if self._departing(r) else BlockKind.NONE
+            self.layout.track.boundary_at[self._way(r.path.traversals[-1]).exit].block
+            if self._departing(r)
+            else BlockKind.NONE
         )
         parts = ["BS"] if block is BlockKind.SEMI_AUTOMATIC else []
         return "、".join([*parts, *(c for c in r.requirements if not self._is_block(c))])
 
     def _is_block(self, condition: str) -> bool:
         """Whether a condition is the block beyond a boundary, which is printed as BS or not at all."""
-        return any(c.id == condition and c.exits for c in self.layout.conditions)
+        return any(c.id == condition and c.exits for c in self.layout.signalling.conditions)
 
     # --- hostile signals -----------------------------------------------------------------------
 
     def _hostile(self, r: RouteRow) -> list[str]:
         """Hostile signals; first those without condition, then each condition with its signals."""
         found: dict[str, list[tuple[SignalId, str]]] = {}
-        for g in sorted(self.layout.signals, key=lambda s: _order(s.id)):
+        for g in sorted(self.layout.signalling.signals, key=lambda s: _order(s.id)):
             functions: dict[str, str] = {}
             for kind, mark in ((RouteKind.MAIN, "L"), (RouteKind.SHUNT, "D")):
                 if g.id == r.entry and kind is r.kind:
@@ -493,28 +505,28 @@ class _Form:
     def _named(self, need: Need, t: RouteRow) -> str:
         """A condition by the end of the machine at which a route parts from others, else the first that it passes."""
         machine, position = need
-        passed = [p for key in t.traversals for p, _ in self._way(key).points]
+        passed = [p for key in t.path.traversals for p, _ in self._way(key).points]
         ends = [*(p for p, _ in self._reading.machines.facing_ends(t)), *passed]
-        return _lying(next((p for p in ends if self.layout.point[p].machine == machine), machine), position)
+        return _lying(next((p for p in ends if self.layout.pointwork.point[p].machine == machine), machine), position)
 
     def _end_in(self, section: SectionId, machine: MachineId) -> PointId | MachineId:
         """The end of a machine that lies in a section; the machine, where none does."""
-        return next((p.id for p in self.layout.points_in.get(section, ()) if p.machine == machine), machine)
+        return next((p.id for p in self.layout.machines.points_in.get(section, ()) if p.machine == machine), machine)
 
     def _agree(self, r: RouteRow, t: RouteRow) -> bool:
         """Both can have their points: what the points exclude is not printed as hostile."""
-        needs = {p.machine: p.position for p in r.points}
-        return all(needs.get(p.machine, p.position) is p.position for p in t.points)
+        needs = {p.machine: p.position for p in r.locking.points}
+        return all(needs.get(p.machine, p.position) is p.position for p in t.locking.points)
 
     def _conflicts(self, r: RouteRow, t: RouteRow) -> bool:
         """Sections are shared, and they are not two shunting movements in one direction."""
-        shared = set(r.section_ids) & set(t.section_ids)
+        shared = set(r.path.section_ids) & set(t.path.section_ids)
         if not shared:
             return False
         if r.kind is RouteKind.MAIN or t.kind is RouteKind.MAIN:
             return True
-        mine = {k[0]: self._way(k) for k in r.traversals}
-        return any(self._against(mine[k[0]], self._way(k)) for k in t.traversals if k[0] in shared)
+        mine = {k[0]: self._way(k) for k in r.path.traversals}
+        return any(self._against(mine[k[0]], self._way(k)) for k in t.path.traversals if k[0] in shared)
 
     @staticmethod
     def _against(x: Traversal, y: Traversal) -> bool:

@@ -11,10 +11,11 @@ from itertools import pairwise
 
 from interlock.model.elements import DeviceKind, Hand, MachineId, PointId, Position
 from interlock.model.layout import Layout
+from interlock.table.cells import PointDemand, ProviderKind, Role, RouteKind
 from interlock.table.national.reading import Reading
 from interlock.table.national.sheet import Field, Heading, Sheet, by_way
 from interlock.table.printed import PrintedRoute
-from interlock.table.rows import InterlockingTable, PointDemand, ProviderKind, Role, RouteKind, RouteRow
+from interlock.table.rows import InterlockingTable, RouteRow
 
 SOURCE = "after {} of the PT1 planning tables; columns as named in the public code of Eclipse SET"
 SIDES = {Hand.LEFT: "L", Hand.RIGHT: "R"}
@@ -47,7 +48,7 @@ def end_lage(x: Reading, p: PointId, position: Position) -> str:
 def lying(x: Reading, r: RouteRow, *roles: Role) -> str:
     """Points of a route with their positions, without derailers and devices."""
     return ", ".join(
-        f"{p.machine}{lage(x, p.machine, p.position)}" for p in r.points if p.role in roles and _is_w(x, p)
+        f"{p.machine}{lage(x, p.machine, p.position)}" for p in r.locking.points if p.role in roles and _is_w(x, p)
     )
 
 
@@ -57,13 +58,13 @@ def _is_w(x: Reading, p: PointDemand) -> bool:
 
 def _name(r: RouteRow) -> str:
     """As PT1 prints it: start/destination, [U2] for the second way; the overlaps stand in their column."""
-    other = f" [U{r.variant}]" if r.variant > 1 else ""
+    other = f" [U{r.path.variant}]" if r.path.variant > 1 else ""
     return f"{r.entry}/{_destination(r)}{other}"
 
 
 def _destination(r: RouteRow) -> str:
     """Where the train stops or leaves."""
-    return r.exit if r.destination is None else r.destination
+    return r.exit if r.path.destination is None else r.path.destination
 
 
 def _last(x: Reading, r: RouteRow) -> RouteRow:
@@ -73,7 +74,7 @@ def _last(x: Reading, r: RouteRow) -> RouteRow:
 
 def overlap_name(r: RouteRow) -> str:
     """The overlap that a route locks: D1, D2."""
-    return "" if r.overlap is None else f"D{r.overlap.option}"
+    return "" if r.locking.overlap is None else f"D{r.locking.overlap.option}"
 
 
 def _d_way(way: PrintedRoute, r: RouteRow) -> str:
@@ -82,10 +83,12 @@ def _d_way(way: PrintedRoute, r: RouteRow) -> str:
 
 def _overlaps(x: Reading, r: RouteRow) -> tuple[str, ...]:
     """All overlaps of the way, the preferred one with an asterisk."""
-    if r.onward is not None:
+    if r.path.onward is not None:
         return tuple(filter(None, (overlap_name(_last(x, r)),)))
-    found = (o for o in x.printed.ways[r.id].rows if o.overlap is not None)
-    return tuple(overlap_name(o) + "*" * (o.overlap is not None and o.overlap.option == 1) for o in found)
+    found = (o for o in x.printed.ways[r.id].rows if o.locking.overlap is not None)
+    return tuple(
+        overlap_name(o) + "*" * (o.locking.overlap is not None and o.locking.overlap.option == 1) for o in found
+    )
 
 
 def _deciding(x: Reading, r: RouteRow) -> str:
@@ -93,47 +96,53 @@ def _deciding(x: Reading, r: RouteRow) -> str:
 
 
 def _devices(x: Reading, r: RouteRow, kind: DeviceKind) -> list[str]:
-    found = (p.machine for p in r.points if p.machine in x.layout.machines.device)
+    found = (p.machine for p in r.locking.points if p.machine in x.layout.machines.device)
     return [str(m) for m in found if x.layout.machines.device[m].kind is kind]
 
 
 def _derailers(x: Reading, r: RouteRow) -> str:
-    found = (p for p in r.points if x.machines.is_derailer(p.machine))
+    found = (p for p in r.locking.points if x.machines.is_derailer(p.machine))
     return ", ".join(f"{p.machine} {lage(x, p.machine, p.position)}" for p in found)
 
 
 def _keys(x: Reading, r: RouteRow) -> str:
-    return ", ".join(p.machine for p in r.points if p.machine in x.layout.machines.by_hand)
+    return ", ".join(p.machine for p in r.locking.points if p.machine in x.layout.machines.by_hand)
 
 
 def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
     notes = [f"{m} geschlossen" for m in _devices(x, r, DeviceKind.INTERLOCK)]
-    notes += [str(c.condition) for c in r.conditions]
-    notes += [f"{z.zone} nicht voll" for z in r.zones] + [f"{b.section} frei (Strecke)" for b in r.block]
-    notes += [f"Haltlicht von {c.name}" for c in r.space if c.lamp]
-    if r.token is not None:
-        notes.append(f"Erlaubnis für {x.layout.labels.get(r.token.boundary, r.token.boundary)}")
-    if r.closing.whole is not None:
-        notes.append(f"Haltfall erst, wenn {r.closing.whole} frei")
-    if r.overlap is not None and r.overlap.swings:
-        notes.append(f"D-Weg umstellbar auf {', '.join(f'D{k}' for k in r.overlap.swings)}")
+    notes += [str(c.condition) for c in r.conditions.external]
+    notes += [f"{z.zone} nicht voll" for z in r.conditions.zones] + [
+        f"{b.section} frei (Strecke)" for b in r.conditions.block
+    ]
+    notes += [f"Haltlicht von {c.name}" for c in r.clear.space if c.lamp]
+    if r.conditions.token is not None:
+        notes.append(
+            f"Erlaubnis für {x.layout.printed.labels.get(r.conditions.token.boundary, r.conditions.token.boundary)}"
+        )
+    if r.signal.closing.whole is not None:
+        notes.append(f"Haltfall erst, wenn {r.signal.closing.whole} frei")
+    if r.locking.overlap is not None and r.locking.overlap.swings:
+        notes.append(f"D-Weg umstellbar auf {', '.join(f'D{k}' for k in r.locking.overlap.swings)}")
     for before, past in pairwise(x.table.parts(r)):
         notes.append(f"{before.exit} zeigt Kennlicht; Fahrweg dahinter wie {past.id} in der Verschlusstafel")
-        notes += [f"{overlap_name(before)} von {before.exit} mitverschlossen"] if before.overlap is not None else []
+        notes += (
+            [f"{overlap_name(before)} von {before.exit} mitverschlossen"] if before.locking.overlap is not None else []
+        )
     if r.kind is RouteKind.CALL_ON:
         notes.append("Ersatzsignal: besetzte Abschnitte erlaubt")
-    if r.berth is not None:
-        notes.append(f"Zielgleis {r.berth} darf besetzt sein")
+    if r.path.berth is not None:
+        notes.append(f"Zielgleis {r.path.berth} darf besetzt sein")
     return tuple(notes)
 
 
 def _kind(r: RouteRow) -> str:
-    return "E" if r.kind is RouteKind.CALL_ON else "R" if r.variant == 1 else "U"
+    return "E" if r.kind is RouteKind.CALL_ON else "R" if r.path.variant == 1 else "U"
 
 
 _IDENTIFIER = Field[RouteRow](
     heading("AD", "Kennlicht", "Signals passed at identifier light", "无效标志灯"),
-    lambda r: ", ".join(r.passed or ()),
+    lambda r: ", ".join(r.path.passed or ()),
 )
 
 
@@ -144,7 +153,7 @@ def train_routes(layout: Layout, table: InterlockingTable) -> Sheet:
         Field(heading("A", "Bezeichnung", "Route", "进路"), _name),
         Field(heading("B", "Start", "Start", "始端"), lambda r: r.entry),
         Field(heading("C", "Ziel", "Destination", "终端"), _destination),
-        Field(heading("D", "Nr.", "No.", "号码"), lambda r: str(r.variant) if r.variant > 1 else ""),
+        Field(heading("D", "Nr.", "No.", "号码"), lambda r: str(r.path.variant) if r.path.variant > 1 else ""),
         Field(heading("E", "Entscheidungsweiche", "Deciding points", "决定道岔"), lambda r: _deciding(x, r)),
         Field(heading("F", "D-Weg", "Overlap", "保护区段"), lambda r: _overlaps(x, r)),
         Field(heading("G", "Art", "Kind", "性质"), _kind),
@@ -156,18 +165,21 @@ def train_routes(layout: Layout, table: InterlockingTable) -> Sheet:
         ),
         Field(
             heading("O", "Anrückverschluss", "Approach locking", "接近锁闭"),
-            lambda r: ", ".join(r.approach.sections) or "immer",
+            lambda r: ", ".join(r.locking.approach.sections) or "immer",
         ),
         Field(
             heading("Q", "v Fahrweg (km/h)", "Speed of the path (km/h)", "进路速度 (km/h)"),
-            lambda r: "" if r.speed.kmh is None else str(r.speed.kmh),
+            lambda r: "" if r.signal.speed.kmh is None else str(r.signal.speed.kmh),
         ),
         Field(
             heading("R", "v D-Weg (km/h)", "Speed of the overlap (km/h)", "保护区段速度 (km/h)"),
             lambda r: x.entry_kmh(_last(x, r)),
         ),
-        *([_IDENTIFIER] if layout.identifiers else []),
-        Field(heading("AE", "Vorsignalisierung Ziel", "Next signal shown", "预告信号"), lambda r: r.aspect.next or ""),
+        *([_IDENTIFIER] if layout.signalling.identifiers else []),
+        Field(
+            heading("AE", "Vorsignalisierung Ziel", "Next signal shown", "预告信号"),
+            lambda r: r.signal.aspect.next or "",
+        ),
         Field(heading("AF", "Bemerkung", "Remarks", "备注"), lambda r: _remarks(x, r)),
         Field(heading("", "Fahrstraße", "Route in the other tables", "进路名"), lambda r: x.printed.ways[r.id].id),
     )
@@ -185,7 +197,7 @@ def train_routes(layout: Layout, table: InterlockingTable) -> Sheet:
             *("I F-Bedienung", "J Inselgleis", "M Nichthaltfallabschnitt", "N 2. Haltfallkriterium", "P Hg"),
             *("S v Besonders", "T Zs3", "U Aufwertung Mwtfstr", "V Zl", "W Zs3v", "X Zs2", "Y Zs2v"),
             *("Z Zs6", "AA Zs13", "AB Zs3 im Fahrweg", "AC Zs6 im Fahrweg"),
-            *(() if layout.identifiers else ("AD Kennlicht",)),
+            *(() if layout.signalling.identifiers else ("AD Kennlicht",)),
         ),
         legend=(
             *LAGE,
@@ -201,19 +213,19 @@ def train_routes(layout: Layout, table: InterlockingTable) -> Sheet:
 
 def _onto(x: Reading, r: RouteRow) -> str:
     """Whether opposing shunt routes onto the same track are excluded; empty where there is none."""
-    last = x.way(r.traversals[-1])
+    last = x.way(r.path.traversals[-1])
     against = {
         t.id
         for t in x.table.routes
-        if t.kind is RouteKind.SHUNT and (way := x.way(t.traversals[-1])).section == last.section
+        if t.kind is RouteKind.SHUNT and (way := x.way(t.path.traversals[-1])).section == last.section
         if way.entry != last.entry
     }
-    return ("ja" if against <= set(r.hostile.routes) else "nein") if against else ""
+    return ("ja" if against <= set(r.locking.hostile.routes) else "nein") if against else ""
 
 
 def _with_flank(x: Reading, r: RouteRow) -> str:
     """The points of the path for which the route asks for flank protection."""
-    found = (c for c in r.flank if all(p.kind is not ProviderKind.WAIVED for p in c.providers))
+    found = (c for c in r.locking.flank if all(p.kind is not ProviderKind.WAIVED for p in c.providers))
     names = (c.requester.rpartition(".") for c in found)
     return ", ".join(
         dict.fromkeys(x.machines.called(PointId(name)) for name, _, leg in names if leg in ("normal", "reverse"))
@@ -227,7 +239,7 @@ def shunt_routes(layout: Layout, table: InterlockingTable) -> Sheet:
         Field(heading("A", "Bezeichnung", "Route", "进路"), _name),
         Field(heading("B", "Start", "Start", "始端"), lambda r: r.entry),
         Field(heading("C", "Ziel", "Destination", "终端"), lambda r: r.exit),
-        Field(heading("D", "Nr.", "No.", "号码"), lambda r: str(r.variant) if r.variant > 1 else ""),
+        Field(heading("D", "Nr.", "No.", "号码"), lambda r: str(r.path.variant) if r.path.variant > 1 else ""),
         Field(heading("E", "Entscheidungsweiche", "Deciding points", "决定道岔"), lambda r: _deciding(x, r)),
         Field(heading("F", "Art", "Kind", "性质"), _kind),
         Field(heading("G", "Autom. Einstellung", "Automatic", "自动"), lambda r: "x" if r.id in automatic else ""),
@@ -244,11 +256,11 @@ def shunt_routes(layout: Layout, table: InterlockingTable) -> Sheet:
         ),
         Field(
             heading("O", "Ziel erlaubnisabhängig", "Token at the end", "终端方向闭锁"),
-            lambda r: "x" if r.token is not None else "",
+            lambda r: "x" if r.conditions.token is not None else "",
         ),
         Field(
             heading("P", "Auflösung nicht angefahrener Fahrstraßen", "Release when not used", "未使用解锁"),
-            lambda r: f"{r.approach.delay_s:g} s",
+            lambda r: f"{r.locking.approach.delay_s:g} s",
         ),
         Field(heading("Q", "Bemerkung", "Remarks", "备注"), lambda r: _remarks(x, r)),
         Field(heading("", "Fahrstraße", "Route in the other tables", "进路名"), lambda r: x.printed.ways[r.id].id),
@@ -293,10 +305,12 @@ def locking(layout: Layout, table: InterlockingTable) -> Sheet:
         Field(heading("", "Gleissperren", "Derailers", "脱轨器"), lambda r: _derailers(x, r)),
         Field(heading("", "Signale in Halt", "Signals at stop", "禁止信号"), lambda r: tuple(x.stops(r))),
         Field(heading("", "Freimeldung", "Sections clear", "轨道区段"), lambda r: tuple(x.sections(r))),
-        Field(heading("", "Ausschlüsse", "Routes excluded", "敌对进路"), lambda r: x.named(r.hostile.routes, by=r)),
+        Field(
+            heading("", "Ausschlüsse", "Routes excluded", "敌对进路"), lambda r: x.named(r.locking.hostile.routes, by=r)
+        ),
         Field(
             heading("", "Verzögerung bei Rücknahme (s)", "Release delay (s)", "解锁延时 (s)"),
-            lambda r: f"{r.approach.delay_s:g}",
+            lambda r: f"{r.locking.approach.delay_s:g}",
         ),
     )
     headings, rows = by_way(fields, x.printed.listed, _d_way)

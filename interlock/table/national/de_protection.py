@@ -13,17 +13,22 @@ from math import isinf
 from interlock.model.elements import MachineId, PointId, Position
 from interlock.model.layout import Layout
 from interlock.model.overlap import own_way
+from interlock.table.cells import FlankCell, OverlapCell, Provider, ProviderKind, Role
 from interlock.table.national.de import LAGE, SOURCE, end_lage, heading, lage, lying, overlap_name
 from interlock.table.national.protection import Protection
 from interlock.table.national.reading import Reading
 from interlock.table.national.sheet import Field, Heading, Sheet, filled
-from interlock.table.rows import FlankCell, InterlockingTable, OverlapCell, Provider, ProviderKind, Role, RouteRow
+from interlock.table.rows import InterlockingTable, RouteRow
 
 
 def overlaps(layout: Layout, table: InterlockingTable) -> Sheet:
     """Ssld: every alternative once, with the track in which trains stand whose overlap it is."""
     x = Reading(layout, table)
-    found = {(r.overlap.signal, r.overlap.option): (r.overlap, r) for r in table.routes if r.overlap is not None}
+    found = {
+        (r.locking.overlap.signal, r.locking.overlap.option): (r.locking.overlap, r)
+        for r in table.routes
+        if r.locking.overlap is not None
+    }
     fields: tuple[Field[tuple[OverlapCell, RouteRow]], ...] = (
         Field(heading("A", "von", "From", "始端"), lambda o: o[0].signal),
         Field(heading("E", "Bezeichnung", "Overlap", "名称"), lambda o: overlap_name(o[1])),
@@ -37,7 +42,7 @@ def overlaps(layout: Layout, table: InterlockingTable) -> Sheet:
             heading("K", "Weichen mit Verschluss", "Points locked", "锁闭道岔"), lambda o: lying(x, o[1], Role.OVERLAP)
         ),
         Field(heading("M", "relevante FmA", "Sections", "区段"), lambda o: ", ".join(s for s, _ in o[0].ways)),
-        Field(heading("Q", "Auflöseabschnitt", "Release section", "解锁区段"), lambda o: o[1].traversals[-1][0]),
+        Field(heading("Q", "Auflöseabschnitt", "Release section", "解锁区段"), lambda o: o[1].path.traversals[-1][0]),
         Field(heading("R", "Länge (m)", "Its length (m)", "区段长度 (m)"), lambda o: _track_m(x, o[1])),
         Field(heading("S", "Verzögerung (s)", "Delay (s)", "延时 (s)"), lambda o: f"{x.overlap_release_s(o[1]):g}"),
         Field(
@@ -64,13 +69,13 @@ def overlaps(layout: Layout, table: InterlockingTable) -> Sheet:
 
 def _needed(x: Reading, o: OverlapCell) -> str:
     own = own_way(x.layout, o.signal, x.overlap_ways(o))
-    metres = x.layout.overlap_of[o.signal] if own is None else own.length
+    metres = x.layout.overlaps.length[o.signal] if own is None else own.length
     return "bis zum nächsten Hauptsignal" if isinf(metres) else f"{metres:g}"
 
 
 def _track_m(x: Reading, r: RouteRow) -> str:
     """Metres of the section in which the train stands."""
-    return f"{sum(x.layout.edge[e].length for e in x.way(r.traversals[-1]).edges):g}"
+    return f"{sum(x.layout.track.edge[e].length for e in x.way(r.path.traversals[-1]).edges):g}"
 
 
 @dataclass(frozen=True)
@@ -249,7 +254,7 @@ def _side(x: Reading, w: _TwoWay) -> str:
 def _shares(table: InterlockingTable, by: dict[Position, list[FlankCell]]) -> tuple[bool, bool]:
     """Whether one route asks for both positions, and whether different routes do."""
     names = {x: {c.requester for c in cells} for x, cells in by.items()}
-    asking = [[x for x in by if any(c.requester in names[x] for c in r.flank)] for r in table.routes]
+    asking = [[x for x in by if any(c.requester in names[x] for c in r.locking.flank)] for r in table.routes]
     own = any(len(a) == 2 for a in asking)
     each = [{i for i, a in enumerate(asking) if x in a} for x in by]
     return own, any(i != j for i in each[0] for j in list(each[1])[:2])

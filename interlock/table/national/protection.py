@@ -13,7 +13,8 @@ from functools import cached_property
 
 from interlock.model.elements import EdgeId, MachineId, NodeId, PointId, Position, SectionId
 from interlock.model.layout import Layout
-from interlock.table.rows import FlankCell, InterlockingTable, ProviderKind
+from interlock.table.cells import FlankCell, ProviderKind
+from interlock.table.rows import InterlockingTable
 
 Need = tuple[MachineId, Position]
 
@@ -66,10 +67,10 @@ class Protection:
     def place(self, c: FlankCell) -> tuple[NodeId, EdgeId] | None:
         """Where the requester looks outward: the node of its point or diamond, and the edge of its leg or arm."""
         name, _, leg = c.requester.rpartition(".")
-        point = self.layout.point.get(PointId(name))
+        point = self.layout.pointwork.point.get(PointId(name))
         if point is not None and leg in ("normal", "reverse"):
             return point.node, point.normal if leg == "normal" else point.reverse
-        for x in self.layout.crossings:
+        for x in self.layout.pointwork.crossings:
             if x.id == name:
                 return x.node, x.arms[int(leg[0]) - 1]["ab".index(leg[1])]
         return None
@@ -85,19 +86,19 @@ class Protection:
         todo, seen = [(at[1], at[0])], set[tuple[EdgeId, NodeId]]()
         while todo:
             edge, node = todo.pop()
-            e = self.layout.edge[edge]
+            e = self.layout.track.edge[edge]
             if (edge, node) in seen or (e.one_way and e.a == node):
                 continue
             seen.add((edge, node))
-            far = self.layout.far(edge, node)
-            point = self.layout.point_at.get(far)
+            far = self.layout.track.far(edge, node)
+            point = self.layout.pointwork.point_at.get(far)
             lies = point.position_of(edge) if point is not None else None
             if point is not None and lies is not None and (point.machine, lies.other) in turned:
-                if self.layout.section_of(point.toe) != e.section:
+                if self.layout.track.section_of(point.toe) != e.section:
                     space[e.section] = None
                 continue
             space[e.section] = None
-            signal = self.layout.signal_facing.get((far, edge))
+            signal = self.layout.signalling.facing.get((far, edge))
             if signal is not None and signal.id in signals:
                 continue
             if point is not None and lies is None and transfer is None:
@@ -107,19 +108,19 @@ class Protection:
         return Reach(transfer, self._first(at, signals), tuple(sorted(space)))
 
     def _onward(self, edge: EdgeId, node: NodeId, start: NodeId) -> Sequence[EdgeId]:
-        stops = node == start or node in self.layout.boundary_at or node in self.layout.buffer_at
+        stops = node == start or node in self.layout.track.boundary_at or node in self.layout.track.buffer_at
         return () if stops else [x.id for x in self.layout.onward(edge, node)]
 
     def _first(self, at: tuple[NodeId, EdgeId], signals: set[str]) -> Need | None:
         """The point met first over plain track, at one of its legs, before any signal that protects."""
         node, edge = at
-        for _ in self.layout.edges:
-            node = self.layout.far(edge, node)
-            point = self.layout.point_at.get(node)
+        for _ in self.layout.track.edges:
+            node = self.layout.track.far(edge, node)
+            point = self.layout.pointwork.point_at.get(node)
             if point is not None:
                 lies = point.position_of(edge)
                 return None if lies is None else (point.machine, lies.other)
-            signal = self.layout.signal_facing.get((node, edge))
+            signal = self.layout.signalling.facing.get((node, edge))
             onward = self._onward(edge, node, at[0])
             if (signal is not None and signal.id in signals) or len(onward) != 1:
                 return None

@@ -11,17 +11,9 @@ from interlock.model.layout import Layout
 from interlock.model.overlap import entry_speed
 from interlock.model.times import overlap_release_s
 from interlock.model.traversal import Topology, Traversal, topology
+from interlock.table.cells import Hostile, HostileClass, OverlapCell, PointDemand, ProviderKind, Role
 from interlock.table.printed import Printed, PrintedRoute, grouped
-from interlock.table.rows import (
-    Hostile,
-    HostileClass,
-    InterlockingTable,
-    OverlapCell,
-    PointDemand,
-    ProviderKind,
-    Role,
-    RouteRow,
-)
+from interlock.table.rows import InterlockingTable, RouteRow
 from interlock.table.runs import natural
 
 ON_PATH = (Role.PATH, Role.OVERLAP)
@@ -54,20 +46,20 @@ class MachineReading:
 
     def derailers(self, r: RouteRow) -> str:
         """The derailers of a route, on or off."""
-        found = (p for p in r.points if self.is_derailer(p.machine))
+        found = (p for p in r.locking.points if self.is_derailer(p.machine))
         return ", ".join(f"{p.machine} {self._layout.machines.word(p.machine, p.position)}" for p in found)
 
     def points(self, r: RouteRow, position: Position, *roles: Role) -> str:
         """Points of a route in a position."""
         return ", ".join(
             p.machine
-            for p in r.points
+            for p in r.locking.points
             if p.position is position and p.role in (roles or tuple(Role)) and self.is_machine(p)
         )
 
     def side(self, p: PointId, x: Position) -> Hand | None:
         """The side to which a point lies, seen from its toe; None where the layout does not state its hand."""
-        hand = self._layout.hand.get(p)
+        hand = self._layout.pointwork.hand.get(p)
         return hand if hand is None or x is Position.REVERSE else hand.other
 
     def machine_side(self, m: MachineId, x: Position) -> Hand | None:
@@ -84,21 +76,21 @@ class MachineReading:
 
     def facing_ends(self, r: RouteRow) -> list[tuple[PointId, Position]]:
         """The point ends that the route passes facing, in order."""
-        return [f for key in r.traversals for f in self._facing_in(self._topo.traversals[key[0]][key[1] - 1])]
+        return [f for key in r.path.traversals for f in self._facing_in(self._topo.traversals[key[0]][key[1] - 1])]
 
     def _facing_in(self, t: Traversal) -> list[tuple[PointId, Position]]:
         out = []
         node: NodeId = t.entry
         for here, onward in zip(t.edges, t.edges[1:], strict=False):
-            node = self._layout.far(here, node)
-            p = self._layout.point_at.get(node)
+            node = self._layout.track.far(here, node)
+            p = self._layout.pointwork.point_at.get(node)
             if p is not None and here == p.toe:
                 out.append((p.id, Position.NORMAL if onward == p.normal else Position.REVERSE))
         return out
 
     def facing(self, r: RouteRow) -> list[tuple[str, Position]]:
         """The points that the route passes facing, in order: they decide where it goes."""
-        return [(str(self._layout.point[p].machine), x) for p, x in self.facing_ends(r)]
+        return [(str(self._layout.pointwork.point[p].machine), x) for p, x in self.facing_ends(r)]
 
     def choices(self, r: RouteRow) -> list[tuple[PointId, Position]]:
         """The points that a route passes facing where another route from its signal, of its kind, goes the other way,
@@ -113,13 +105,13 @@ class MachineReading:
 
     def called(self, point: PointId) -> str:
         """A point end by the name that a drawing has for it: what a slip is made of has the names of its machines."""
-        of_slip = any(b.point == point for b in self._layout.blades)
-        return str(self._layout.point[point].machine if of_slip else point)
+        of_slip = any(b.point == point for b in self._layout.pointwork.blades)
+        return str(self._layout.pointwork.point[point].machine if of_slip else point)
 
     def deciding(self, r: RouteRow) -> list[tuple[PointId, Position]]:
         """The points that a route passes facing where the other leg leads to its end, too, in order: of several ways
         from start to end they tell this one, whether or not the others are routes."""
-        ways = [self._topo.traversals[s][n - 1] for p in self._table.parts(r) for s, n in p.traversals]
+        ways = [self._topo.traversals[s][n - 1] for p in self._table.parts(r) for s, n in p.path.traversals]
         end = ways[-1].section, ways[-1].exit
         out = []
         for i, t in enumerate(ways):
@@ -188,15 +180,17 @@ class Reading:
 
     def sections(self, r: RouteRow) -> list[str]:
         """Sections to be clear: path, foul sections with their condition, overlap, flank space, what was added."""
-        foul = [f.section if f.when is None else f"[{f.section} or {f.when[0]} {f.when[1].other}]" for f in r.foul]
-        over = [s for s, _ in r.overlap.ways] if r.overlap else []
-        space = [c.name for c in r.space if not c.lamp]
-        added = [c.section for c in r.demanded_clear or ()]
-        return list(dict.fromkeys([*(c.section for c in r.sections), *foul, *over, *space, *added]))
+        foul = [
+            f.section if f.when is None else f"[{f.section} or {f.when[0]} {f.when[1].other}]" for f in r.clear.foul
+        ]
+        over = [s for s, _ in r.locking.overlap.ways] if r.locking.overlap else []
+        space = [c.name for c in r.clear.space if not c.lamp]
+        added = [c.section for c in r.clear.demanded or ()]
+        return list(dict.fromkeys([*(c.section for c in r.clear.sections), *foul, *over, *space, *added]))
 
     def overlap_release_s(self, r: RouteRow) -> float:
         """Seconds after which the overlap of a route is given up behind a train that stands."""
-        return overlap_release_s(self.layout, r.overlap.signal) if r.overlap is not None else 0.0
+        return overlap_release_s(self.layout, r.locking.overlap.signal) if r.locking.overlap is not None else 0.0
 
     def overlap_ways(self, o: OverlapCell) -> list[Traversal]:
         """The ways over which an overlap lies."""
@@ -204,12 +198,18 @@ class Reading:
 
     def entry_kmh(self, r: RouteRow) -> str:
         """The speed for which the overlap of a route is made, where one is stated."""
-        kmh = None if r.overlap is None else entry_speed(self.layout, r.overlap.signal, self.overlap_ways(r.overlap))
+        kmh = (
+            None
+            if r.locking.overlap is None
+            else entry_speed(self.layout, r.locking.overlap.signal, self.overlap_ways(r.locking.overlap))
+        )
         return "" if kmh is None else str(kmh)
 
     def stops(self, r: RouteRow) -> list[str]:
         """The signals that protect the flank of a route at stop."""
-        return sorted({p.name for c in r.flank for p in c.providers if p.kind is ProviderKind.SIGNAL}, key=natural)
+        return sorted(
+            {p.name for c in r.locking.flank for p in c.providers if p.kind is ProviderKind.SIGNAL}, key=natural
+        )
 
     def opposing(self, r: RouteRow) -> list[Opposing]:
         """The opposing routes that stay in the way of a route although, or after, the points are free.
@@ -218,15 +218,15 @@ class Reading:
         track that it shares with this one beyond the last of its points that lie otherwise.
         """
         mine = self._stretch(r)
-        needs = {p.machine: p.position for p in r.points}
+        needs = {p.machine: p.position for p in r.locking.points}
         out = []
-        for h in r.hostile:
+        for h in r.locking.hostile:
             if HostileClass.OPPOSING not in h.kinds:
                 continue
             other = self.table.route[h.route]
-            theirs = [k[0] for k in other.traversals]
-            over = [] if other.overlap is None else [s for s, _ in other.overlap.ways]
-            first = 1 + max((i for i, k in enumerate(other.traversals) if self._differs(k, needs)), default=-1)
+            theirs = [k[0] for k in other.path.traversals]
+            over = [] if other.locking.overlap is None else [s for s, _ in other.locking.overlap.ways]
+            first = 1 + max((i for i, k in enumerate(other.path.traversals) if self._differs(k, needs)), default=-1)
             ahead = [*theirs[first:], *over]
             last = max((i for i, s in enumerate(ahead) if s in mine), default=-1)
             if last >= 0:
@@ -235,9 +235,9 @@ class Reading:
         return out
 
     def _stretch(self, r: RouteRow) -> frozenset[SectionId]:
-        over = () if r.overlap is None else r.overlap.ways
-        return frozenset(s for s, _ in (*r.traversals, *over))
+        over = () if r.locking.overlap is None else r.locking.overlap.ways
+        return frozenset(s for s, _ in (*r.path.traversals, *over))
 
     def _differs(self, key: tuple[SectionId, int], needs: dict[MachineId, Position]) -> bool:
-        points = ((self.layout.point[p].machine, x) for p, x in self.way(key).points)
+        points = ((self.layout.pointwork.point[p].machine, x) for p, x in self.way(key).points)
         return any(needs.get(m, x) is not x for m, x in points)

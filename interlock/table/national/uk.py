@@ -13,10 +13,11 @@ from collections.abc import Callable
 from interlock.model.elements import Hand, MachineId, Position, RouteId
 from interlock.model.layout import Layout
 from interlock.model.portable import beside
+from interlock.table.cells import HostileClass, PointDemand, Role, RouteKind, Shows
 from interlock.table.national.reading import ON_PATH, Opposing, Reading
 from interlock.table.national.sheet import Field, Heading, Sheet, by_way, filled
 from interlock.table.printed import PrintedRoute
-from interlock.table.rows import HostileClass, InterlockingTable, PointDemand, Role, RouteKind, RouteRow, Shows
+from interlock.table.rows import InterlockingTable, RouteRow
 from interlock.table.runs import natural
 
 SOURCE = "after the columns of the IRSE examination's control tables, as its study forum describes them"
@@ -35,7 +36,7 @@ def uk_names(x: Reading) -> Naming:
     """
     ways: dict[str, dict[tuple[object, ...], tuple[object, ...]]] = {}
     for r in x.table.routes:
-        ways.setdefault(r.entry, {}).setdefault((r.exit, r.traversals), (_turns(x, r), r.length, r.number))
+        ways.setdefault(r.entry, {}).setdefault((r.exit, r.path.traversals), (_turns(x, r), r.path.length, r.number))
     letters = {
         (entry, way): _letter(k)
         for entry, found in ways.items()
@@ -44,16 +45,18 @@ def uk_names(x: Reading) -> Naming:
 
     def name(way: PrintedRoute) -> str:
         r = way.rows[0]
-        past = "" if r.passed is None else f" past {', '.join(r.passed)} to {_variant(x.table.parts(r)[-1])}"
-        return f"{r.entry}{letters[r.entry, (r.exit, r.traversals)]}({CLASS[r.kind]}){past}"
+        past = "" if r.path.passed is None else f" past {', '.join(r.path.passed)} to {_variant(x.table.parts(r)[-1])}"
+        return f"{r.entry}{letters[r.entry, (r.exit, r.path.traversals)]}({CLASS[r.kind]}){past}"
 
     return name
 
 
 def _variant(r: RouteRow) -> str:
     """Where a route ends that is part of another, told from those that end there, too."""
-    mark = f".{r.variant}" if r.variant > 1 else ""
-    return f"{r.exit}{mark}" + (f".o{r.overlap.option}" if r.overlap is not None and r.overlap.option > 1 else "")
+    mark = f".{r.path.variant}" if r.path.variant > 1 else ""
+    return f"{r.exit}{mark}" + (
+        f".o{r.locking.overlap.option}" if r.locking.overlap is not None and r.locking.overlap.option > 1 else ""
+    )
 
 
 def _turns(x: Reading, r: RouteRow) -> tuple[int, ...]:
@@ -97,11 +100,11 @@ def _tracks(x: Reading, o: Opposing) -> str:
 def _normal(x: Reading, name: Naming, r: RouteRow) -> tuple[str, ...]:
     """Routes that must be normal: hostile ones that neither points nor opposing locking exclude."""
     told = {HostileClass.POINTS, HostileClass.OPPOSING}
-    return x.named((h.route for h in r.hostile if not told & set(h.kinds)), name, r)
+    return x.named((h.route for h in r.locking.hostile if not told & set(h.kinds)), name, r)
 
 
 def _sequence(r: RouteRow) -> str:
-    shows, ahead = r.aspect.shows, r.aspect.next
+    shows, ahead = r.signal.aspect.shows, r.signal.aspect.next
     if shows is Shows.NEXT:
         return f"Y → {ahead} at R; G → {ahead} at Y or G"
     told = {Shows.CLEAR: "G", Shows.CAUTION: "Y", Shows.SHUNT: "PL", Shows.CALL_ON: "R with PL"}
@@ -109,19 +112,19 @@ def _sequence(r: RouteRow) -> str:
 
 
 def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
-    said = [f"{p.machine} closed" for p in r.points if p.machine in x.layout.machines.device]
+    said = [f"{p.machine} closed" for p in r.locking.points if p.machine in x.layout.machines.device]
     said += [
         f"{p.machine} {x.layout.machines.word(p.machine, p.position)}"
-        for p in r.points
+        for p in r.locking.points
         if x.machines.is_derailer(p.machine)
     ]
-    said += [*r.requirements] + [f"{b.section} clear (line)" for b in r.block]
-    if r.closing.whole is not None:
-        said.append(f"replaced by last wheel: {r.closing.whole} clear")
-    if r.berth is not None:
-        said.append(f"{r.berth} may be occupied")
-    if r.overlap is not None and r.overlap.swings:
-        said.append(f"overlap may swing to {', '.join(f'o{k}' for k in r.overlap.swings)}")
+    said += [*r.requirements] + [f"{b.section} clear (line)" for b in r.conditions.block]
+    if r.signal.closing.whole is not None:
+        said.append(f"replaced by last wheel: {r.signal.closing.whole} clear")
+    if r.path.berth is not None:
+        said.append(f"{r.path.berth} may be occupied")
+    if r.locking.overlap is not None and r.locking.overlap.swings:
+        said.append(f"overlap may swing to {', '.join(f'o{k}' for k in r.locking.overlap.swings)}")
     stops = x.stops(r)
     if stops:
         said.append(f"{', '.join(stops)} at stop")
@@ -129,13 +132,13 @@ def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
 
 
 def _approach(r: RouteRow) -> str:
-    rear = ", ".join(r.approach.sections)
+    rear = ", ".join(r.locking.approach.sections)
     return f"when cleared, {rear} occ" if rear else "when cleared"
 
 
 def _approach_release(r: RouteRow) -> str:
-    rear = ", ".join(r.approach.sections)
-    return f"{rear} clear, or {r.approach.delay_s:g} s" if rear else f"{r.approach.delay_s:g} s"
+    rear = ", ".join(r.locking.approach.sections)
+    return f"{rear} clear, or {r.locking.approach.delay_s:g} s" if rear else f"{r.locking.approach.delay_s:g} s"
 
 
 def route_table(layout: Layout, table: InterlockingTable) -> Sheet:
@@ -163,16 +166,18 @@ def route_table(layout: Layout, table: InterlockingTable) -> Sheet:
         ),
         Field(
             Heading("Overlap", "保护区段", "Durchrutschweg"),
-            lambda r: ", ".join(s for s, _ in r.overlap.ways) if r.overlap is not None else "",
+            lambda r: ", ".join(s for s, _ in r.locking.overlap.ways) if r.locking.overlap is not None else "",
         ),
         Field(
             Heading("Overlap released after", "保护区段解锁", "Auflösung D-Weg"),
-            lambda r: f"{r.traversals[-1][0]} occ {x.overlap_release_s(r):g} s" if r.overlap is not None else "",
+            lambda r: (
+                f"{r.path.traversals[-1][0]} occ {x.overlap_release_s(r):g} s" if r.locking.overlap is not None else ""
+            ),
         ),
         Field(Heading("Aspect sequence", "信号显示", "Signalbegriffe"), _sequence),
         Field(
             Heading("Speed (km/h)", "速度 (km/h)", "Geschwindigkeit (km/h)"),
-            lambda r: "" if r.speed.kmh is None else str(r.speed.kmh),
+            lambda r: "" if r.signal.speed.kmh is None else str(r.signal.speed.kmh),
         ),
         Field(Heading("Approach locked", "接近锁闭", "Annäherungsverschluss"), _approach),
         Field(Heading("Approach locking released", "接近解锁", "Auflösung"), _approach_release),
@@ -267,18 +272,18 @@ def _needs(table: InterlockingTable) -> Needs:
     """The routes that need points in a position, each once."""
     out: Needs = {}
     for r in table.routes:
-        for p in {(p.machine, p.position): p for p in reversed(r.points)}.values():
+        for p in {(p.machine, p.position): p for p in reversed(r.locking.points)}.values():
             out.setdefault((p.machine, p.position), []).append((r, p))
     return out
 
 
 def _held(x: Reading, r: RouteRow, p: PointDemand) -> str:
     """The tracks of a route up to the last one that demands the points; over its overlap, also the time."""
-    path = list(r.section_ids)
-    over = [] if r.overlap is None else [s for s, _ in r.overlap.ways]
-    asking = {q.section for q in r.points if q.machine == p.machine}
+    path = list(r.path.section_ids)
+    over = [] if r.locking.overlap is None else [s for s, _ in r.locking.overlap.ways]
+    asking = {q.section for q in r.locking.points if q.machine == p.machine}
     last = max((i for i, s in enumerate(path) if s in asking), default=-1)
-    if asking & set(over) and r.overlap is not None:
+    if asking & set(over) and r.locking.overlap is not None:
         ahead = [*path, *over[: 1 + max(i for i, s in enumerate(over) if s in asking)]]
         after = "" if last >= 0 else f" [or {path[-1]} occ {x.overlap_release_s(r):g} s]"
         return beside(dict.fromkeys(ahead)) + after

@@ -8,9 +8,10 @@ from __future__ import annotations
 from interlock.model.elements import MachineId, Position, RouteId, Work
 from interlock.model.layout import Layout
 from interlock.model.times import supervision_s
+from interlock.table.cells import ExitKind, Role, RouteKind, Shows
 from interlock.table.national.reading import Reading
 from interlock.table.national.sheet import Field, Heading, Sheet, by_way, filled
-from interlock.table.rows import ExitKind, InterlockingTable, Role, RouteKind, RouteRow, Shows
+from interlock.table.rows import InterlockingTable, RouteRow
 from interlock.table.runs import in_runs, legend, natural
 
 SOURCE = "after usual American practice; no worked example was at hand, and no standard was read"
@@ -18,17 +19,17 @@ _KINDS = {RouteKind.MAIN: "train", RouteKind.SHUNT: "shunt", RouteKind.CALL_ON: 
 
 
 def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
-    said = [f"{p.machine} closed" for p in r.points if p.machine in x.layout.machines.device]
+    said = [f"{p.machine} closed" for p in r.locking.points if p.machine in x.layout.machines.device]
     said += [*r.requirements]
-    if r.overlap is not None:
-        said.append("overlap " + ", ".join(s for s, _ in r.overlap.ways))
-    if r.berth is not None:
-        said.append(f"{r.berth} may be occupied")
+    if r.locking.overlap is not None:
+        said.append("overlap " + ", ".join(s for s, _ in r.locking.overlap.ways))
+    if r.path.berth is not None:
+        said.append(f"{r.path.berth} may be occupied")
     return tuple(said)
 
 
 def _conflicting(x: Reading, r: RouteRow) -> tuple[str, ...]:
-    entries = {x.table.route[h].entry for h in r.hostile.routes}
+    entries = {x.table.route[h].entry for h in r.locking.hostile.routes}
     return tuple(in_runs(sorted(entries - {r.entry}, key=natural)))
 
 
@@ -48,11 +49,11 @@ def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
             lambda r: _conflicting(x, r),
         ),
         Field(Heading("Track circuits (OS)", "轨道区段", "Freimeldung"), lambda r: tuple(x.sections(r))),
-        Field(Heading("Approach circuit", "接近区段", "Annäherung"), lambda r: ", ".join(r.approach.sections)),
-        Field(Heading("Time locking (s)", "延时", "Zeitverschluss"), lambda r: f"{r.approach.delay_s:g}"),
+        Field(Heading("Approach circuit", "接近区段", "Annäherung"), lambda r: ", ".join(r.locking.approach.sections)),
+        Field(Heading("Time locking (s)", "延时", "Zeitverschluss"), lambda r: f"{r.locking.approach.delay_s:g}"),
         Field(
             Heading("Traffic locking", "方向闭锁", "Streckenblock"),
-            lambda r: ", ".join(b.section for b in r.block) if r.exit_kind is ExitKind.BOUNDARY else "",
+            lambda r: ", ".join(b.section for b in r.conditions.block) if r.path.exit_kind is ExitKind.BOUNDARY else "",
         ),
         Field(Heading("Remarks", "备注", "Bemerkung"), lambda r: _remarks(x, r)),
     )
@@ -62,12 +63,12 @@ def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
 
 
 def _leads(r: RouteRow) -> str:
-    return r.exit if r.passed is None else f"{r.destination} past {', '.join(r.passed)}"
+    return r.exit if r.path.passed is None else f"{r.path.destination} past {', '.join(r.path.passed)}"
 
 
 def _over(x: Reading, r: RouteRow) -> str:
     """The switches along the way, in order: 1 N, 3 R."""
-    ends = [(p, position) for key in r.traversals for p, position in x.way(key).points]
+    ends = [(p, position) for key in r.path.traversals for p, position in x.way(key).points]
     return ", ".join(f"{p} {position}" for p, position in ends)
 
 
@@ -76,11 +77,11 @@ _ALWAYS |= {Shows.IDENTIFIER: "identifier"}
 
 
 def _at_stop(r: RouteRow) -> str:
-    return "caution" if r.aspect.shows is Shows.NEXT else _ALWAYS[r.aspect.shows]
+    return "caution" if r.signal.aspect.shows is Shows.NEXT else _ALWAYS[r.signal.aspect.shows]
 
 
 def _at_proceed(r: RouteRow) -> str:
-    return "clear" if r.aspect.shows is Shows.NEXT else _ALWAYS[r.aspect.shows]
+    return "clear" if r.signal.aspect.shows is Shows.NEXT else _ALWAYS[r.signal.aspect.shows]
 
 
 def aspect_chart(layout: Layout, table: InterlockingTable) -> Sheet:
@@ -91,17 +92,17 @@ def aspect_chart(layout: Layout, table: InterlockingTable) -> Sheet:
         Field(Heading("Exit", "终端", "Ziel"), lambda r: r.exit),
         Field(Heading("Movement", "性质", "Art"), lambda r: _KINDS[r.kind]),
         Field(Heading("Switches in order", "道岔", "Weichen"), lambda r: _over(x, r)),
-        Field(Heading("Track circuits", "轨道区段", "Abschnitte"), lambda r: ", ".join(r.section_ids)),
+        Field(Heading("Track circuits", "轨道区段", "Abschnitte"), lambda r: ", ".join(r.path.section_ids)),
         Field(
             Heading("Speed (km/h)", "速度 (km/h)", "Geschwindigkeit (km/h)"),
-            lambda r: "" if r.speed.kmh is None else str(r.speed.kmh),
+            lambda r: "" if r.signal.speed.kmh is None else str(r.signal.speed.kmh),
         ),
-        Field(Heading("Next signal", "次架信号", "Nächstes Signal"), lambda r: r.aspect.next or ""),
+        Field(Heading("Next signal", "次架信号", "Nächstes Signal"), lambda r: r.signal.aspect.next or ""),
         Field(Heading("Aspect, next at stop", "次架停车时", "Begriff, nächstes Halt"), _at_stop),
         Field(Heading("Aspect, next at proceed", "次架开放时", "Begriff, nächstes Fahrt"), _at_proceed),
         Field(
             Heading("Returns to stop", "关闭", "Haltfall"),
-            lambda r: "first axle" if r.closing.whole is None else f"{r.closing.whole} clear",
+            lambda r: "first axle" if r.signal.closing.whole is None else f"{r.signal.closing.whole} clear",
         ),
         Field(Heading("Route", "进路", "Fahrstraße"), lambda r: x.printed.ways[r.id].id),
     )
@@ -128,7 +129,7 @@ def switch_table(layout: Layout, table: InterlockingTable) -> Sheet:
     x = Reading(layout, table)
     users: dict[tuple[MachineId, Position, bool], dict[RouteId, None]] = {}
     for r in (r for way in x.printed.listed for r in way.rows):
-        for p in r.points:
+        for p in r.locking.points:
             flank = p.role in (Role.FLANK, Role.ADDED)
             users.setdefault((p.machine, p.position, flank), {})[r.id] = None
 
