@@ -7,7 +7,9 @@ import re
 import resource
 import subprocess
 import sys
+from dataclasses import fields, is_dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -153,6 +155,24 @@ def test_the_digest_ignores_the_order_of_the_source() -> None:
     a, _ = load_text("a", lines, Sink())
     b, _ = load_text("b", swapped, Sink())
     assert a is not None and b is not None and a.digest == b.digest
+
+
+def test_every_fact_of_a_layout_is_in_its_digest() -> None:
+    """Whatever part it stands in, under a key of its own; only addresses that stay are no fact about the railway."""
+    sink = Sink()
+    layout, _ = load("layouts/passing_loop.yaml", sink)
+    assert layout is not None
+    texts = {}
+    for part in fields(layout):
+        value = getattr(layout, part.name)
+        if not is_dataclass(value) or part.name == "principles":
+            texts[part.name] = replace(layout, **{part.name: "other"}).to_text()
+            continue
+        for fact in fields(value):
+            changed: Any = replace(value, **{fact.name: ("other",)})  # type: ignore[type-var]
+            texts[f"{part.name}.{fact.name}"] = replace(layout, **{part.name: changed}).to_text()
+    assert texts.pop("hardware.pins") == layout.to_text()
+    assert len({layout.to_text(), *texts.values()}) == 1 + len(texts) > 45
 
 
 @pytest.mark.parametrize("path", sorted(Path("layouts/rejected").glob("*.yaml")), ids=lambda p: p.stem)

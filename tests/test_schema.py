@@ -211,6 +211,16 @@ def whole(table: InterlockingTable, value: Any) -> Any:
     return value
 
 
+def test_nothing_of_a_route_is_left_out() -> None:
+    """Every cell that a route has in one of its parts is written, under a key of its own."""
+    there = []
+    for f in fields(RouteRow):
+        kind = hint(RouteRow, f.name)
+        part = is_dataclass(kind) and kind is not Because
+        there += [f"{f.name}.{x.name}" for x in fields(kind)] if part else [f.name]
+    assert sorted(there) == sorted(ROUTE.values())
+
+
 @pytest.mark.parametrize("name", ["cn6502", "junction", "pit_bottom", "tests/layouts_for_tests/entry_speeds.yaml"])
 def test_what_is_said_once_is_all_there(name: str) -> None:
     checked = check_file(name if "/" in name else f"layouts/{name}.yaml")

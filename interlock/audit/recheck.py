@@ -18,6 +18,7 @@ from interlock.audit.flank import Movements, crossovers_to_lie_normal, flank_spa
 from interlock.audit.foul import Foul, foul_neighbours
 from interlock.audit.overlaps import overlap_speed, overruns, without_speed
 from interlock.audit.own_train import own_train_in_the_way
+from interlock.audit.voyages import voyages
 from interlock.audit.walk import Move, Trip, in_rear, left_standing, past_signals, standing_place, trips
 from interlock.model.elements import MachineId, NodeId, Position, RouteId, SectionId, Signal, SignalId
 from interlock.model.layout import Layout
@@ -90,7 +91,7 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
     found += _in_the_way(layout, table, matched)
     found += _hostile(layout, table, matched)
     found += [Finding(*x) for x in added(layout, table, matched)]
-    found += _voyages(layout, table, matched)
+    found += (Finding(v, "voyage", text) for v, text in voyages(layout, table, matched))
     found += _swings(layout, table, matched)
     return tuple(found)
 
@@ -539,36 +540,3 @@ def _cannot_both(layout: Layout, a: _Ground, b: _Ground, held: HeldOver) -> Clas
             ):
                 return "foul of", frozenset({section})
     return None
-
-
-def _voyages(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) -> Iterator[Finding]:
-    """Each voyage is a chain from its entry to its exit; whom it meets head-on is seen from the moves of both."""
-    moves: dict[str, list[Move]] = {}
-    for v in layout.declared.voyages:
-        row = next((x for x in table.voyages if x.name == v.name), None)
-        chain = [matched[r] for r in row.routes if r in matched] if row is not None else []
-        if row is None or len(chain) != len(row.routes):
-            yield Finding(v.name, "voyage", "its routes are not those of the layout")
-            continue
-        joined = all(a.exit == b.entry for a, b in pairwise(chain))
-        ends = chain[0].entry == v.entry and v.exit in (chain[-1].exit, chain[-1].sections[-1])
-        over = [s for t in chain for s in t.sections]
-        if not (joined and ends and set(v.via) <= set(over) and len(set(over)) == len(over)):
-            yield Finding(v.name, "voyage", f"the routes do not lead from {v.entry} to {v.exit}")
-        if any(t.shunt != v.shunt for t in chain):
-            yield Finding(v.name, "voyage", "a route is of another kind")
-        moves[v.name] = [m for t in chain for m in t.moves]
-    for row in table.voyages:
-        back = {(m.edge, layout.track.far(m.edge, m.node)): m.edge for m in moves.get(row.name, ())}
-        met = {
-            name: {layout.track.section_of(back[m.edge, m.node]) for m in theirs if (m.edge, m.node) in back}
-            for name, theirs in moves.items()
-            if name != row.name
-        }
-        listed = {m.voyage: set(m.sections) for m in row.meetings}
-        for name, sections in met.items():
-            if not sections <= {s for m in row.meetings if m.voyage == name for s in m.sections}:
-                yield Finding(row.name, "voyage", f"meets {name} in {', '.join(sorted(sections))}")
-        for name in listed:
-            if not met.get(name):
-                yield Finding(row.name, "voyage", f"does not meet {name}")

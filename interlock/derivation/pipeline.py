@@ -90,19 +90,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             names=names.get(p.id, ()),
             entry=p.entry,
             exit=p.exit,
-            listed=_way(p) not in hidden,
-            because=Because("R1", _found(layout, p)),
-            path=RoutePath(
-                entry_node=p.entry_node,
-                exit_kind=p.exit_kind,
-                variant=p.variant,
-                traversals=tuple(t.key for t in p.ways),
-                berth=p.berth,
-                length=sum(t.length for t in p.run),
-                onward=None if p.onward is None else p.onward.id,
-                destination=None if p.onward is None else p.parts[-1].exit,
-                passed=None if p.onward is None else tuple(q.entry for q in p.parts[1:]),
-            ),
+            path=_path(p),
             locking=RouteLocking(
                 points=demands[p.id],
                 driven=beside.driven[p.id],
@@ -119,15 +107,10 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
                 space=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].space)),
                 demanded=asked_clear.get(p.id),
             ),
-            conditions=RouteConditions(
-                external=derive_conditions(layout, p),
-                zones=derive_zones(layout, p),
-                block=derive_block(layout, p),
-                token=derive_token(layout, p),
-            ),
-            signal=RouteSignal(
-                aspect=derive_aspect(layout, p), closing=derive_closing(layout, p), speed=derive_speed(layout, p)
-            ),
+            conditions=_conditions(layout, p),
+            signal=_signal(layout, p),
+            listed=_way(p) not in hidden,
+            because=Because("R1", _found(layout, p)),
         )
         for p in paths
     )
@@ -136,6 +119,36 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     check_practice(layout, paths, by_key, sink)
     beside.report(sink)
     return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
+
+
+def _path(p: Path) -> RoutePath:
+    onward = p.onward
+    return RoutePath(
+        entry_node=p.entry_node,
+        exit_kind=p.exit_kind,
+        variant=p.variant,
+        traversals=tuple(t.key for t in p.ways),
+        berth=p.berth,
+        length=sum(t.length for t in p.run),
+        onward=None if onward is None else onward.id,
+        destination=None if onward is None else p.parts[-1].exit,
+        passed=None if onward is None else tuple(q.entry for q in p.parts[1:]),
+    )
+
+
+def _conditions(layout: Layout, p: Path) -> RouteConditions:
+    return RouteConditions(
+        external=derive_conditions(layout, p),
+        zones=derive_zones(layout, p),
+        block=derive_block(layout, p),
+        token=derive_token(layout, p),
+    )
+
+
+def _signal(layout: Layout, p: Path) -> RouteSignal:
+    return RouteSignal(
+        aspect=derive_aspect(layout, p), closing=derive_closing(layout, p), speed=derive_speed(layout, p)
+    )
 
 
 def _named(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[Mapping[RouteId, tuple[str, ...]], set[_Way]]:

@@ -64,17 +64,12 @@ LARGE = {
     "app/dispatch.py Dispatched": (18, "the result of the verb: fields that are printed, and two counts of them"),
     "app/worked.py Worked": (19, "a shift as it is written to disk: fields, and the sum of one"),
     "checker/structured_text.py Reader": (18, "a recursive-descent parser: one method a rule of the grammar"),
-    "model/layout.py Layout": (
-        72,
-        "to be taken apart: elements of a layout (46 fields), and 26 ways to find them, on which every room leans",
-    ),
     "panel/commands.py Buttons": (21, "one method a command of the panel"),
     "proof/system/transition.py System": (
         28,
         "the transition system; each reader sees a part of it through a protocol (SystemView, Located, HasFamilies)",
     ),
     "st/parser.py _Reader": (16, "a recursive-descent parser: one method a rule of the grammar"),
-    "table/rows.py RouteRow": (42, "a row of the table: its cells (36 fields), and six things that follow from them"),
 }
 """Classes with more than PUBLIC members that are more than fields, each with its reason.  Numbers only fall."""
 

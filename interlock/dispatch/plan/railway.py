@@ -131,9 +131,8 @@ class Railway:
         self._zone_of = {s: z.id for z in layout.declared.zones for s in z.sections}
         self._from: dict[tuple[NodeId, SectionId], list[RouteRow]] = {}
         for r in sorted(table.routes, key=lambda r: (self._rank[r.id], r.number)):
-            if (
-                r.kind not in (RouteKind.CALL_ON, RouteKind.IDENTIFIER) and r.path.onward is None
-            ):  # one signal after another
+            one_by_one = r.path.onward is None  # past one signal after another
+            if one_by_one and r.kind not in (RouteKind.CALL_ON, RouteKind.IDENTIFIER):
                 self._from.setdefault((r.path.entry_node, r.path.section_ids[0]), []).append(r)
 
     def _seconds(self, r: RouteRow) -> float:
@@ -153,15 +152,8 @@ class Railway:
             starts.setdefault(r.entry, []).append(r)
         near = len(rows) <= 500
         look: dict[RouteId, object] = {
-            r.id: (
-                r.kind,
-                round(r.path.length, 1),
-                len(r.path.traversals),
-                r.path.exit_kind,
-                len(r.locking.points),
-                len(r.locking.hostile),
-            )
-            for r in rows
+            r.id: (r.kind, round(p.length, 1), len(p.traversals), p.exit_kind, len(x.points), len(x.hostile))
+            for r, p, x in ((r, r.path, r.locking) for r in rows)
         }
         found: dict[RouteId, int] = {}
         for _ in range(8):

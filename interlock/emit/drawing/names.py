@@ -123,13 +123,12 @@ def _signals(d: Drawing) -> None:
         anchor = "start" if ahead else "end"
         _put(d, Label("signal", g.id, g.id, x + way * 2, y - 22 if up else y + 30, anchor=anchor))
     for k in d.layout.signalling.distants:
-        x, y = d.at[d.layout.signalling.signal[k.of].node]
+        node = d.layout.signalling.signal[k.of].node
+        x, y = d.at[node]
         ahead = d.signals[k.of][2]
         way = 1 if ahead else -1
         d.distants[k.id] = (x - way * 24, y, ahead)
-        if (
-            d.layout.signalling.signal[k.of].node in d.layout.track.boundary_at
-        ):  # beside the name of the approach section
+        if node in d.layout.track.boundary_at:  # beside the name of the approach section
             up = ahead is leftward
             d.taken.add((x - way * 24 - 6, y - 20 if up else y, x - way * 24 + 6, y if up else y + 20))
         _put(d, Label("signal", k.id, k.id, x - way * 24, y - 24 if ahead is leftward else y + 32))

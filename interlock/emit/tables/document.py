@@ -85,8 +85,9 @@ TOPOLOGY = {
     "buffers": "track.buffers",
     "devices": "signalling.devices",
 }
-"""What a reader of the table needs of the layout: the graph in which its nodes, edges and sections are found.  The keys,
-and where each stands in the layout."""
+"""What a reader of the table needs of the layout: the graph in which its nodes, edges and sections are found.
+
+The keys, and where each stands in the layout."""
 
 CELLS: tuple[type, ...] = (
     PointDemand,

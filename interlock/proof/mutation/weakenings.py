@@ -130,11 +130,8 @@ def _relower(layout: Layout, table: InterlockingTable, key: tuple[str, int], row
             for p in by_key[k].points:
                 points.setdefault(p.machine, p)
         points |= {p.machine: p for p in r.locking.added}
-        routes.append(
-            replace(r, locking=replace(r.locking, points=tuple(points.values())))
-            if key in (*r.path.traversals, *over)
-            else r
-        )
+        held = replace(r.locking, points=tuple(points.values()))
+        routes.append(replace(r, locking=held) if key in (*r.path.traversals, *over) else r)
     return lower(layout, replace(table, locks=locks, routes=tuple(routes)))
 
 
@@ -212,23 +209,16 @@ def _closes_late(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
 
 def _short_approach(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     """Cancelling looks at the section in rear alone, whatever the braking distance."""
-    for g in {
-        r.entry: None for r in table.routes if r.locking.approach.coming.further or r.locking.approach.coming.unseen
-    }:
-        rows = [r for r in table.routes if r.entry == g]
-        short = {
-            r.id: replace(
-                r,
-                locking=replace(
-                    r.locking,
-                    approach=replace(
-                        r.locking.approach, coming=replace(r.locking.approach.coming, further=(), unseen=False)
-                    ),
-                ),
-            )
-            for r in rows
-        }
-        yield g, lower(layout, replace(table, routes=tuple(short.get(r.id, r) for r in table.routes)))
+    coming = ((r.entry, r.locking.approach.coming) for r in table.routes)
+    for g in {entry: None for entry, x in coming if x.further or x.unseen}:
+        rows = tuple(_in_rear_alone(r) if r.entry == g else r for r in table.routes)
+        yield g, lower(layout, replace(table, routes=rows))
+
+
+def _in_rear_alone(r: RouteRow) -> RouteRow:
+    approach = r.locking.approach
+    approach = replace(approach, coming=replace(approach.coming, further=(), unseen=False))
+    return replace(r, locking=replace(r.locking, approach=approach))
 
 
 def _at_speed(layout: Layout, table: InterlockingTable, r: RouteRow, kmh: int | None) -> Controller:

@@ -62,6 +62,10 @@ def _name(r: RouteRow) -> str:
     return f"{r.entry}/{_destination(r)}{other}"
 
 
+def _next_signal(r: RouteRow) -> str:
+    return r.signal.aspect.next or ""
+
+
 def _destination(r: RouteRow) -> str:
     """Where the train stops or leaves."""
     return r.exit if r.path.destination is None else r.path.destination
@@ -112,23 +116,19 @@ def _keys(x: Reading, r: RouteRow) -> str:
 def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
     notes = [f"{m} geschlossen" for m in _devices(x, r, DeviceKind.INTERLOCK)]
     notes += [str(c.condition) for c in r.conditions.external]
-    notes += [f"{z.zone} nicht voll" for z in r.conditions.zones] + [
-        f"{b.section} frei (Strecke)" for b in r.conditions.block
-    ]
+    notes += [f"{z.zone} nicht voll" for z in r.conditions.zones]
+    notes += [f"{b.section} frei (Strecke)" for b in r.conditions.block]
     notes += [f"Haltlicht von {c.name}" for c in r.clear.space if c.lamp]
-    if r.conditions.token is not None:
-        notes.append(
-            f"Erlaubnis für {x.layout.printed.labels.get(r.conditions.token.boundary, r.conditions.token.boundary)}"
-        )
+    if (token := r.conditions.token) is not None:
+        notes.append(f"Erlaubnis für {x.layout.printed.labels.get(token.boundary, token.boundary)}")
     if r.signal.closing.whole is not None:
         notes.append(f"Haltfall erst, wenn {r.signal.closing.whole} frei")
     if r.locking.overlap is not None and r.locking.overlap.swings:
         notes.append(f"D-Weg umstellbar auf {', '.join(f'D{k}' for k in r.locking.overlap.swings)}")
     for before, past in pairwise(x.table.parts(r)):
         notes.append(f"{before.exit} zeigt Kennlicht; Fahrweg dahinter wie {past.id} in der Verschlusstafel")
-        notes += (
-            [f"{overlap_name(before)} von {before.exit} mitverschlossen"] if before.locking.overlap is not None else []
-        )
+        if before.locking.overlap is not None:
+            notes.append(f"{overlap_name(before)} von {before.exit} mitverschlossen")
     if r.kind is RouteKind.CALL_ON:
         notes.append("Ersatzsignal: besetzte Abschnitte erlaubt")
     if r.path.berth is not None:
@@ -176,10 +176,7 @@ def train_routes(layout: Layout, table: InterlockingTable) -> Sheet:
             lambda r: x.entry_kmh(_last(x, r)),
         ),
         *([_IDENTIFIER] if layout.signalling.identifiers else []),
-        Field(
-            heading("AE", "Vorsignalisierung Ziel", "Next signal shown", "预告信号"),
-            lambda r: r.signal.aspect.next or "",
-        ),
+        Field(heading("AE", "Vorsignalisierung Ziel", "Next signal shown", "预告信号"), _next_signal),
         Field(heading("AF", "Bemerkung", "Remarks", "备注"), lambda r: _remarks(x, r)),
         Field(heading("", "Fahrstraße", "Route in the other tables", "进路名"), lambda r: x.printed.ways[r.id].id),
     )
