@@ -13,7 +13,7 @@ from interlock.app.guided import Guide, demanded
 from interlock.app.horizon import Compared, by_stages, compared, horizon
 from interlock.app.setting import prepared
 from interlock.app.shifts import one
-from interlock.app.worked import Options, summary
+from interlock.app.worked import Options
 from interlock.cli.simulate import command
 from interlock.dispatch.assign import Assigner
 from interlock.planning.displib import write
@@ -80,7 +80,7 @@ def test_a_plan_orders_the_requests_of_a_shift(tmp_path: Path, trains: int, tipp
     file, planned = fleet_of(tmp_path, trains), Options(2, steady=True, planned=True)
     done, plain = one(HEISHAN, file, 0, planned), one(HEISHAN, file, 0, Options(2, keep=False, steady=True))
     assert (done.trains, plain.trains) == (tipped, rules)
-    assert done.plans > 20 and not done.by_rules and not any(summary(done).values())
+    assert done.planning.made > 20 and not done.planning.by_rules and not any(done.wrong.counts().values())
     assert trains > 5 or one(HEISHAN, file, 0, planned).log == done.log
 
 
@@ -127,7 +127,7 @@ def test_a_plan_that_leads_nowhere_is_given_up_for_the_rules(tmp_path: Path, mon
 
     monkeypatch.setattr(Guide, "_make", never)
     done = one(HEISHAN, fleet_of(tmp_path, 2), 0, Options(2, steady=True, planned=True, keep=False))
-    assert done.by_rules and done.trains and not any(summary(done).values())
+    assert done.planning.by_rules and done.trains and not any(done.wrong.counts().values())
 
 
 def test_no_shift_brings_out_more_than_the_bound(tmp_path: Path) -> None:

@@ -27,7 +27,7 @@ from interlock.app import shift as shift_module
 from interlock.app.setting import Setting, prepared
 from interlock.app.shift import Shift
 from interlock.app.shifts import many, mean, one, student
-from interlock.app.worked import Options, Worked, summary
+from interlock.app.worked import Options, Worked
 from interlock.cli.simulate import command
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.assign import Assigner, Assigning
@@ -226,7 +226,7 @@ def test_a_cluster_whose_worker_is_killed_loses_nothing() -> None:
 def test_a_shift_does_all_that_is_ordered() -> None:
     w = one(HEISHAN, None, 0, Options())
     assert w.tipped == {"a": 6, "b": 8, "c": 4} and w.tonnes == {"lean": 480.0, "rich": 600.0}
-    assert not any(summary(w).values()) and w.alarms == [] and w.late == {"b": 0}
+    assert not any(w.wrong.counts().values()) and w.alarms == [] and w.late == {"b": 0}
     events = read(w.log).events
     assert {e["cause"] for e in events if e["kind"] == "waits"} <= set(CAUSES) - {"other"}
     inside, most = set[str](), 0
@@ -241,7 +241,7 @@ def test_a_shift_does_all_that_is_ordered() -> None:
 
 def test_no_standstill_whatever_fails(tmp_path: Path) -> None:
     w = one(HEISHAN, fleet_of(tmp_path, 8), 8, Options(hours=3.0, faults=TRIAL))
-    assert not any(summary(w).values()) and w.trains > 3
+    assert not any(w.wrong.counts().values()) and w.trains > 3
     kinds = {e["kind"] for e in read(w.log).events}
     assert {"fault", "mended", "alarm", "pressed"} <= kinds
 
@@ -263,12 +263,12 @@ def test_a_route_that_nobody_uses_is_cancelled_before_its_sections_are_released(
     shift.yard.say = told
     w = shift.run()
     released = [e for e in read(w.log).events if e["kind"] == "pressed" and e["button"] == "REL_s2"]
-    assert lost and released and not any(summary(w).values()) and w.trains > 2
+    assert lost and released and not any(w.wrong.counts().values()) and w.trains > 2
 
 
 def test_without_the_rule_a_fleet_stands_for_ever(tmp_path: Path) -> None:
     w = one(HEISHAN, fleet_of(tmp_path, 8), 0, Options(rule=False))
-    assert w.standstill and w.seconds < 8 * 3600
+    assert w.wrong.standstill and w.seconds < 8 * 3600
     last = read(w.log).events[-2]
     assert last["kind"] == "standstill" and last["waiting"]
 
@@ -279,7 +279,7 @@ def test_a_wrong_controller_comes_to_harm_in_a_shift(tmp_path: Path, kind: str) 
     setting = prepared(HEISHAN, fleet_of(tmp_path, 8))
     wrong: Setting = replace(setting, names=load(runtime_py(WEAKENED[kind][1](lower(layout, table)), [])))
     w = Shift(wrong, 0, Options(rule=False, hours=2.0)).run()
-    assert w.hazards or w.passed_at_stop
+    assert w.wrong.hazards or w.wrong.passed_at_stop
 
 
 def test_a_decision_is_quick(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -428,7 +428,7 @@ def test_a_loading_place_on_the_way_of_others_is_no_wrong_place(tmp_path: Path) 
     file.write_text(THROUGH, "utf-8")
     w = one("layouts/pit_bottom.yaml", str(file), 0, Options(hours=1.5))
     through = [e for e in read(w.log).events if e["kind"] == "enters" and e["section"] == "q3_heavy"]
-    assert w.tipped == {"a": 1, "c": 1} and len(through) == 2 and not any(summary(w).values())
+    assert w.tipped == {"a": 1, "c": 1} and len(through) == 2 and not any(w.wrong.counts().values())
 
 
 def test_the_command_writes_records_and_tells_its_counts(tmp_path: Path) -> None:

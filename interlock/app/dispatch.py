@@ -26,6 +26,27 @@ from interlock.model.layout import Layout
 from interlock.proof.system.transition import System
 
 
+@dataclass(frozen=True)
+class Deadlock:
+    """A way into a deadlock, and what became of it on the controller."""
+
+    story: tuple[str, ...]
+    shown: str
+
+
+@dataclass(frozen=True)
+class Timings:
+    """Runs of the commands with trains that come at other times, with the rule of the dispatcher or without it."""
+
+    outcomes: Sequence[Outcome] = ()
+    rule: bool = True
+
+    @property
+    def stuck(self) -> int:
+        """Runs in which a train stands for ever."""
+        return sum(bool(o.stuck) for o in self.outcomes)
+
+
 @dataclass
 class Dispatched:
     """What was found, or the problems of layout and commands."""
@@ -40,11 +61,9 @@ class Dispatched:
     others: Verdict = Verdict.PLAN
     """Whether all that are not caught can go on while those that are stay where they are."""
     explored: Explored | None = None
-    story: tuple[str, ...] = ()
-    shown: str = ""
-    """What became of the shortest deadlock on the controller."""
-    outcomes: list[Outcome] = field(default_factory=list)
-    rule: bool = True
+    deadlock: Deadlock | None = None
+    """The shortest one without the rule, where all states were explored and there is one."""
+    timings: Timings = field(default_factory=Timings)
     derived: tuple[Derived, ...] = ()
     faults: tuple[str, ...] = ()
     """Machines that are not detected and sections reported occupied, with which it was planned."""
@@ -54,11 +73,6 @@ class Dispatched:
     def ok(self) -> bool:
         """All commands made sense."""
         return not self.diagnostics
-
-    @property
-    def stuck(self) -> int:
-        """Runs in which a train stands for ever."""
-        return sum(bool(o.stuck) for o in self.outcomes)
 
 
 class Setting:
@@ -192,7 +206,7 @@ def dispatch(
         setting, derived = _shift(railway, file or beside(path), obstacles, sink, texts)
     if setting is None:
         return Dispatched(checked, sink.diagnostics, texts=texts)
-    found = Dispatched(checked, (), setting.errands, rule=rule, derived=derived, faults=(*failed, *occupied))
+    found = Dispatched(checked, (), setting.errands, derived=derived, faults=(*failed, *occupied))
     controller = lower(layout, table)
     replay = Replay(layout, controller, System(layout, controller).plant)
     found.answer = Planner(setting.built.problem).solve(setting.built.start)
@@ -208,8 +222,8 @@ def dispatch(
             found.diagnostics = sink.diagnostics
             return found
         if found.explored.shortest is not None:
-            found.story = setting.story(found.explored.shortest)
-            found.shown = setting.shown(replay, layout.digest, found.explored.shortest)
+            way = found.explored.shortest
+            found.deadlock = Deadlock(setting.story(way), setting.shown(replay, layout.digest, way))
     if timings:
         ground = Ground(layout, table, controller)
         runs = [_run(setting.errands, k - timings // 2, gap, commands) for k in range(timings)]
@@ -218,7 +232,7 @@ def dispatch(
         def make() -> Dispatcher:
             return Dispatcher(ground.railway, controller.symbols, rule=rule, look_ahead=look_ahead, policy=how)
 
-        found.outcomes = ground.run(runs, make)
+        found.timings = Timings(ground.run(runs, make), rule)
     return found
 
 

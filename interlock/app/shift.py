@@ -17,7 +17,7 @@ from interlock.app.guided import Guide
 from interlock.app.movement import Where
 from interlock.app.setting import CYCLE_MS, Setting
 from interlock.app.standing import ways_under
-from interlock.app.worked import Options, Trip, Worked
+from interlock.app.worked import Options, Planning, Trip, Worked
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.assign import Assigner
 from interlock.dispatch.causes import cause
@@ -134,7 +134,7 @@ class Shift:
             if self._fresh:
                 self._dispatch()
             if self.agenda.now_ms - self._progress_ms > self._quiet_ms and self._trips:
-                self.worked.standstill = True
+                self.worked.wrong.standstill = True
                 self._say("standstill", waiting=dict(sorted(waiting(self._dispatcher).items())))
                 return
 
@@ -323,7 +323,7 @@ class Shift:
         place = self._file.places[trip.order.order.from_]
         loading = {p.at for p in self._file.places.values() if p.kind == "loading"}
         if section in loading and section != place.at and section not in trip.run.journey.sections:
-            self.worked.wrong_places += 1
+            self.worked.wrong.places += 1
             self._alarm(f"{r.name} comes into {section}, and is ordered to {place.at}")
 
     def _stopped(self, r: Rolling) -> None:
@@ -367,7 +367,7 @@ class Shift:
         place = trip.order.order.to
         self._assigner.leaves(r.name)
         if trip.phase != "away" or self._file.places[place].at != where:
-            self.worked.wrong_places += 1
+            self.worked.wrong.places += 1
             self._alarm(f"{r.name} leaves over {where}, and is ordered to {self._file.places[place].at}")
         trip.phase = "tips"
         queue = self._tipping.setdefault(place, [])
@@ -436,12 +436,13 @@ class Shift:
         w, yard = self.worked, self.yard
         for train in tuple(self._waits):
             self._ends_wait(train)
-        w.hazards, w.passed_at_stop = list(yard.watch.found), list(yard.driving.passed_at_stop)
+        wrong = w.wrong
+        wrong.hazards, wrong.passed_at_stop = list(yard.watch.found), list(yard.driving.passed_at_stop)
         if self._guide is not None:
-            w.plans, w.by_rules = self._guide.plans, self._guide.by_rules
+            w.planning = Planning(self._guide.plans, self._guide.by_rules)
         w.scans, w.movements = self.scans.runs, yard.driving.movements
         w.seconds = (self.agenda.now_ms - self._zero_ms) / 1000
-        for text in (*w.hazards, *w.passed_at_stop):
+        for text in (*wrong.hazards, *wrong.passed_at_stop):
             self._say("hazard", text=text)
         self._say(END, trains=w.trains, scans=w.scans, movements=w.movements, held_back=w.refused)
         w.chain = self._chain.digest

@@ -24,6 +24,35 @@ class Trip:
 
 
 @dataclass
+class Wrong:
+    """What must not come about in a shift."""
+
+    standstill: bool = False
+    places: int = 0
+    """Trains that the dispatcher had elsewhere than they were."""
+    hazards: list[str] = field(default_factory=list)
+    passed_at_stop: list[str] = field(default_factory=list)
+
+    def counts(self) -> Mapping[str, int]:
+        """The counts that must be 0."""
+        return {
+            "standstills": int(self.standstill),
+            "wrong places": self.places,
+            "hazards": len(self.hazards),
+            "passed at stop": len(self.passed_at_stop),
+        }
+
+
+@dataclass
+class Planning:
+    """Plans that were made in a shift."""
+
+    made: int = 0
+    by_rules: int = 0
+    """How often the plan was given up, so that the rules took over for a while."""
+
+
+@dataclass
 class Worked:
     """What a shift showed."""
 
@@ -38,16 +67,10 @@ class Worked:
     scans: int = 0
     movements: int = 0
     refused: int = 0
-    standstill: bool = False
-    wrong_places: int = 0
-    hazards: list[str] = field(default_factory=list)
-    passed_at_stop: list[str] = field(default_factory=list)
+    wrong: Wrong = field(default_factory=Wrong)
     alarms: list[str] = field(default_factory=list)
     longest_wait_s: float = 0.0
-    plans: int = 0
-    """Made in the shift."""
-    by_rules: int = 0
-    """How often the plan was given up, so that the rules took over for a while."""
+    planning: Planning = field(default_factory=Planning)
     chain: str = ""
     log: bytes = b""
 
@@ -71,13 +94,3 @@ class Options:
     keep: bool = True
     steady: bool = False
     planned: bool = False
-
-
-def summary(worked: Worked) -> Mapping[str, int]:
-    """The counts that must be 0."""
-    return {
-        "standstills": int(worked.standstill),
-        "wrong places": worked.wrong_places,
-        "hazards": len(worked.hazards),
-        "passed at stop": len(worked.passed_at_stop),
-    }

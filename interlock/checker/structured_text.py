@@ -143,7 +143,7 @@ class Reader:
         self.at += 1
         return word
 
-    def own(self) -> str:
+    def _own(self) -> str:
         """The name of what is defined here."""
         name = self.kind("name")
         need(name.upper() not in STANDARD, f"the text defines {name} itself")
@@ -155,64 +155,64 @@ class Reader:
         named: list[str] = []
         while self.tokens[self.at][0] != "end":
             if self.word() == "TYPE" and not found.blocks:
-                name, members = self.structure()
+                name, members = self._structure()
                 found.structures[name] = members
             else:
-                found.blocks.append(self.block())
+                found.blocks.append(self._block())
                 name = found.blocks[-1].name
             named.append(name.upper())
         need(found.blocks != [] and len(set(named)) == len(named), "the text has no function block, or a name twice")
         return found
 
-    def structure(self) -> tuple[str, dict[str, Variable]]:
+    def _structure(self) -> tuple[str, dict[str, Variable]]:
         """A structure and its members."""
         self.take("TYPE")
-        name = self.own()
+        name = self._own()
         self.take(":")
         self.take("STRUCT")
-        members = self.declared(name, set(), "END_STRUCT")
+        members = self._declared(name, set(), "END_STRUCT")
         self.take(";")
         self.take("END_TYPE")
         return name, members
 
-    def block(self) -> Block:
+    def _block(self) -> Block:
         """One function block."""
         self.take("FUNCTION_BLOCK")
-        block = Block(self.own())
+        block = Block(self._own())
         taken: set[str] = set()
         while self.word() in block.parts:
             part = self.take(*block.parts)
-            block.parts[part] |= self.declared(block.name, taken, "END_VAR")
+            block.parts[part] |= self._declared(block.name, taken, "END_VAR")
         while self.word() != "END_FUNCTION_BLOCK":
             block.body.append(self.statement())
         self.take("END_FUNCTION_BLOCK")
         return block
 
-    def declared(self, where: str, taken: set[str], end: str) -> dict[str, Variable]:
+    def _declared(self, where: str, taken: set[str], end: str) -> dict[str, Variable]:
         """Declarations up to a word; none of a name that is taken, in small letters or large."""
         found: dict[str, Variable] = {}
         while self.word() != end:
-            name = self.own()
+            name = self._own()
             need(name.upper() not in taken, f"{where} declares {name} twice")
             taken.add(name.upper())
             self.take(":")
             type_ = self.kind("name")
-            found[name] = Variable(type_, self.initial())
+            found[name] = Variable(type_, self._initial())
             self.take(";")
         self.take(end)
         return found
 
-    def initial(self) -> Expression | None:
+    def _initial(self) -> Expression | None:
         """The initial value of a declaration, if it has one."""
         if self.word() != ":=":
             return None
         self.take(":=")
-        return self.primary()
+        return self._primary()
 
     def statement(self) -> tuple[Any, ...]:
         """An assignment, a call, or IF with an ELSE."""
         if self.word() == "IF":
-            return self.branch()
+            return self._branch()
         name = self.kind("name")
         parts = [name]
         while self.word() == ".":
@@ -235,7 +235,7 @@ class Reader:
         self.take(";")
         return ("call", name, given)
 
-    def branch(self) -> tuple[Any, ...]:
+    def _branch(self) -> tuple[Any, ...]:
         """IF, any number of ELSIF, and ELSE, each with at least one statement."""
         arms: list[tuple[Expression, list[tuple[Any, ...]]]] = []
         end = ""
@@ -257,9 +257,9 @@ class Reader:
 
     def expression(self) -> Expression:
         """OR binds least."""
-        return self.joined("OR", lambda: self.joined("AND", self.comparison))
+        return self._joined("OR", lambda: self._joined("AND", self._comparison))
 
-    def joined(self, word: str, inner: Any) -> Expression:
+    def _joined(self, word: str, inner: Any) -> Expression:
         """Operands with one operator between them."""
         found = [inner()]
         while self.word() == word:
@@ -267,22 +267,22 @@ class Reader:
             found.append(inner())
         return found[0] if len(found) == 1 else (word.lower(), found)
 
-    def comparison(self) -> Expression:
+    def _comparison(self) -> Expression:
         """A comparison binds more than AND."""
-        left = self.negation()
+        left = self._negation()
         if self.word() == "=":
             self.take("=")
-            return ("=", left, self.negation())
+            return ("=", left, self._negation())
         return left
 
-    def negation(self) -> Expression:
+    def _negation(self) -> Expression:
         """NOT binds more than a comparison."""
         if self.word() == "NOT":
             self.take("NOT")
-            return ("not", self.negation())
-        return self.primary()
+            return ("not", self._negation())
+        return self._primary()
 
-    def primary(self) -> Expression:
+    def _primary(self) -> Expression:
         """A name, a constant, or an expression in brackets."""
         kind, word, _ = self.tokens[self.at]
         if word == "(":

@@ -128,9 +128,9 @@ def _is_plan(file: Path) -> bool:
 
 
 def _code(found: Dispatched) -> int:
-    if not found.ok or found.answer is None or found.stuck or (found.replayed and found.replayed.wrong):
+    if not found.ok or found.answer is None or found.timings.stuck or (found.replayed and found.replayed.wrong):
         return FINDINGS
-    if any(o.troubles for o in found.outcomes) or found.answer.verdict is Verdict.NONE:
+    if any(o.troubles for o in found.timings.outcomes) or found.answer.verdict is Verdict.NONE:
         return FINDINGS
     return NOT_PROVED if found.answer.verdict is Verdict.UNKNOWN else OK
 
@@ -167,9 +167,9 @@ def _body(found: Dispatched) -> dict[str, object]:
             "moves_between_safe_states": x.safe_moves,
             "moves_held_back": x.refused_moves,
         },
-        "story": list(found.story),
-        "timings": len(found.outcomes),
-        "stuck": found.stuck,
+        "story": list(found.deadlock.story) if found.deadlock is not None else [],
+        "timings": len(found.timings.outcomes),
+        "stuck": found.timings.stuck,
     }
 
 
@@ -207,14 +207,14 @@ def _print(found: Dispatched, form: str) -> None:
             f"states {x.states}, unsafe {len(x.unsafe)}, deadlocks {len(x.deadlocks)}; moves between safe states "
             f"{x.safe_moves}, none of them held back; moves into unsafe states {x.refused_moves}, all held back"
         )
-        if found.story:
+        if found.deadlock is not None and found.deadlock.story:
             click.echo("the shortest deadlock without the rule:")
-            for n, line in enumerate(found.story, 1):
+            for n, line in enumerate(found.deadlock.story, 1):
                 click.echo(f"  {n}. {line}")
-            click.echo(f"  {found.shown}")
-    if found.outcomes:
-        rule = "with the rule" if found.rule else "without the rule"
-        click.echo(f"{rule}: {found.stuck} of {len(found.outcomes)} timings stand for ever")
-        stuck = next((o for o in found.outcomes if o.stuck), None)
+            click.echo(f"  {found.deadlock.shown}")
+    if found.timings.outcomes:
+        rule = "with the rule" if found.timings.rule else "without the rule"
+        click.echo(f"{rule}: {found.timings.stuck} of {len(found.timings.outcomes)} timings stand for ever")
+        stuck = next((o for o in found.timings.outcomes if o.stuck), None)
         for train, why in (stuck.stuck if stuck else {}).items():
             click.echo(f"  {train}: {why}")

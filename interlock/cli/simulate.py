@@ -14,7 +14,7 @@ from interlock.app.own import write_whole
 from interlock.app.setting import Setting, prepare
 from interlock.app.shifts import NoCluster, executing, many, mean
 from interlock.app.turns import NoHorizon
-from interlock.app.worked import Options, Worked, summary
+from interlock.app.worked import Options, Worked
 from interlock.cli.common import (
     FINDINGS,
     OK,
@@ -113,7 +113,7 @@ def command(
         _print(setting, done, files, took(began))
         if best is not None:
             _compare(done, best)
-    sys.exit(FINDINGS if any(any(summary(w).values()) for w in done) else OK)
+    sys.exit(FINDINGS if any(any(w.wrong.counts().values()) for w in done) else OK)
 
 
 def _compare(done: Sequence[Worked], best: Compared) -> None:
@@ -140,7 +140,7 @@ def _write(output: Path, setting: Setting, done: Sequence[Worked], force: bool) 
 def _body(done: Sequence[Worked], files: Sequence[str]) -> dict[str, object]:
     m = mean([w.trains for w in done])
     return {
-        "ok": not any(any(summary(w).values()) for w in done),
+        "ok": not any(any(w.wrong.counts().values()) for w in done),
         "trains_a_shift": m.value,
         "confidence_95": m.half if m.count > 1 else None,
         "shifts": [
@@ -154,10 +154,10 @@ def _body(done: Sequence[Worked], files: Sequence[str]) -> dict[str, object]:
                 "movements": w.movements,
                 "held_back": w.refused,
                 "alarms": len(w.alarms),
-                "plans": w.plans,
-                "by_rules": w.by_rules,
+                "plans": w.planning.made,
+                "by_rules": w.planning.by_rules,
                 "chain": w.chain,
-                **{k.replace(" ", "_"): v for k, v in summary(w).items()},
+                **{k.replace(" ", "_"): v for k, v in w.wrong.counts().items()},
             }
             for w in done
         ],
@@ -181,18 +181,18 @@ def _print(setting: Setting, done: Sequence[Worked], files: Sequence[str], took:
         many_late = f"{late:.4g}" if late else "none"
         after = "" if d.order.by is None else f", {many_late} of them after {d.order.by:g} h"
         click.echo(f"  order {d.name}: {x.value:.4g} of {d.trains} trains from {d.order.from_}{after}")
-    for name in summary(done[0]):
-        count = sum(summary(w)[name] for w in done)
+    for name in done[0].wrong.counts():
+        count = sum(w.wrong.counts()[name] for w in done)
         click.echo(f"  {name}: {click.style(str(count), fg='red' if count else 'green')}")
     for w in done:
-        for text in (*w.hazards, *w.passed_at_stop)[:5]:
+        for text in (*w.wrong.hazards, *w.wrong.passed_at_stop)[:5]:
             click.echo(f"    seed {w.seed}: {text}")
     click.echo(
         f"  {sum(w.scans for w in done):,} scans, {sum(w.movements for w in done):,} signals passed, "
         f"{sum(w.refused for w in done):,} requests held back, {sum(len(w.alarms) for w in done):,} alarms; {took}"
     )
-    if plans := sum(w.plans for w in done):
-        click.echo(f"  {plans:,} plans made; given up for the rules {sum(w.by_rules for w in done)} times")
+    if plans := sum(w.planning.made for w in done):
+        click.echo(f"  {plans:,} plans made; given up for the rules {sum(w.planning.by_rules for w in done)} times")
     if len(done) == 1:
         click.echo(f"  chain of the record: {done[0].chain}")
     if files:

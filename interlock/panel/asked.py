@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from interlock.app.run import Operator
 from interlock.dispatch.arbiter import Source
 from interlock.field.plc import Cycle
+from interlock.logic.symbols import Symbols
 from interlock.logic.words import UNKNOWN
-from interlock.panel.commands import Buttons
 from interlock.panel.event import Event
 from interlock.panel.reasons import Moment, Reason, Reasons
 
@@ -15,21 +16,20 @@ from interlock.panel.reasons import Moment, Reason, Reasons
 class Asked:
     """Who has asked for which number; a dispatcher that asks has no name here."""
 
-    def __init__(self) -> None:
+    def __init__(self, symbols: Symbols, operator: Operator) -> None:
+        self._symbols, self._operator = symbols, operator
         self._waiting: dict[int, str] = {}
 
     def ask(self, number: int, who: str) -> None:
         """Somebody asks for a number."""
         self._waiting[number] = who
 
-    def answers(
-        self, buttons: Buttons, reasons: Reasons, before: Cycle, cycle: Cycle, moment: Moment
-    ) -> Iterator[Event]:
+    def answers(self, reasons: Reasons, before: Cycle, cycle: Cycle, moment: Moment) -> Iterator[Event]:
         """What the scan has answered: a route is set, or refused; a refused request of a person is not kept."""
-        y = buttons.symbols
+        y = self._symbols
         number = cycle.inputs.get(y.requests.request, 0)
         if not cycle.valid:
-            yield from self._given_up(buttons)
+            yield from self._given_up()
         if not number or before.inputs.get(y.requests.request, 0) or not cycle.valid:
             return
         route = next((r for r in y.routes if r.number == number), None)
@@ -49,19 +49,18 @@ class Asked:
             told = tuple(reasons.of_request(number, moment, cycle.words().get(number, UNKNOWN)))
             yield Event("refusal", f"route {name} is refused", who or "dispatcher", (signal,), told)
         if who:
-            self._withdraw(buttons, number)
+            self._withdraw(number)
 
-    def _given_up(self, buttons: Buttons) -> Iterator[Event]:
+    def _given_up(self) -> Iterator[Event]:
         """Inputs are lost: what was asked for before is not to come true some time after."""
         for number, who in self._waiting.items():
-            name = next((f"route {r.id}" for r in buttons.symbols.routes if r.number == number), "the overlap's swing")
-            self._withdraw(buttons, number)
+            name = next((f"route {r.id}" for r in self._symbols.routes if r.number == number), "the overlap's swing")
+            self._withdraw(number)
             yield Event("refusal", f"{name} is refused", who, (), (Reason("inputs are not valid"),))
         self._waiting.clear()
 
-    @staticmethod
-    def _withdraw(buttons: Buttons, number: int) -> None:
-        dispatcher = buttons.operator.dispatcher
+    def _withdraw(self, number: int) -> None:
+        dispatcher = self._operator.dispatcher
         for r in [r for r in dispatcher.arbiter.waiting if r.stage.number == number and r.source is Source.HAND]:
             dispatcher.arbiter.withdraw(r)
         while number in dispatcher.other:

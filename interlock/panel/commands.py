@@ -43,20 +43,22 @@ class Hold:
     left_ms: float
 
 
-class Buttons:
-    """The operator's inputs, as held by people."""
+class Holds:
+    """The inputs that people hold."""
 
-    def __init__(self, ready: Ready, operator: Operator) -> None:
-        assert ready.controller is not None and ready.table is not None and ready.layout is not None
-        self.ready, self.operator = ready, operator
-        self.symbols, self.layout, self.table = ready.controller.symbols, ready.layout, ready.table
-        self.routes = {str(r.id): r for r in ready.table.routes}
-        self.holds: dict[str, Hold] = {}
+    def __init__(self, operator: Operator) -> None:
+        self._operator = operator
+        self._held: dict[str, Hold] = {}
+
+    def hold(self, name: str, seconds: float, done: Done) -> None:
+        """Hold an input until something is so, for so many seconds at most."""
+        self._operator.type(f"{name}=1")
+        self._held[name] = Hold(done, seconds * 1000)
 
     def let_go(self, cycle: Cycle, dt_ms: float) -> list[str]:
         """After a cycle: the inputs that are not held any more since their purpose is fulfilled, or time is over."""
         gone = []
-        for name, hold in tuple(self.holds.items()):
+        for name, hold in tuple(self._held.items()):
             hold.left_ms -= dt_ms
             if hold.done(cycle) or hold.left_ms <= 0:
                 self.drop(name)
@@ -65,20 +67,25 @@ class Buttons:
 
     def drop(self, name: str) -> None:
         """Let go of an input."""
-        self.holds.pop(name, None)
-        self.operator.held.pop(name, None)
+        self._held.pop(name, None)
+        self._operator.held.pop(name, None)
 
-    def _hold(self, name: str, seconds: float, done: Done) -> None:
-        self.operator.type(f"{name}=1")
-        self.holds[name] = Hold(done, seconds * 1000)
+
+class Buttons:
+    """What an operator may ask for, a method each; all raise `Refused`."""
+
+    def __init__(self, ready: Ready, operator: Operator) -> None:
+        assert ready.controller is not None and ready.table is not None
+        self.holds = Holds(operator)
+        self._operator = operator
+        self._symbols, self._timers = ready.controller.symbols, ready.controller.timers
+        self.routes = {str(r.id): r for r in ready.table.routes}
 
     def _typed(self, line: str) -> None:
         try:
-            self.operator.type(line)
+            self._operator.type(line)
         except (BadCommand, Full) as error:
             raise Refused(str(error)) from None
-
-    # --- what may be asked -------------------------------------------------------------------------
 
     def set(self, route: str, last: Cycle) -> int:
         """Ask for a route; its number."""
@@ -93,30 +100,30 @@ class Buttons:
     def swing(self, signal: str) -> int:
         """Ask for another overlap; the number of the request."""
         self._typed(f"swing {signal}")
-        return self.symbols.overlaps.swing_request[signal]  # type: ignore[index]
+        return self._symbols.overlaps.swing_request[signal]  # type: ignore[index]
 
     def cancel(self, signal: str, last: Cycle) -> None:
         """Take back the route from a signal."""
         state = last.memory.state
-        if not any(state.get(r.active) for r in self.symbols.routes.of_signal.get(signal, [])):  # type: ignore[call-overload]
+        if not any(state.get(r.active) for r in self._symbols.routes.of_signal.get(signal, [])):  # type: ignore[call-overload]
             raise Refused(f"no route from {signal} is set that a train has not entered", f"g:{signal}")
         self._typed(f"cancel {signal}")
 
     def release(self, section: str, last: Cycle) -> None:
         """Release a section by hand: held until it is free."""
-        name = self.symbols.sections.release.get(section)  # type: ignore[call-overload]
+        name = self._symbols.sections.release.get(section)  # type: ignore[call-overload]
         if name is None:
             raise Refused(f"{called('section', section)} is never locked")
-        locked = self.symbols.sections.locked_by[section]  # type: ignore[index]
+        locked = self._symbols.sections.locked_by[section]  # type: ignore[index]
         if not any(last.memory.state.get(n) for n in locked):
             raise Refused(f"{called('section', section)} is not locked", f"s:{section}")
-        if not last.inputs.get(self.symbols.sections.clear.get(section, ""), 0):  # type: ignore[call-overload]
+        if not last.inputs.get(self._symbols.sections.clear.get(section, ""), 0):  # type: ignore[call-overload]
             raise Refused(f"{called('section', section)} is occupied", f"s:{section}")
-        self._hold(name, RELEASE_S, lambda c: not any(c.memory.state.get(n) for n in locked))
+        self.holds.hold(name, RELEASE_S, lambda c: not any(c.memory.state.get(n) for n in locked))
 
     def release_all(self, last: Cycle) -> None:
         """Release all sections that are clear, after a restart or a loss of inputs."""
-        y = self.symbols
+        y = self._symbols
 
         def open_(c: Cycle) -> list[str]:
             state, clear = c.memory.state, {s for s, n in y.sections.clear.items() if c.inputs.get(n)}
@@ -127,14 +134,14 @@ class Buttons:
         if not open_(last):
             raise Refused("no section that is clear waits for its release")
         ran = last.memory.elapsed.get(y.start.restart_timer)
-        preset = next(t.preset_ms for t in self.ready.controller.timers if t.name == y.start.restart_timer)  # type: ignore[union-attr]
+        preset = next(t.preset_ms for t in self._timers if t.name == y.start.restart_timer)
         if any(last.memory.state.get(n) for n in y.sections.restart.values()) and (ran is None or ran < preset):
             raise Refused(f"the restart delay runs: {(preset - (ran or 0)) / 1000:.0f} s to go")
-        self._hold(y.sections.release_all, 30.0, lambda c: not open_(c))
+        self.holds.hold(y.sections.release_all, 30.0, lambda c: not open_(c))
 
     def block(self, section: str, on: bool) -> None:
         """Bar a section to routes, or free it."""
-        name = self.symbols.sections.blocked.get(section)  # type: ignore[call-overload]
+        name = self._symbols.sections.blocked.get(section)  # type: ignore[call-overload]
         if name is None:
             raise Refused(f"{called('section', section)} cannot be blocked")
         self._typed(f"{name}={int(on)}")
@@ -143,34 +150,34 @@ class Buttons:
         """Move points or a device by hand: held until it is detected there."""
         x = Position.NORMAL if to == "N" else Position.REVERSE
         key = (MachineId(machine), x)
-        name = self.symbols.machines.by_hand.get(key)
+        name = self._symbols.machines.by_hand.get(key)
         if name is None:
             raise Refused(f"{machine} is not moved by hand")
-        there = self.symbols.machines.detected[key]
+        there = self._symbols.machines.detected[key]
         if last.inputs.get(there):
             raise Refused(f"{machine} lies there already", f"m:{machine}")
         for y in Position:
-            self.drop(self.symbols.machines.by_hand[key[0], y])
-        self._hold(name, TURN_S, lambda c: bool(c.inputs.get(there)))
+            self.holds.drop(self._symbols.machines.by_hand[key[0], y])
+        self.holds.hold(name, TURN_S, lambda c: bool(c.inputs.get(there)))
 
     def looked(self, machine: str, last: Cycle) -> None:
         """Confirm that trailed points were looked at."""
-        name = self.symbols.machines.looked_at.get(machine)  # type: ignore[call-overload]
-        if name is None or not last.memory.state.get(self.symbols.machines.trailed[machine]):  # type: ignore[index]
+        name = self._symbols.machines.looked_at.get(machine)  # type: ignore[call-overload]
+        if name is None or not last.memory.state.get(self._symbols.machines.trailed[machine]):  # type: ignore[index]
             raise Refused(f"{machine} was not trailed")
-        self._hold(name, 1.0, lambda c: not c.memory.state.get(self.symbols.machines.trailed[machine]))  # type: ignore[index]
+        self.holds.hold(name, 1.0, lambda c: not c.memory.state.get(self._symbols.machines.trailed[machine]))  # type: ignore[index]
 
     def automatic(self, route: str, on: bool) -> None:
         """Let a route be set again after every train, or not."""
         number = self.routes[route].number if route in self.routes else 0
-        name = self.symbols.requests.automatic.get(number)
+        name = self._symbols.requests.automatic.get(number)
         if name is None:
             raise Refused(f"route {route} does not work automatically")
         self._typed(f"{name}={int(on)}")
 
     def direction(self, boundary: str, on: bool) -> None:
         """The special manual change of direction, as agreed with the neighbour by telephone (R12)."""
-        token = self.symbols.token.get(boundary)  # type: ignore[call-overload]
+        token = self._symbols.token.get(boundary)  # type: ignore[call-overload]
         if token is None:
             raise Refused(f"no direction changes at {boundary}")
         self._typed(f"{token.manual}={int(on)}")

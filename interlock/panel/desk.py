@@ -151,7 +151,7 @@ class Desk:
 
     def _after(self, cycle: Cycle) -> None:
         before, self._last = self._last, cycle
-        self.operating.buttons.let_go(cycle, self._dt_ms)
+        self.operating.buttons.holds.let_go(cycle, self._dt_ms)
         moment = Moment(cycle.inputs, before.memory, self._dt_ms)
         for answer in self.operating.answers(before, cycle, moment):
             self._note(answer)

@@ -39,19 +39,21 @@ class Operating:
 
     def begins_again(self) -> None:
         """The controller has lost its power: nothing is held, and nothing is asked for any more."""
+        assert self._ready.controller is not None
+        self._symbols = self._ready.controller.symbols
         self.operator = Operator(self._ready)
         self.buttons = Buttons(self._ready, self.operator)
-        self._asked = Asked()
+        self._asked = Asked(self._symbols, self.operator)
 
     def answers(self, before: Cycle, cycle: Cycle, moment: Moment) -> Iterator[Event]:
         """What a cycle has answered to what was asked."""
-        return self._asked.answers(self.buttons, self.reasons, before, cycle, moment)
+        return self._asked.answers(self.reasons, before, cycle, moment)
 
     def waits(self, route: str, last: Cycle, dt_ms: int) -> list[Reason]:
         """Why a route is not set, or does not open."""
         row = self.buttons.routes[route]
         moment = Moment(last.inputs, last.memory, dt_ms)
-        active = next(r.active for r in self.buttons.symbols.routes if r.number == row.number)
+        active = next(r.active for r in self._symbols.routes if r.number == row.number)
         if not last.memory.state.get(active):
             return self.reasons.of_request(row.number, moment, last.words().get(row.number, UNKNOWN))
         return self.reasons.of_stop(row.number, moment)

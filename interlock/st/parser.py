@@ -197,7 +197,7 @@ class _Reader:
         blocks = []
         while True:
             while self._is("FUNCTION_BLOCK") or self._is("PROGRAM") or self._is("TYPE"):
-                blocks.append(self.structure() if self._is("TYPE") else self.block())
+                blocks.append(self.structure() if self._is("TYPE") else self._block())
             if len(self._windows) == 1:
                 break
             self._end_of_window()
@@ -241,7 +241,7 @@ class _Reader:
             return token[1:-1]
         return self._name()
 
-    def block(self) -> Block:
+    def _block(self) -> Block:
         kind = self.tokens[self.at].upper()
         self.at += 1
         name = self._block_name()
@@ -264,7 +264,7 @@ class _Reader:
         self._word("STRUCT")
         members = []
         while not self._is("END_STRUCT"):
-            members.append(self.declaration())
+            members.append(self._declaration())
         self.at += 1
         self._take(";")
         self._word("END_TYPE")
@@ -284,11 +284,11 @@ class _Reader:
                     self.at += 4
                     part.append(known)
                 else:
-                    part.append(self.declaration())
+                    part.append(self._declaration())
             self.at += 1
         return tuple(tuple(parts[kind]) for kind in _DECLARING)
 
-    def declaration(self) -> Declaration:
+    def _declaration(self) -> Declaration:
         name = self._name()
         if self.tokens[self.at : self.at + 3] == _PLAIN:
             self.at += 3
@@ -337,10 +337,10 @@ class _Reader:
     def body(self, *ends: str) -> tuple[Statement, ...]:
         out = []
         while self.tokens[self.at].upper() not in ends:
-            out.append(self.statement())
+            out.append(self._statement())
         return tuple(out)
 
-    def statement(self) -> Statement:
+    def _statement(self) -> Statement:
         known = self._good.get(self.tokens[self.at])
         if known is not None and self.tokens[self.at + 1] == ":=" and not self.style.local:
             self.at += 2
@@ -351,7 +351,7 @@ class _Reader:
                 self.at += 4
                 return self._assigned(member[0])
         if self._is("IF"):
-            return self.branch()
+            return self._branch()
         name = self._variable()
         if self.tokens[self.at] == "(":
             self.at += 1
@@ -365,7 +365,7 @@ class _Reader:
             self.at += 1
             self._take(";")
             return Call(name, tuple(params))
-        target = self.qualified(name)
+        target = self._qualified(name)
         self._take(":=")
         return self._assigned(target)
 
@@ -374,7 +374,7 @@ class _Reader:
         self._take(";")
         return Assign(target, value)
 
-    def branch(self) -> If:
+    def _branch(self) -> If:
         arms: list[tuple[Expression, tuple[Statement, ...]]] = []
         while not arms or self._is("ELSIF"):
             self.at += 1
@@ -393,7 +393,7 @@ class _Reader:
             self._fail("a statement in each branch of the IF above")
         return If(*arms[0], otherwise, tuple(arms[1:]))
 
-    def qualified(self, first: str) -> Name:
+    def _qualified(self, first: str) -> Name:
         tokens = self.tokens
         if tokens[self.at] != ".":
             return self._single(first)
@@ -504,7 +504,7 @@ class _Reader:
             digits = token.split("#")[1]
             unit = digits.lstrip("0123456789")
             return Time(int(digits[: len(digits) - len(unit)]) * _UNITS[unit])
-        name = self.qualified(self._variable())
+        name = self._qualified(self._variable())
         if len(name.parts) == 1:
             self._variables[token] = name, Not(name)
         elif token not in self._members:

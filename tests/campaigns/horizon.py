@@ -25,7 +25,7 @@ from interlock.app.horizon import WIDTHS, Compared, compared
 from interlock.app.movement import Demands
 from interlock.app.setting import Setting, prepared
 from interlock.app.shifts import one
-from interlock.app.worked import Options, summary
+from interlock.app.worked import Options
 from interlock.dispatch.assign import Assigning
 from tests.campaigns.deadlock import processor
 from tests.campaigns.shift import FLEETS, HEISHAN, fleet_of
@@ -148,7 +148,7 @@ def main() -> int:
             for name, way in WAYS.items():
                 done = one(HEISHAN, file, 0, replace(way, hours=options.hours, keep=False, steady=True))
                 found[name] = done.trains
-                bad |= (way.rule and any(summary(done).values())) or done.trains > best.most
+                bad |= (way.rule and any(done.wrong.counts().values())) or done.trains > best.most
             planned[trains] = found["by a plan"], best, each
             rows.append(row(trains, best, each["all"].trains, found))
             costs.append(f"| {trains} | {' | '.join(map(str, each.values()))} |")

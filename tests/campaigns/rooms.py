@@ -61,15 +61,10 @@ RECORDS = {
 """Records with more than PUBLIC fields, and what flat form each has outside of the program.  Numbers only fall."""
 
 LARGE = {
-    "app/dispatch.py Dispatched": (18, "the result of the verb: fields that are printed, and two counts of them"),
-    "app/worked.py Worked": (19, "a shift as it is written to disk: fields, and the sum of one"),
-    "checker/structured_text.py Reader": (18, "a recursive-descent parser: one method a rule of the grammar"),
-    "panel/commands.py Buttons": (21, "one method a command of the panel"),
     "proof/system/transition.py System": (
         28,
         "the transition system; each reader sees a part of it through a protocol (SystemView, Located, HasFamilies)",
     ),
-    "st/parser.py _Reader": (16, "a recursive-descent parser: one method a rule of the grammar"),
 }
 """Classes with more than PUBLIC members that are more than fields, each with its reason.  Numbers only fall."""
 

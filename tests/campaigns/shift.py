@@ -27,7 +27,7 @@ from textwrap import wrap
 from interlock.app.setting import prepared
 from interlock.app.shift import Shift
 from interlock.app.shifts import mean
-from interlock.app.worked import Options, Worked, summary
+from interlock.app.worked import Options, Worked
 from interlock.dispatch.assign import Assigning
 from interlock.simulate.mishaps import TRIAL
 from tests.campaigns.deadlock import processor
@@ -77,7 +77,7 @@ WAYS = (
 
 def row(way: Way, trains: int, done: list[Worked], seconds: float) -> tuple[str, bool]:
     """A line of the table, and whether something is wrong with it."""
-    found = {k: sum(summary(w)[k] for w in done) for k in summary(done[0])}
+    found = {k: sum(w.wrong.counts()[k] for w in done) for k in done[0].wrong.counts()}
     m = mean([w.trains for w in done])
     wait = max(w.longest_wait_s for w in done) / 60
     text = (
