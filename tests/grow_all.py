@@ -192,9 +192,9 @@ Added = Callable[[random.Random, Layout, InterlockingTable], list[str]]
 """Lines that may be added to a layout's text, once its routes are known."""
 
 
-def routes_text(r) -> str:  # type: ignore[no-untyped-def]
+def routes_text(r: RouteRow) -> str:
     """A route as the language names it."""
-    return f"from: {r.entry}, to: {r.destination or r.exit}, via: [{', '.join(r.section_ids)}]"
+    return f"from: {r.entry}, to: {r.path.destination or r.exit}, via: [{', '.join(r.path.section_ids)}]"
 
 
 def hostile_and_demand(rng: random.Random, layout: Layout, table: InterlockingTable) -> tuple[list[str], list[str]]:
