@@ -68,13 +68,14 @@ def _covered(ctx: Context, layout: Layout, g: SignalId) -> None:
         way = own_way(layout, g, short)
         assert way is not None
         onward = long[len(short)].section
+        own = layout.overlaps.length[g]
         ctx.add(
             "IL2027",
-            f"the overlap of {g} of {layout.overlaps.length[g]:g} m would never be held: {way.length:g} m count wherever it "
+            f"the overlap of {g} of {own:g} m would never be held: {way.length:g} m count wherever it "
             f"leads over {', '.join(way.over)}",
             ctx.at_key("overlaps", g),
             "to have a short one inside a long one, state the long one in `ways`, over the section into which it goes "
-            f"on, `ways: [{{over: [{onward}], length: {layout.overlaps.length[g]:g}}}]`, and the short one as length and "
+            f"on, `ways: [{{over: [{onward}], length: {own:g}}}]`, and the short one as length and "
             f"`entry_speed` of {g}",
         )
 
