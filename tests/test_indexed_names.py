@@ -54,6 +54,7 @@ READ = {
     "st/printer.py": "lines that end with a comment",
     "emit/report/page.py": "names of files",
     "emit/io/lists.py": "elements of which a word speaks",
+    "emit/tables/schema.py": "where a field stands in a value",
     "emit/tables/paper.py": "cells of printed tables",
     "emit/drawing/sheets.py": "parts of a picture",
 }
