@@ -5,6 +5,7 @@ Counted from the SVG by a checker that shares no code with the drawing; `tests/c
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
 
@@ -15,11 +16,13 @@ from interlock.app.compile import build_derived
 from interlock.app.draw import draw_file
 from interlock.app.init import line, yard
 from interlock.diag import Sink
-from interlock.emit.drawing import place, plan_svg
+from interlock.emit.drawing import opening, place, plan_svg
 from interlock.emit.drawing.embedding import SINK, SOURCE
 from interlock.emit.drawing.slips import with_diamonds
 from interlock.emit.drawing.strands import Plan
+from interlock.emit.drawing.svg import OPENS
 from interlock.emit.drawing.upward import joins, turned
+from interlock.emit.report import player_html
 from interlock.frontend import load, load_text
 from interlock.model.layout import Layout
 from tests.campaigns.plans import measured, random_layouts
@@ -125,9 +128,13 @@ def test_a_plan_larger_than_a_screen_says_where_its_lines_come_in() -> None:
     assert layout is not None
     svg = plan_svg(layout)
     told = re.search(r'data-start="([-\d.]+) ([-\d.]+)"', svg)
-    assert told is not None and re.search(rf'id="section-apW1".* L{told[1]} {told[2]}"', svg) and "scrollTo" in svg
+    assert told is not None and re.search(rf'id="section-apW1".* L{told[1]} {told[2]}"', svg)
+    assert "scrollTo" in opening(svg) and opening(svg).replace(OPENS, "") == svg
+    state = {"#meta": {"text": "a train comes"}}  # a page that holds it, as that of a counterexample, moves it itself
+    trace = {"#meta": {"plan": svg, "views": {}}, "vars": [], "states": [state]}
+    assert svg.splitlines()[-2] in player_html(json.dumps(trace))
     small = plan_svg(loaded("layouts/cn6502.yaml"))
-    assert "data-start" not in small and "<script" not in small
+    assert "data-start" not in small and "<script" not in opening(small)
 
 
 def test_what_cannot_lie_in_a_plane_is_drawn_whole() -> None:

@@ -22,7 +22,7 @@ from interlock.app.target import target_notes
 from interlock.app.texts import written_for
 from interlock.diag import Diagnostic, Severity, Sink, Span
 from interlock.emit.bundle import differences, not_replaced, strangers, with_manifest, write_folder
-from interlock.emit.drawing import place, plan_svg
+from interlock.emit.drawing import opening, place, plan_svg
 from interlock.emit.io import channels_csv, equipment_csv, names_csv, tags_xlsx, words_csv
 from interlock.emit.report import player_html, report_html
 from interlock.emit.tables.document import table_json
@@ -74,14 +74,15 @@ def build_derived(
     assert checked.layout is not None
     drawing = place(checked.layout)
     proved = replace(proved, notes=(*proved.notes, *plan_notes(drawing.notes, checked.source)))
-    files, notes = _documents(checked, proved, plan_svg(checked.layout, drawing))
+    plan = plan_svg(checked.layout, drawing)
+    files, notes = _documents(checked, proved, plan)
     proved = replace(proved, notes=(*proved.notes, *notes))
     if proved.green or unproved:
         files |= texts
     for claim, trace in proved.traces:
         files[f"counterexamples/{claim}.itf.json"] = trace.encode()
         files[f"counterexamples/{claim}.html"] = player_html(trace).encode()
-    files["index.html"] = _report(checked, proved, files).encode()
+    files["index.html"] = _report(checked, proved, plan, files).encode()
     return replace(proved, files=tuple(sorted(files))), files
 
 
@@ -113,7 +114,7 @@ def _documents(checked: Checked, proved: Proved, plan: str) -> tuple[dict[str, b
         "table.json": table_json(layout, table).encode(),
         "table.csv": table_csv(table).encode(),
         "table.xlsx": table_xlsx(layout, table),
-        "plan.svg": plan.encode(),
+        "plan.svg": opening(plan).encode(),
         "matrix.csv": matrix_csv(table).encode(),
         "table_railml.json": railml_json(layout, table).encode(),
         **({"voyages.csv": voyages_csv(table).encode()} if table.voyages else {}),
@@ -128,13 +129,13 @@ def _documents(checked: Checked, proved: Proved, plan: str) -> tuple[dict[str, b
     return files, notes
 
 
-def _report(checked: Checked, proved: Proved, files: dict[str, bytes]) -> str:
+def _report(checked: Checked, proved: Proved, plan: str, files: dict[str, bytes]) -> str:
     layout, table, proof = checked.layout, checked.table, proved.proof
     assert layout is not None and table is not None and proof is not None
     return report_html(
         layout,
         table,
-        files["plan.svg"].decode(),
+        plan,
         claims_json(proof.claims),
         [(t.file, t.equal) for t in proved.texts],
         assumed_of(layout),

@@ -10,7 +10,7 @@ from pathlib import Path
 from interlock.app.own import write_whole
 from interlock.app.proved import Proved
 from interlock.diag import Diagnostic, Severity, Sink
-from interlock.emit.drawing import folded, place, plan_svg, sheets
+from interlock.emit.drawing import folded, opening, place, plan_svg, sheets
 from interlock.emit.report import player_html
 from interlock.frontend import Source, load
 
@@ -54,7 +54,7 @@ def draw_file(path: str, paper: Paper = Paper.WHOLE) -> Drawn:
     if paper is Paper.SHEETS:
         pages = sheets(drawing)
     else:
-        pages = [folded(drawing) if paper is Paper.FOLDED else plan_svg(layout, drawing)]
+        pages = [folded(drawing) if paper is Paper.FOLDED else opening(plan_svg(layout, drawing))]
     return Drawn(source, tuple(pages), tuple(drawing.notes))
 
 

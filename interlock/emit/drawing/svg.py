@@ -62,7 +62,7 @@ def _id(text: str) -> str:
 
 
 def plan_svg(layout: Layout, drawing: Drawing | None = None) -> str:
-    """The plan as a document of its own."""
+    """The plan, for a page that holds it; as a document of its own it is `opening(plan)`."""
     d = drawing or place(layout)
     body = "\n".join(plan_body(d))
     w, h = _n(d.width), _n(d.height)
@@ -73,10 +73,16 @@ def plan_svg(layout: Layout, drawing: Drawing | None = None) -> str:
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" class="plan" viewBox="0 0 {w} {h}" width="{w}" height="{h}" '
         f'role="img"{start}>\n'
-        f"<title>{title}</title>\n<style>{STYLE}</style>\n{OPENS if large else ''}"
+        f"<title>{title}</title>\n<style>{STYLE}</style>\n"
         f'<rect width="{w}" height="{h}" fill="#fff"/>\n<text class="title" x="12" y="22">{title}</text>\n'
         f"{body}\n</svg>\n"
     )
+
+
+def opening(plan: str) -> str:
+    """A plan as a document of its own: a large one opens where its lines come in."""
+    head, style, body = plan.partition("</style>\n")
+    return f"{head}{style}{OPENS}{body}" if "data-start" in head.partition(">")[0] else plan
 
 
 def plan_body(d: Drawing) -> list[str]:
