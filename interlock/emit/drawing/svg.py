@@ -81,8 +81,7 @@ def plan_svg(layout: Layout, drawing: Drawing | None = None) -> str:
 
 def opening(plan: str) -> str:
     """A plan as a document of its own: a large one opens where its lines come in."""
-    head, style, body = plan.partition("</style>\n")
-    return f"{head}{style}{OPENS}{body}" if "data-start" in head.partition(">")[0] else plan
+    return plan.replace("</style>\n", f"</style>\n{OPENS}", 1) if ' data-start="' in plan else plan
 
 
 def plan_body(d: Drawing) -> list[str]:
