@@ -41,9 +41,13 @@ def test_memory_is_given_back(task: object, count: int) -> None:
 def test_ten_layouts_that_are_kept_would_be_seen() -> None:
     text = Path("layouts/fig2_2.yaml").read_text("utf-8")
     load_text("l.yaml", text, Sink())
-    before = blocks()
-    kept = [load_text("l.yaml", text, Sink()) for _ in range(10)]
-    assert blocks() - before > ONE_LAYOUT and kept
+
+    def grown() -> int:
+        before = blocks()
+        kept = [load_text("l.yaml", text, Sink()) for _ in range(10)]
+        return blocks() - before if kept else 0
+
+    assert any(grown() > ONE_LAYOUT for _ in range(5))  # what other threads give back meanwhile may hide it once
 
 
 def test_expressions_are_of_the_table_in_use() -> None:
