@@ -14,7 +14,7 @@ from interlock.app.init import yard
 from interlock.cli.main import cli
 from interlock.derivation import derive
 from interlock.diag import Sink
-from interlock.emit.drawing import plan_svg
+from interlock.emit.drawing import opening, plan_svg
 from interlock.emit.report import BadTrace, player_html, report_html
 from interlock.frontend import load_text
 from interlock.table.columns import COLUMNS
@@ -336,7 +336,7 @@ def test_a_large_plan_opens_where_its_lines_come_in(chromium: Any, tmp_path: Pat
     layout, _ = load_text("yard.yaml", yard(30), Sink())
     assert layout is not None
     path = tmp_path / "plan.svg"
-    path.write_text(plan_svg(layout), "utf-8")
+    path.write_text(opening(plan_svg(layout)), "utf-8")
     with shown(chromium, path) as page:
         page.wait_for_function("scrollY > 0")
         for b in ("W1", "W2"):
