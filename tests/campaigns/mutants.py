@@ -44,6 +44,9 @@ MORE = {
     "tests/layouts_for_tests/boards.yaml": ("board-passed",),
     "tests/layouts_for_tests/identifier.yaml": tuple(k.name for k in KINDS if k.name.startswith("identifier-")),
     "tests/layouts_for_tests/entry_speeds.yaml": ("entry-speed-forgotten",),
+    "tests/layouts_for_tests/overlap_inside.yaml": ("overlap-inside", "entry-speed-forgotten", "overlap-not-held"),
+    "tests/layouts_for_tests/clear_beyond.yaml": ("added-not-clear",),
+    "tests/layouts_for_tests/called_on.yaml": ("added-to-called-on-forgotten",),
     "tests/layouts_for_tests/added.yaml": ("declared-not-excluded", "added-point-not-detected", "added-let-go"),
 }
 
@@ -60,7 +63,7 @@ def one_kind(path: str, kind: str, sample: int, seconds: float) -> list[Outcome]
 
 
 def main() -> int:
-    """Run the campaign and print the table."""
+    """Run the campaign and print the table; 1 where a kind has no mutant, so that nothing is shown of it."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--sample", type=int, default=2)
     parser.add_argument("--seconds", type=float, default=40.0)
@@ -104,7 +107,10 @@ def main() -> int:
         f"\n{len(every)} mutants: {total[0]} killed by a train movement, {total[1]} killed without a movement found, "
         f"{total[2]} shown redundant, {len(every) - sum(total)} survived."
     )
-    return 0
+    without = [k.name for k in KINDS if not found[k.name]]
+    if without:
+        print(f"no layout of the list has a mutant of these kinds: {', '.join(without)}", file=sys.stderr)
+    return 1 if without else 0
 
 
 if __name__ == "__main__":
