@@ -244,3 +244,11 @@ def test_a_route_over_a_section_that_another_one_is_to_find_clear_is_kept_apart(
     found = availability(System(layout, controller), table)
     apart = [{p.first, p.second} for p in found.pairs if p.manner is Manner.CLEAR]
     assert found.shown and {"A-N2.c", "B-S1"} in apart and all("A-N2.c" in pair for pair in apart)
+
+
+def test_trains_that_are_called_on_face_to_face_are_run_with_one_false_detection() -> None:
+    """Both routes end where sections adjoin that may not both be reported occupied by mistake (A-ONE-FALSE)."""
+    layout, table, controller = built("../tests/layouts_for_tests/called_on_face_to_face")
+    found = availability(System(layout, controller), table)
+    pair = next(p for p in found.pairs if {p.first, p.second} == {"S1-S2.c", "S3-S4.c"})
+    assert pair.manner is Manner.BESIDE and pair.runs == 3 and found.shown

@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from interlock.logic import names
 from interlock.logic.symbols import RouteSymbols
-from interlock.model.elements import NodeId, Position, SectionId
+from interlock.model.elements import NodeId, Position, RouteId, SectionId
 from interlock.proof.system.transition import System
 from interlock.proof.witnesses import opening
 from interlock.proof.witnesses.routes import (
@@ -57,13 +57,23 @@ class PairRun:
             return ()
         return (self.first,) if self.how in (How.ONWARD, How.ALONE) else (self.first, self.second)
 
+    def reported(self, railway: Railway) -> dict[RouteId, SectionId]:
+        """By route, where a train is called on, a section that is reported occupied by mistake: calling on is for that.
+
+        Of two that adjoin the first alone, since not both are (A-ONE-FALSE); the other train is called on without.
+        """
+        found = {r.id: s for r in (self.first, self.second) if r.call_on and (s := _failed_section(railway, r))}
+        if len(found) == 2 and {*found.values()} in [{a, b} for _, a, b in railway.topo.joints()]:
+            del found[self.second.id]
+        return found
+
 
 def pair_run(system: System, railway: Railway, run: PairRun, lane: Lane) -> Driver:
     """Release after the restart, bring the trains before their signals, open both, drive, and see all free again."""
     failure = yield from _placed(railway, run, lane)
     if failure is not None:
         return failure
-    failure = yield from _disturbed_for(railway, (run.first, run.second), _used(system, railway, run, lane))
+    failure = yield from _disturbed(railway, run, _used(system, railway, run, lane))
     troubles = lane.troubles()
     return failure or (f"the run meets {', '.join(troubles)}" if troubles else None)
 
@@ -74,7 +84,7 @@ def lone_request(railway: Railway, run: PairRun, r: RouteSymbols, lane: Lane) ->
     if failure is not None:
         return failure
     asking = _until(lane, r.active, Wish((), {railway.symbols.requests.request: r.number}), opening.SET)
-    return (yield from _disturbed_for(railway, (run.first, run.second), _granted(lane, r, asking)))
+    return (yield from _disturbed(railway, run, _granted(lane, r, asking)))
 
 
 def _granted(lane: Lane, r: RouteSymbols, asking: Generator[Wish, None, bool]) -> Driver:
@@ -89,7 +99,7 @@ def _placed(railway: Railway, run: PairRun, lane: Lane) -> Driver:
             yield from _there(railway, lane, chain[0])
         for r, after in pairwise((*chain, last)):
             failure = (yield from _set(railway, lane, r)) or (yield from _travel(railway, lane, r))
-            failure = failure or (yield from _freed(railway, lane, (r,), _stays(railway, r)))
+            failure = failure or (yield from _freed(railway, lane, (r,), _kept(railway, r, None)))
             if failure is not None:
                 return f"{BEFORE}over {r.id}: {failure}"
             yield from _given_up(railway, lane, r)
@@ -123,7 +133,7 @@ def _used(system: System, railway: Railway, run: PairRun, lane: Lane) -> Driver:
     if failure is not None:
         return failure
     there = (second,) if run.how is How.ONWARD else run.trains
-    keep = set(railway.layout.track.undetected).union(*(_stays(railway, r, r not in there) for r in (first, second)))
+    keep = {*railway.layout.track.undetected, *_stays(railway, run, there)}
     left = [
         s for s, locks in railway.symbols.sections.locked_by.items() if s not in keep and any(map(lane.is_on, locks))
     ]
@@ -138,7 +148,9 @@ def _driven(railway: Railway, run: PairRun, lane: Lane) -> Driver:
     elif run.trains:
         failure = yield from _watched(lane, _travel(railway, lane, first), (first,), (second,))
         if failure is None and run.how is not How.ONWARD:
-            failure = yield from _watched(lane, _freed(railway, lane, (first,), _stays(railway, first)), (), (second,))
+            failure = yield from _watched(
+                lane, _freed(railway, lane, (first,), _stays(railway, run, (first,), (first,))), (), (second,)
+            )
         if failure is None and run.how is How.ONWARD:
             failure = yield from _watched(lane, _turn(railway, second), (), (second,))
     else:
@@ -151,8 +163,7 @@ def _driven(railway: Railway, run: PairRun, lane: Lane) -> Driver:
     for r in given_back:
         yield Wish((), {railway.symbols.cancellation.cancel[r.entry]: 1})
     there = (second,) if run.how is How.ONWARD else run.trains
-    keep = set().union(*(_stays(railway, r, r not in there) for r in (first, second)))
-    return (yield from _freed(railway, lane, (first, second), keep))
+    return (yield from _freed(railway, lane, (first, second), _stays(railway, run, there)))
 
 
 def settling(railway: Railway, routes: Sequence[RouteSymbols]) -> list[Wish]:
@@ -161,19 +172,12 @@ def settling(railway: Railway, routes: Sequence[RouteSymbols]) -> list[Wish]:
     return [Wish((), {names.RELEASE_ALL: 1, **closing})] * 2
 
 
-def _broken(railway: Railway, r: RouteSymbols) -> SectionId | None:
-    """A section that is reported occupied by mistake while a train is called on."""
-    return _failed_section(railway, r) if r.call_on else None
-
-
-def _disturbed_for(railway: Railway, routes: Sequence[RouteSymbols], run: Driver) -> Driver:
-    """A run in which sections are reported occupied by mistake: calling on is for that."""
-    broken: dict[str, int] = {
-        railway.symbols.sections.clear[s]: 0 for r in routes if (s := _broken(railway, r)) is not None
-    }
+def _disturbed(railway: Railway, run: PairRun, driver: Driver) -> Driver:
+    """A run in which sections are reported occupied by mistake."""
+    broken: dict[str, int] = {railway.symbols.sections.clear[s]: 0 for s in run.reported(railway).values()}
     while True:
         try:
-            wish = next(run)
+            wish = next(driver)
         except StopIteration as end:
             failure: str | None = end.value
             return failure
@@ -270,10 +274,14 @@ def _turn(railway: Railway, r: RouteSymbols) -> Generator[Wish, None, str | None
     return None
 
 
-def _stays(railway: Railway, r: RouteSymbols, empty: bool = False) -> set[SectionId]:
-    """Where a route's sections stay locked: under its train, unless none is there, and from a failed section on."""
-    broken = _broken(railway, r)
-    return set() if empty and broken is None else _kept(railway, r, broken)
+def _stays(
+    railway: Railway, run: PairRun, there: Sequence[RouteSymbols], routes: Sequence[RouteSymbols] = ()
+) -> set[SectionId]:
+    """Where sections stay locked: under the trains that are `there`, and from one on that is reported occupied; of both
+    routes, or of some."""
+    reported = run.reported(railway)
+    of = routes or (run.first, run.second)
+    return set().union(*(_kept(railway, r, reported.get(r.id)) for r in of if r in there or r.id in reported))
 
 
 def _freed(railway: Railway, lane: Lane, routes: Sequence[RouteSymbols], keep: set[SectionId]) -> Driver:
