@@ -202,22 +202,23 @@ class System:
         names = [name for name, _ in parts["def"]]
         need(len(set(names)) == len(names), "a name is defined twice")
         need(set(later.values()) <= set(names), "a state variable has no next value")
-        need(not set(names) & set(later), "a state variable is defined within the step")
+        state, known = frozenset(later), frozenset((*names, *later))
+        need(state.isdisjoint(names), "a state variable is defined within the step")
         self.steps = list(halves(parts["def"]))
         self.steps += [c for _, x in parts["asm"] for c in clauses_of(x)]
         invariants = [x for kind, x in owed if kind == "inv"]
         base = [c for x in invariants for c in clauses_of(x)]
         for form, leaves in base:  # else the input of one step would be taken for that of the next
-            need(set(leaves) <= set(later), f"the invariant {form[:40]} speaks of more than the state")
+            need(state.issuperset(leaves), f"the invariant {form[:40]} speaks of more than the state")
         self.steps += base
         for name, size in parts["val"]:
             need(int(size) <= min(len(lines), 9999), f"{name} has more values than anything here can speak of")
             values = [f"{name}={k}" for k in range(int(size))]
-            need({*names, *later}.isdisjoint(values), f"{name} is no input, and so may have two values")
+            need(known.isdisjoint(values), f"{name} is no input, and so may have two values")
             self.steps += [(sys.intern("(| !1 !2)"), (a, b)) for i, a in enumerate(values) for b in values[i + 1 :]]
         self.initial = [c for (x,) in parts["ini"] for c in clauses_of(x)]
         for form, leaves in self.initial:
-            need(set(leaves) <= set(later), f"the initial condition {form[:40]} speaks of more than the state")
+            need(state.issuperset(leaves), f"the initial condition {form[:40]} speaks of more than the state")
         self.goals = [(c, False) for c in base]
         for kind, x in owed:
             self.goals += [(c, True) for c in clauses_of(x, later if kind == "inv" else None)]
