@@ -415,7 +415,7 @@ def knob(name: str) -> Any:
     usual = values.pop("generic")
     others = ", ".join(f"{profile} {_word(v)}" for profile, v in values.items() if v != usual)
     text = f"{told}; without it, the profile's: {_word(usual)}" + (f" ({others})" if others else "")
-    return Field(None, description=text, json_schema_extra={"default": _plain(usual)})
+    return Field(None, description=text, json_schema_extra=None if others else {"default": _plain(usual)})
 
 
 def _plain(x: Any) -> Any:
