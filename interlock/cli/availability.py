@@ -33,8 +33,13 @@ def command(layout: str, traces: Path, form: str) -> None:
     found = tried.found
     failed = [p for p in found.pairs if p.failure is not None]
     late = [r for r in found.routes if r.failure is not None]
+    pages: list[str] = []
+    try:
+        pages = [str(page) for page in write_stories(tried, traces)]
+    except OSError as error:
+        click.echo(f"{traces}: {error.strerror}", err=True)
     if form == "json":
-        put_json(_as_json(layout, found))
+        put_json(_as_json(layout, found) | {"pages": pages})
         sys.exit(OK if found.shown else FINDINGS)
     if form == "full":
         for r in found.routes:
@@ -52,11 +57,8 @@ def command(layout: str, traces: Path, form: str) -> None:
         f"{layout}: {verdict}  {len(found.routes)} routes; of {len(found.pairs) + found.hostile} pairs {found.hostile} "
         f"hostile, {len(found.pairs)} used together in {found.runs} runs ({manners or 'none'}), {len(failed)} failed"
     )
-    try:
-        for page in write_stories(tried, traces):
-            click.echo(f"  to play it: {page}")
-    except OSError as error:
-        click.echo(f"{traces}: {error.strerror}", err=True)
+    for page in pages:
+        click.echo(f"  to play it: {page}")
     sys.exit(OK if found.shown else FINDINGS)
 
 
@@ -76,6 +78,7 @@ def _as_json(layout: str, found: Availability) -> dict[str, object]:
             for r in found.routes
         ],
         "hostile_pairs": found.hostile,
+        "runs": found.runs,
         "pairs": [
             {"first": p.first, "second": p.second, "manner": str(p.manner), "apart": p.apart, "failure": p.failure}
             for p in found.pairs

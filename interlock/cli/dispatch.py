@@ -139,7 +139,9 @@ def _replay(layout: str, plan: str, form: str) -> int:
     checked, problems, done = replay_file(layout, plan)
     if form == "json":
         body = None if done is None else {"wrong": done.wrong, "grant_scans": done.grant, "scans": done.scans}
-        put_json({"file": checked.path, "diagnostics": render.as_json(list(problems)), "replayed": body})
+        told_ = render.as_json(list(problems), checked.source.texts)
+        ok = done is not None and done.wrong is None
+        put_json({"file": checked.path, "ok": ok, "diagnostics": told_, "replayed": body})
     elif done is None:
         show(problems, checked.source.texts, form)
     elif done.wrong:
@@ -150,14 +152,23 @@ def _replay(layout: str, plan: str, form: str) -> int:
 
 
 def _body(found: Dispatched) -> dict[str, object]:
-    x = found.explored
+    x, r = found.explored, found.replayed
+    stuck = next((o.stuck for o in found.timings.outcomes if o.stuck), {})
     return {
         "file": found.checked.path,
-        "diagnostics": render.as_json(list(found.diagnostics)),
+        "ok": _code(found) == OK,
+        "diagnostics": render.as_json(list(found.diagnostics), {**found.checked.source.texts, **found.texts}),
+        "orders": [
+            {"name": d.name, "trains": d.trains, "from": d.order.from_, "to": d.order.to} for d in found.derived
+        ],
         "verdict": None if found.answer is None else str(found.answer.verdict),
         "plan": None if found.plan is None else [list(m) for m in found.plan.moves],
-        "replayed": None if found.replayed is None else {"wrong": found.replayed.wrong, "scans": found.replayed.scans},
+        "replayed": None
+        if r is None
+        else {"wrong": r.wrong, "grant_scans": r.grant, "open_scans": r.opened, "scans": r.scans},
+        "in_the_way": list(found.faults),
         "caught": list(found.caught),
+        "others": str(found.others) if found.caught else None,
         "explored": None
         if x is None
         else {
@@ -168,8 +179,10 @@ def _body(found: Dispatched) -> dict[str, object]:
             "moves_held_back": x.refused_moves,
         },
         "story": list(found.deadlock.story) if found.deadlock is not None else [],
+        "shown": found.deadlock.shown if found.deadlock is not None else None,
         "timings": len(found.timings.outcomes),
         "stuck": found.timings.stuck,
+        "stuck_because": dict(stuck),
     }
 
 

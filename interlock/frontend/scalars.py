@@ -283,7 +283,9 @@ Reason = Annotated[
 Item = Annotated[str, BeforeValidator(_text), WithJsonSchema(_ITEM_SCHEMA)]
 Approach = Annotated[str, BeforeValidator(_text), WithJsonSchema(_APPROACH_SCHEMA)]
 Metres = Annotated[str, BeforeValidator(_text), WithJsonSchema({"type": "number", "minimum": 0, "maximum": 2000})]
-Permille = Annotated[float, BeforeValidator(_permille), WithJsonSchema({"type": "number", "minimum": -STEEPEST, "maximum": STEEPEST})]
+Permille = Annotated[
+    float, BeforeValidator(_permille), WithJsonSchema({"type": "number", "minimum": -STEEPEST, "maximum": STEEPEST})
+]
 Length = Annotated[
     float,
     BeforeValidator(_length),
