@@ -201,7 +201,7 @@ def test_what_cannot_be_is_said(old: str, new: str, code: str, words: str) -> No
 def test_no_overlap_is_lost_by_a_gradient(falling: str) -> None:
     """The second checker refuses it, too: none is what `length: 0` says."""
     system = told(TEXT)
-    with pytest.raises(Rejected, match="falling|rises"):
+    with pytest.raises(Rejected, match=r"falling|rises"):
         agree(
             loaded(TEXT.replace("X2: {length: 0}", f"X2: {{speed: 60, falling: {falling}}}")),
             *system[1:],

@@ -125,7 +125,7 @@ def _wanted(m: Mutation, families: tuple[str, ...]) -> bool:
 
 
 def _row(m: Mutation, v: Verdict | None) -> dict[str, object]:
-    """A mutant and its fate, None while it is not judged yet; of one that survives the reason why it may, if it has one."""
+    """A mutant and its fate, None while it is not judged yet; if it survives, the reason why it may, or None."""
     row: dict[str, object] = {"family": m.family, "form": m.form, "mutation": m.name}
     if v is None:
         return {**row, "fate": None, "why": None}
