@@ -135,6 +135,8 @@ def test_the_recipes_name_files_that_are_there() -> None:
     assert len(named) > 30 and [n for n in named if not Path(n).is_file()] == []
     recipes = page.split("\n## ")[1:]
     assert len(recipes) == 4 and "abstraction/" not in page
+    (assumed,) = re.findall(r"`ASSUMPTIONS` of `([^`]+)`", page)
+    assert "\nASSUMPTIONS: " in Path(assumed).read_text("utf-8")
     for word, recipe in zip(("speed", "speed", "scl300", "IL3024"), recipes, strict=True):
         for file in re.findall(r"^\| `([^`]+)`", recipe, re.MULTILINE):
             if not file.endswith((".yaml", "load.py", "wiring.py", "strengthening.py", "pipeline.py")):
