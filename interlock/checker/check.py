@@ -60,7 +60,7 @@ def agree(
     say the same.  published: what is told of words, where a table is certified with the text."""
     w = written(system)
     scan = execute(text, frozenset(w.state), w.definitions)
-    same = f"{body['name']}.st says the same: {controller.compare(scan, w)}"
+    same = f"{safe(str(body['name']))}.st says the same: {controller.compare(scan, w)}"
     try:
         world = Telling(Railway(body), w)
     except Unread as unread:
