@@ -457,10 +457,10 @@ class LayoutFile(Part):
     conditions: dict[Name, ConditionSpec] = key("inputs from outside that routes require", {})
     zones: dict[Name, ZoneSpec] = key("sections in which no more than so many trains may be", {})
     routes: dict[Name, NamedSpec] = key("names for derived routes", {})
-    voyages: dict[Name, VoyageSpec] = key("chains of routes that one command opens", {})
+    voyages: dict[Name, VoyageSpec] = key("route sequences: chains of routes that one command opens", {})
     automatic: list[RouteSpec] = key("train routes that an operator's switch sets again after every train", [])
     exclude: list[ExcludeSpec] = key("derived routes that shall not be", [])
-    hostile: list[HostileSpec] = key("routes that are hostile beyond what the layout tells", [])
+    hostile: list[HostileSpec] = key("routes that are hostile (conflicting) beyond what the layout tells", [])
     demand: list[DemandSpec] = key("points that routes lock beyond what the layout tells", [])
     overlaps: dict[Name, OverlapSpec] = key(
         "overlaps beyond main signals inside the layout; without it, the principle `overlap_m`", {}
@@ -484,7 +484,7 @@ class LayoutFile(Part):
         "point commands go out as telegrams of document C; those of `tagged` bear their number", TelegramForm.NONE
     )
     target: TargetSpec = key(
-        "the controller: whether what is written may fit into it is told as a diagnostic", TargetSpec()
+        "the controller; a diagnostic says whether the text that is written may fit into it", TargetSpec()
     )
     title_block: TitleBlockSpec = key("the title block of printed forms", TitleBlockSpec())
     addresses: dict[Text, Text] = key(
