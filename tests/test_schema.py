@@ -87,6 +87,12 @@ def test_every_layout_that_is_shipped_is_accepted(path: Path, reader: type[yaml.
     assert problems(yaml.load(path.read_text("utf-8"), reader), LANGUAGE) == []
 
 
+def test_parts_of_the_schemas_have_names_of_the_field() -> None:
+    """No name of a module stands in what is published."""
+    for name in (*LANGUAGE["definitions"], *TABLE["$defs"]):
+        assert re.fullmatch(r"[A-Z][A-Za-z]+", name), name
+
+
 def test_what_the_language_refuses_the_schema_refuses() -> None:
     good = yaml.load(Path("layouts/passing_loop.yaml").read_text("utf-8"), Core)
     for change in (
