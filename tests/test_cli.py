@@ -487,6 +487,15 @@ def test_elsewhere_each_stage_is_a_line(tmp_path: Path) -> None:
     done = process("compile", "layouts/fig2_2.yaml", "-o", str(tmp_path))
     stages = [line.removeprefix("layouts/fig2_2.yaml: ") for line in done.stderr.splitlines()]
     assert stages == ["deriving", "proving", "auditing the table", "comparing the texts", "writing tables and plan"]
+    loop = "layouts/fig2_2.yaml"
+    for stage, args in {
+        "running every two routes": ("availability", loop),
+        "drawing": ("draw", loop, "-o", str(tmp_path / "l.svg")),
+        "making the circuit": ("export", loop, "-o", str(tmp_path / "l.aig")),
+        "planning": ("dispatch", loop, "1:X1>A"),
+        "judging mutants": ("mutate", loop, "--family", "initial RQZ"),
+    }.items():
+        assert process(*args).stderr.splitlines()[0] == f"{loop}: {stage}"
     done = process("check", "layouts/fig2_2.yaml")
     assert re.search(r"no problems, 4 routes, \d+\.\d s$", done.stdout.strip())
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 
 from interlock.app.availability import try_file, write_stories
-from interlock.cli.common import FINDINGS, OK, format_option, put_json, show
+from interlock.cli.common import FINDINGS, OK, format_option, progress, put_json, show
 from interlock.proof.witnesses.availability import Availability
 
 
@@ -26,7 +26,9 @@ from interlock.proof.witnesses.availability import Availability
 def command(layout: str, traces: Path, form: str) -> None:
     """Use every two routes of LAYOUT together that are not hostile, in runs of its controller; tell how soon each route
     opens."""
-    tried = try_file(layout)
+    with progress(layout) as report:
+        report("running every two routes", 0, 0)
+        tried = try_file(layout)
     if tried.found is None:
         show(tried.checked.diagnostics, tried.checked.source.texts, form)
         sys.exit(FINDINGS)

@@ -19,6 +19,7 @@ from interlock.cli.common import (
     force_option,
     format_option,
     look_ahead_option,
+    progress,
     put_json,
     show,
     told,
@@ -84,39 +85,44 @@ def command(
         sys.exit(_replay(layout, replay, form))
     if (failing or occupied) and (timings or exploring):
         raise click.UsageError("with --failed and --occupied a plan is made, and nothing is run or explored")
-    found = dispatch(
-        layout,
-        commands,
-        length_m=length,
-        timings=timings,
-        gap=gap,
-        rule=not without_rule,
-        exploring=exploring,
-        look_ahead=look_ahead,
-        file=orders,
-        policy=policy,
-        failed=failing,
-        occupied=occupied,
-    )
+    with progress(layout) as report:
+        report("planning", 0, 0)
+        found = dispatch(
+            layout,
+            commands,
+            length_m=length,
+            timings=timings,
+            gap=gap,
+            rule=not without_rule,
+            exploring=exploring,
+            look_ahead=look_ahead,
+            file=orders,
+            policy=policy,
+            failed=failing,
+            occupied=occupied,
+        )
     if plan is not None and found.plan is not None:
-        target = Path(plan)
-        read = [Path(layout), Path(orders or beside(layout))]
-        try:
-            if target.exists() and any(f.exists() and target.samefile(f) for f in read):
-                failed(f"{plan} is what is read: choose another file with --plan", form)
-                sys.exit(FINDINGS)
-            if target.exists() and not force and not _is_plan(target):
-                failed(f"{plan} exists and is no completion plan; --force overwrites it", form)
-                sys.exit(FINDINGS)
-            write_whole(target, to_text(found.plan).encode())
-        except OSError as error:
-            failed(told(error, target), form)
-            sys.exit(FINDINGS)
+        _write(Path(plan), to_text(found.plan), [Path(layout), Path(orders or beside(layout))], force, form)
     if form == "json":
         put_json(_body(found))
     else:
         _print(found, form)
     sys.exit(_code(found))
+
+
+def _write(target: Path, plan: str, read: list[Path], force: bool, form: str) -> None:
+    """Write a completion plan; ends the command where it would overwrite what is read, or something else."""
+    try:
+        if target.exists() and any(f.exists() and target.samefile(f) for f in read):
+            failed(f"{target} is what is read: choose another file with --plan", form)
+            sys.exit(FINDINGS)
+        if target.exists() and not force and not _is_plan(target):
+            failed(f"{target} exists and is no completion plan; --force overwrites it", form)
+            sys.exit(FINDINGS)
+        write_whole(target, plan.encode())
+    except OSError as error:
+        failed(told(error, target), form)
+        sys.exit(FINDINGS)
 
 
 def _is_plan(file: Path) -> bool:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 
-from interlock.cli.common import FINDINGS, NOT_PROVED, OK, format_option, put_json, took
+from interlock.cli.common import FINDINGS, NOT_PROVED, OK, format_option, progress, put_json, took
 from interlock.verify import ERRORS, judge, why
 
 
@@ -48,14 +48,19 @@ def _took(began: float) -> dict[str, float]:
 
 def _compare(layout: Path, folder: Path, form: str) -> int:
     """With the layout and the emitted text; 3 when something was not compared."""
-    from interlock.checker.check import check, report
+    from interlock.checker.check import Checked, check, report
+
+    def checked(layout: Path, folder: Path) -> Checked:
+        with progress(str(layout)) as said:
+            said(f"comparing with {folder}", 0, 0)
+            return check(layout, folder)
 
     if form != "json":
-        return report(layout, folder)
+        return report(layout, folder, checked)
     body: dict[str, object] = {"layout": str(layout), "folder": str(folder)}
     began = time.monotonic()
     try:
-        found = check(layout, folder)
+        found = checked(layout, folder)
     except ERRORS as error:
         put_json([{**body, "ok": False, "verdict": "REJECTED", "text": why(error), **_took(began)}])
         return FINDINGS
