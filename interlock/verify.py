@@ -223,6 +223,7 @@ class System:
         for kind, x in owed:
             self.goals += [(c, True) for c in clauses_of(x, later if kind == "inv" else None)]
         self.goals += [(c, False) for (x,) in parts["start"] for c in clauses_of(x)]
+        self.starts = bool(parts["start"])
         self.invariants = len(invariants)
 
 
@@ -362,7 +363,8 @@ def verify(folder: Path, files: dict[str, bytes] | None = None) -> str:
             known.clauses.append(clause)
     need(next(rest, None) is None, "proof.txt goes on after the last goal")
     return (
-        f"the written system keeps its {len(system.claims)} claims at {sum(system.claims.values())} places: "
+        f"the written system keeps its {len(system.claims)} claims at {sum(system.claims.values())} places"
+        f"{', and P-START at the restart' if system.starts else ''}: "
         f"{system.invariants} invariants, {len(system.goals)} obligations, {len(files)} files"
     )
 

@@ -126,7 +126,7 @@ def test_the_verb_tells_each_route_and_the_sum(tmp_path: Path) -> None:
     done = CliRunner().invoke(command, ["layouts/mine11.yaml", "--traces", str(tmp_path)], catch_exceptions=False)
     assert done.exit_code == 0 and "X1-X3: opens within 3 scans; its machine moved, 4 scans and 6 s" in done.output
     assert re.search(r"SHOWN  9 routes; of 36 pairs 15 hostile, 21 used together in \d+ runs", done.output)
-    data = json.loads(CliRunner().invoke(command, ["layouts/mine11.yaml", "--format", "json"]).output)
+    data = json.loads(CliRunner().invoke(command, ["layouts/mine11.yaml", "--format", "json"]).stdout)
     assert data["ok"] and len(data["routes"]) == 9 and len(data["pairs"]) == 21
     assert CliRunner().invoke(command, ["layouts/rejected/no_provider.yaml"]).exit_code == 1
     assert not list(tmp_path.iterdir())

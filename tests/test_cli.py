@@ -350,8 +350,66 @@ def test_every_command_speaks_json_and_nothing_else(args: tuple[str, ...], certi
     json.loads(done.stdout)
 
 
+@pytest.mark.parametrize(
+    ("args", "said"),
+    [
+        (("check",), "Missing argument 'LAYOUT...'."),
+        (("init", "--yard", "3"), "3 is not in the range 4<=x<=2000"),
+        (("compile", "l.yaml", "--dialect", "none"), "'none' is not one of"),
+        (("verify", "nothing"), "'nothing' does not exist"),
+        (("prove", "l.yaml", "--colour"), "No such option"),
+        (("mutate", "layouts/fig2_2.yaml", "--family", "output YX"), "no mutant of the family 'output YX'"),
+        (("nothing",), "No such command 'nothing'."),
+    ],
+    ids=" ".join,
+)
+def test_a_usage_error_is_json_where_json_is_asked_for(args: tuple[str, ...], said: str) -> None:
+    done = process(*args, "--format=json")
+    body = json.loads(done.stdout)
+    assert done.returncode == 2 and not body["ok"] and said in body["error"] and "--help" in body["fix"], done.stdout
+    assert "rror" not in done.stderr
+    plain = process(*args)
+    assert plain.returncode == 2 and said in plain.stderr and not plain.stdout
+
+
 def test_json_is_asked_of_every_command() -> None:
     assert {args[0] for args in JSON} | {"run"} == set(VERBS)
+
+
+def test_json_says_what_is_said_to_people(tmp_path: Path, certified_loop: Path) -> None:
+    """Where files are, how many runs there were, which claims a certificate lacks; and the pages are written."""
+    loop = str(certified_loop / "l.yaml")
+    compiled = json.loads(run("compile", loop, "-o", str(tmp_path / "g"), "--format", "json").stdout)
+    assert compiled[0]["folder"] == str(tmp_path / "g" / "fig2_2")
+    args = ("certify", loop, "--outputs", str(certified_loop / "g"), "-o", str(certified_loop / "p"), "--check")
+    certified = json.loads(run(*args, "--format", "json").stdout)
+    folder = str(certified_loop / "p" / "fig2_2")
+    assert certified[0]["folder"] == folder and folder in run(*args).output
+    verified = json.loads(run("verify", folder, "--format", "json").stdout)
+    assert verified[0]["ok"] and verified[0]["wall_seconds"] > 0
+    tried = run("availability", loop)
+    assert f"in {json.loads(run('availability', loop, '--format', 'json').stdout)['runs']} runs" in tried.output
+    refuted = run("certify", "layouts/refuted/wrong_waiver.yaml", "-o", str(tmp_path / "p"), "--format", "json")
+    claims = {c["id"]: c for c in json.loads(refuted.stdout)[0]["claims"]}
+    assert refuted.exit_code == 1 and claims["T-FLANK"]["verdict"] == "REFUTED" and claims["T-FLANK"]["story"]
+
+
+def test_pairs_that_fail_are_played_in_json_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from interlock.cli import availability as module
+
+    monkeypatch.setattr(module, "write_stories", lambda tried, folder: (folder / "x.html",))
+    done = run("availability", "layouts/fig2_2.yaml", "--traces", str(tmp_path), "--format", "json")
+    assert json.loads(done.stdout)["pages"] == [str(tmp_path / "x.html")]
+
+
+def test_an_empty_cell_is_told() -> None:
+    done = run("why", "layouts/fig2_2.yaml", "X1-A", "overlap")
+    assert done.exit_code == 0 and done.output == "X1-A has nothing in the column Overlap\n"
+
+
+def test_what_cannot_be_played_is_named(tmp_path: Path) -> None:
+    done = run("play", "layouts/fig2_2.yaml", "-o", str(tmp_path / "x.html"))
+    assert done.exit_code == 1 and "error: layouts/fig2_2.yaml: not an ITF trace" in done.output
 
 
 def test_what_interlock_has_not_written_stays(tmp_path: Path) -> None:
@@ -429,6 +487,15 @@ def test_elsewhere_each_stage_is_a_line(tmp_path: Path) -> None:
     done = process("compile", "layouts/fig2_2.yaml", "-o", str(tmp_path))
     stages = [line.removeprefix("layouts/fig2_2.yaml: ") for line in done.stderr.splitlines()]
     assert stages == ["deriving", "proving", "auditing the table", "comparing the texts", "writing tables and plan"]
+    loop = "layouts/fig2_2.yaml"
+    for stage, args in {
+        "running every two routes": ("availability", loop),
+        "drawing": ("draw", loop, "-o", str(tmp_path / "l.svg")),
+        "making the circuit": ("export", loop, "-o", str(tmp_path / "l.aig")),
+        "planning": ("dispatch", loop, "1:X1>A"),
+        "judging mutants": ("mutate", loop, "--family", "initial RQZ"),
+    }.items():
+        assert process(*args).stderr.splitlines()[0] == f"{loop}: {stage}"
     done = process("check", "layouts/fig2_2.yaml")
     assert re.search(r"no problems, 4 routes, \d+\.\d s$", done.stdout.strip())
 
@@ -445,6 +512,11 @@ def test_an_internal_error_gives_no_traceback(
     with pytest.raises(SystemExit) as stop:
         module.main()
     assert stop.value.code == 70 and "Traceback" not in capsys.readouterr().err
+    monkeypatch.setattr(sys, "argv", ["interlock", "check", "x.yaml", "--format", "json"])
+    with pytest.raises(SystemExit) as stop:
+        module.main()
+    said = capsys.readouterr()
+    assert stop.value.code == 70 and "one over nothing" in json.loads(said.out)["error"] and not said.err
 
 
 def test_the_same_layout_gives_the_same_bytes() -> None:

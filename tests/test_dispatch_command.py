@@ -17,7 +17,7 @@ from interlock.diag.codes import CODES
 
 def run(*arguments: str) -> tuple[int, str]:
     done = CliRunner().invoke(command, arguments, catch_exceptions=False)
-    return done.exit_code, done.output
+    return done.exit_code, done.output.removeprefix(f"{arguments[0]}: planning\n")
 
 
 @pytest.mark.parametrize(

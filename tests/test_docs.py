@@ -101,6 +101,26 @@ def test_the_examples_of_the_library_page_run(capsys: pytest.CaptureFixture[str]
     assert "R5" in capsys.readouterr().out
 
 
+def test_the_library_refuses_what_it_would_pass_over() -> None:
+    """An engine or a dialect that is none, a number that asks for nothing, and what was made of another layout."""
+    loop, mine = (interlock.load(f"layouts/{n}.yaml") for n in ("fig2_2", "mine11"))
+    table = interlock.derive(loop)
+    controller = interlock.lower(loop, table)
+    refused = (
+        ("engine", lambda: interlock.prove(loop, controller, engine="minisatt")),
+        ("jobs", lambda: interlock.prove(loop, controller, jobs=0)),
+        ("search_depth", lambda: interlock.prove(loop, controller, search_depth=0)),
+        ("search_seconds", lambda: interlock.prove(loop, controller, search_seconds=float("nan"))),
+        ("another layout", lambda: interlock.prove(mine, controller)),
+        ("another layout", lambda: interlock.lower(mine, table)),
+        ("no dialect 'all'", lambda: interlock.compile(loop, dialects=("codesys", "all"))),
+        ("jobs", lambda: interlock.compile(loop, jobs=-1)),
+    )
+    for said, call in refused:
+        with pytest.raises(ValueError, match=said):
+            call()
+
+
 def test_the_library_page_names_every_function() -> None:
     page = Path("interlock/docs/library.md").read_text("utf-8")
     for name in interlock.__all__:
@@ -115,6 +135,8 @@ def test_the_recipes_name_files_that_are_there() -> None:
     assert len(named) > 30 and [n for n in named if not Path(n).is_file()] == []
     recipes = page.split("\n## ")[1:]
     assert len(recipes) == 4 and "abstraction/" not in page
+    (assumed,) = re.findall(r"`ASSUMPTIONS` of `([^`]+)`", page)
+    assert "\nASSUMPTIONS: " in Path(assumed).read_text("utf-8")
     for word, recipe in zip(("speed", "speed", "scl300", "IL3024"), recipes, strict=True):
         for file in re.findall(r"^\| `([^`]+)`", recipe, re.MULTILINE):
             if not file.endswith((".yaml", "load.py", "wiring.py", "strengthening.py", "pipeline.py")):

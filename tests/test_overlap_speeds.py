@@ -188,11 +188,25 @@ def test_a_forgotten_entry_speed_is_killed_by_proof_and_by_trains_in_metres() ->
         ("X2: {length: 0}", "X2: {length: 0, release: 60}", "IL1014", "no overlap of 0 m"),
         ("release_by_length: yes", "release_by_length: yes\n    release: 60", "IL1014", "two times"),
         ("release: 62", "release: 41", "IL3023", "42.0 s are needed"),
+        ("length: 200", "speed: 60\n    falling: -1000.5", "IL1014", "no gradient"),
+        ("X2: {length: 0}", "X2: {speed: 60, falling: -20}", "IL1014", "rises by 20 permille"),
     ],
 )
 def test_what_cannot_be_is_said(old: str, new: str, code: str, words: str) -> None:
     found = refused(old, new)
     assert [c for c, _ in found] == [code] and words in found[0][1], found
+
+
+@pytest.mark.parametrize("falling", ["-20", "-1000.5", "-1000000"])
+def test_no_overlap_is_lost_by_a_gradient(falling: str) -> None:
+    """The second checker refuses it, too: none is what `length: 0` says."""
+    system = told(TEXT)
+    with pytest.raises(Rejected, match=r"falling|rises"):
+        agree(
+            loaded(TEXT.replace("X2: {length: 0}", f"X2: {{speed: 60, falling: {falling}}}")),
+            *system[1:],
+            specification.shipped(),
+        )
 
 
 def test_the_release_by_length_follows_section_and_speed() -> None:

@@ -299,7 +299,7 @@ def test_the_screen_and_the_file(tmp_path: Path) -> None:
     assert read_solution(target, read(SWAP)).cost == 30
     assert verified(json.loads(SWAP.read_text("utf-8")), json.loads(target.read_text("utf-8"))) == (30, [])
     again = CliRunner().invoke(command, [str(SWAP), "-o", str(target), "--format", "json"])
-    assert again.exit_code == 0 and json.loads(again.output)["best"]
+    assert again.exit_code == 0 and json.loads(again.stdout)["best"]
     other = tmp_path / "mine.txt"
     other.write_text("mine", "utf-8")
     done = CliRunner().invoke(command, [str(SWAP), "-o", str(other)])

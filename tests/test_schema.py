@@ -87,6 +87,12 @@ def test_every_layout_that_is_shipped_is_accepted(path: Path, reader: type[yaml.
     assert problems(yaml.load(path.read_text("utf-8"), reader), LANGUAGE) == []
 
 
+def test_parts_of_the_schemas_have_names_of_the_field() -> None:
+    """No name of a module stands in what is published."""
+    for name in (*LANGUAGE["definitions"], *TABLE["$defs"]):
+        assert re.fullmatch(r"[A-Z][A-Za-z]+", name), name
+
+
 def test_what_the_language_refuses_the_schema_refuses() -> None:
     good = yaml.load(Path("layouts/passing_loop.yaml").read_text("utf-8"), Core)
     for change in (
@@ -120,6 +126,60 @@ def test_every_key_is_described_and_says_what_is_without_it() -> None:
             "default" not in said or problems(said["default"], {**said, "definitions": LANGUAGE["definitions"]}) == []
         )
     assert set(MEANING) == set(KNOBS)
+
+
+def given(part: dict[str, Any], value: dict[str, Any]) -> Iterator[tuple[dict[str, Any], dict[str, Any]]]:
+    """Every mapping of a layout with what the schema says of its keys."""
+    yield part, value
+    for name, said in part["properties"].items():
+        inner: Any = said
+        for step in ("allOf", "items", "additionalProperties"):
+            inner = inner[step] if isinstance(inner.get(step), (dict, list)) else inner
+            inner = inner[0] if isinstance(inner, list) else inner
+        of = inner.get("$ref") or next((v.get("$ref") for v in said.get("patternProperties", {}).values()), "")
+        body = LANGUAGE["definitions"].get((of or "").rpartition("/")[2], {})
+        if name in value and "properties" in body:
+            found = value[name]
+            each = [found] if "allOf" in said else list(found.values()) if isinstance(found, dict) else found
+            for x in each:
+                if isinstance(x, dict):
+                    yield from given(body, x)
+
+
+def derived_from(layout: dict[str, Any]) -> bytes | list[str]:
+    sink = Sink()
+    found, _ = load_text("x.yaml", yaml.safe_dump(layout, allow_unicode=True, sort_keys=False), sink)
+    table = None if found is None else derive(found, sink)
+    return [str(d) for d in sink.diagnostics] if found is None or table is None else table_json(found, table)
+
+
+def test_a_default_that_is_written_changes_nothing() -> None:
+    """Of every key, in a layout of every profile: an editor writes the default that the schema states.
+
+    `blades` is of double slips alone, and refused of a single one.
+    """
+    tried: set[tuple[str, str, str]] = set()
+    for path in ACCEPTED:
+        layout = yaml.load(path.read_text("utf-8"), yaml.SafeLoader)
+        profile = layout.get("profile", "generic")
+        fresh = {
+            (part["description"], name): {
+                (profile if "release_delay_s" in part["properties"] else "", part["description"], name)
+            }
+            for part, value in given(LANGUAGE, {"principles": {}, **layout})
+            for name, said in part["properties"].items()
+            if name not in value and "default" in said
+        }
+        fresh = {where: names for where, names in fresh.items() if not names <= tried}
+        base = derived_from(layout) if fresh else b""
+        for where, names in fresh.items():
+            tried |= names
+            new = copy.deepcopy({"principles": {}, **layout})
+            for part, value in given(LANGUAGE, new):
+                if part["description"] == where[0] and where[1] not in value and "single" not in value:
+                    value[where[1]] = copy.deepcopy(part["properties"][where[1]]["default"])
+            assert derived_from(new) == base, (path, where)
+    assert len({names[2] for names in tried}) > 60
 
 
 def test_the_language_page_has_a_line_for_every_key_as_it_is_defined() -> None:

@@ -346,7 +346,8 @@ def test_a_layout_with_spaces_is_certified_and_verified(tmp_path: Path) -> None:
     path = tmp_path / "Halt 1.yaml"
     path.write_text(text, encoding="utf-8")
     found = check(path, certified(path, tmp_path))
-    assert found.left == ()
+    text_of_it = f"{portable('Halt 1')}.st"
+    assert found.left == () and found.compared[1].startswith(f"{text_of_it} says") and " " not in text_of_it
     _, circuit = aiger_file(str(path))
     assert circuit is not None
     symbols = re.findall(rb"^[ilo][0-9]+ .*$", circuit, re.MULTILINE)

@@ -69,7 +69,11 @@ def _certified(path: str, outputs: Path, proofs: Path, check: bool, progress: Pr
     stale = differences(outputs / layout.name, emitted)
     if stale:
         note = Diagnostic(
-            "IL5003", Severity.ERROR, f"{outputs / layout.name}: {stale[0]}", span, f"compile {path} first"
+            "IL5003",
+            Severity.ERROR,
+            f"{outputs / layout.name}: {stale[0]}",
+            span,
+            f"run `interlock compile {path} -o {outputs}`",
         )
         return Certified(proved, notes=(note,))
     system = System(layout, lower(layout, table))

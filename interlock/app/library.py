@@ -103,7 +103,9 @@ def derive(layout: Layout) -> InterlockingTable:
 
 
 def lower(layout: Layout, table: InterlockingTable) -> Controller:
-    """The controller of a table."""
+    """The controller of a table.  Raises ValueError for the table of another layout."""
+    if table.layout_digest != layout.digest:
+        raise ValueError(f"the table is that of another layout, not of {layout.name}")
     with interning():
         return lower_table(layout, table)
 
@@ -121,24 +123,45 @@ def prove(
     """One verdict for each claim about a controller and the trains on its layout; UNKNOWN is never green.
 
     `jobs` processes (forks); `engine` is minisat, z3 or cvc5 (extra `recheck`); what does not follow is searched for
-    in runs of `search_depth` scans, for `search_seconds` a claim.
+    in runs of `search_depth` scans, for `search_seconds` a claim.  Raises ValueError for another engine, for a number
+    that leaves nothing to be done, and for the controller of another layout.
     """
+    from interlock.proof.engines import ENGINES
     from interlock.proof.prover import prove as decide
     from interlock.proof.system.transition import System
 
+    if engine not in ENGINES:
+        raise ValueError(f"there is no engine {engine!r}; there are {', '.join(ENGINES)}")
+    _positive(jobs=jobs, search_depth=search_depth, search_seconds=search_seconds)
+    inside = {s for s, section in layout.track.section.items() if not section.approach}
+    if controller.name != layout.name or set(controller.symbols.ways.ends) != inside:
+        raise ValueError(f"the controller is that of another layout, not of {layout.name}")
     limits = Limits(engine=engine, jobs=jobs, search_depth=search_depth, search_s=search_seconds)
     with interning(controller.nodes):
         return decide(System(layout, controller), limits, progress)
 
 
+def _positive(**numbers: float) -> None:
+    for name, x in numbers.items():
+        if not x > 0:
+            raise ValueError(f"{name} is {x}; it must be above 0")
+
+
 def compile(layout: Layout, *, jobs: int = 1, dialects: tuple[str, ...] = (), progress: Progress = quiet) -> Compiled:
     """Derive, audit, lower and prove a layout, write its texts, read them back and compare them: all outputs.
 
-    Raises `LayoutError`.  `dialects`: other tools' forms of the PLC text, beside the portable one; `c99` (extra
-    `c99`) is the C runtime.
+    Raises `LayoutError`, and ValueError for `jobs` below 1 and for a dialect that is none.  `dialects`: other tools'
+    forms of the PLC text, beside the portable one; `c99` (extra `c99`) is the C runtime.
     """
     from interlock.app.compile import build_derived, finish
+    from interlock.app.texts import C99
+    from interlock.st.dialects import DIALECTS
 
+    _positive(jobs=jobs)
+    known = (*(d.name for d in DIALECTS), C99)
+    for name in dialects:
+        if name not in known:
+            raise ValueError(f"there is no dialect {name!r}; there are {', '.join(known)}")
     begun = derived(layout.name, layout, Source(layout.name, ""), Sink())
     proved, files = build_derived(begun, limits=Limits(jobs=jobs), progress=progress, dialects=dialects)
     if proved.proof is None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any
@@ -60,7 +60,7 @@ def agree(
     say the same.  published: what is told of words, where a table is certified with the text."""
     w = written(system)
     scan = execute(text, frozenset(w.state), w.definitions)
-    same = f"{body['name']}.st says the same: {controller.compare(scan, w)}"
+    same = f"{safe(str(body['name']))}.st says the same: {controller.compare(scan, w)}"
     try:
         world = Telling(Railway(body), w)
     except Unread as unread:
@@ -101,10 +101,10 @@ def _text(files: Collection[str], name: str) -> str:
     return found[0]
 
 
-def report(layout: Path, folder: Path) -> int:
+def report(layout: Path, folder: Path, checked: Callable[[Path, Path], Checked] = check) -> int:
     """Say in words what was found; 0 VERIFIED, 1 REJECTED, 3 when something was not compared."""
     try:
-        found = check(layout, folder)
+        found = checked(layout, folder)
     except ERRORS as e:
         print(f"{layout} {folder}: REJECTED  {why(e)}")
         return 1

@@ -10,6 +10,7 @@ from itertools import pairwise
 from interlock.checker.drawing import Unread
 from interlock.checker.railway import Path, Railway, Signal
 from interlock.checker.track import Way
+from interlock.verify import need
 
 
 @dataclass(frozen=True)
@@ -107,6 +108,7 @@ class Overlaps:
         if "length" in told:
             return float(told["length"])
         kmh, falling = float(told.get("speed") or told["entry_speed"]), float(told.get("falling", 0))
+        need(falling > -20, f"nothing is left of an overlap where the track rises by {-falling:g} permille")
         base = 50.0 if kmh <= 40 else 100.0 if kmh <= 60 else 200.0
         return base * max(0.0, 1.0 + (0.10 if falling > 0 else 0.05) * falling)
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 
 from interlock.app.availability import try_file, write_stories
-from interlock.cli.common import FINDINGS, OK, format_option, put_json, show
+from interlock.cli.common import FINDINGS, OK, format_option, progress, put_json, show
 from interlock.proof.witnesses.availability import Availability
 
 
@@ -26,15 +26,22 @@ from interlock.proof.witnesses.availability import Availability
 def command(layout: str, traces: Path, form: str) -> None:
     """Use every two routes of LAYOUT together that are not hostile, in runs of its controller; tell how soon each route
     opens."""
-    tried = try_file(layout)
+    with progress(layout) as report:
+        report("running every two routes", 0, 0)
+        tried = try_file(layout)
     if tried.found is None:
         show(tried.checked.diagnostics, tried.checked.source.texts, form)
         sys.exit(FINDINGS)
     found = tried.found
     failed = [p for p in found.pairs if p.failure is not None]
     late = [r for r in found.routes if r.failure is not None]
+    pages: list[str] = []
+    try:
+        pages = [str(page) for page in write_stories(tried, traces)]
+    except OSError as error:
+        click.echo(f"{traces}: {error.strerror}", err=True)
     if form == "json":
-        put_json(_as_json(layout, found))
+        put_json(_as_json(layout, found) | {"pages": pages})
         sys.exit(OK if found.shown else FINDINGS)
     if form == "full":
         for r in found.routes:
@@ -52,11 +59,8 @@ def command(layout: str, traces: Path, form: str) -> None:
         f"{layout}: {verdict}  {len(found.routes)} routes; of {len(found.pairs) + found.hostile} pairs {found.hostile} "
         f"hostile, {len(found.pairs)} used together in {found.runs} runs ({manners or 'none'}), {len(failed)} failed"
     )
-    try:
-        for page in write_stories(tried, traces):
-            click.echo(f"  to play it: {page}")
-    except OSError as error:
-        click.echo(f"{traces}: {error.strerror}", err=True)
+    for page in pages:
+        click.echo(f"  to play it: {page}")
     sys.exit(OK if found.shown else FINDINGS)
 
 
@@ -76,6 +80,7 @@ def _as_json(layout: str, found: Availability) -> dict[str, object]:
             for r in found.routes
         ],
         "hostile_pairs": found.hostile,
+        "runs": found.runs,
         "pairs": [
             {"first": p.first, "second": p.second, "manner": str(p.manner), "apart": p.apart, "failure": p.failure}
             for p in found.pairs

@@ -37,7 +37,7 @@ def _body(found: Blocks) -> dict[str, object]:
     return {
         "file": found.checked.path,
         "ok": found.ok and not found.findings,
-        "diagnostics": render.as_json(list(found.diagnostics)),
+        "diagnostics": render.as_json(list(found.diagnostics), dict(found.sources)),
         "lines": [asdict(b) for b in found.blocks],
         "sections": [asdict(x) for x in found.lengths],
         "braking": None if found.braking is None else asdict(found.braking),

@@ -16,6 +16,7 @@ from interlock.cli.common import (
     format_option,
     jobs_option,
     layouts_argument,
+    proof_body,
     put_json,
     show,
     show_proof,
@@ -48,7 +49,7 @@ def command(layouts: tuple[str, ...], outputs: Path, out: Path, jobs: int, check
     results = each(certify_file, [(p, outputs, out, check) for p in layouts], jobs)
     done = "CURRENT" if check else "CERTIFIED"
     if form == "json":
-        put_json([_body(r, done) for r in results])
+        put_json([_body(r, out, done) for r in results])
     for r in results if form != "json" else ():
         if not r.proved.green:
             show_proof(r.proved, form, False)
@@ -57,17 +58,27 @@ def command(layouts: tuple[str, ...], outputs: Path, out: Path, jobs: int, check
         show(r.notes, source.texts, form)
         if r.ok:
             click.echo(f"{r.proved.checked.path}: {click.style(done, fg='green')}  {r.summary}, {r.seconds:.1f} s")
+            click.echo(f"  {'current' if check else 'written'}: {_folder(r, out)}")
     open_or_wrong = exit_code([r.proved for r in results])
     sys.exit(open_or_wrong or (OK if all(r.ok for r in results) else FINDINGS))
 
 
-def _body(r: Certified, done: str) -> dict[str, object]:
+def _folder(r: Certified, out: Path) -> Path | None:
+    """Where the certificate of a layout is."""
+    return out / r.proved.checked.layout.name if r.ok and r.proved.checked.layout is not None else None
+
+
+def _body(r: Certified, out: Path, done: str) -> dict[str, object]:
+    """With the proof, if that is why there is no certificate."""
     found = [*r.proved.checked.diagnostics, *r.proved.notes, *r.notes]
+    folder = _folder(r, out)
     return {
+        **({} if r.proved.green else proof_body(r.proved)),
         "file": r.proved.checked.path,
         "ok": r.ok,
         "verdict": done if r.ok else None,
+        "folder": None if folder is None else str(folder),
         "text": r.summary,
         "wall_seconds": round(r.seconds, 3),
-        "diagnostics": as_json(found),
+        "diagnostics": as_json(found, r.proved.checked.source.texts),
     }

@@ -9,6 +9,7 @@ from pathlib import Path
 import click
 
 from interlock.app.compile import compile_file, names_twice
+from interlock.app.proved import Proved
 from interlock.app.texts import C99
 from interlock.cli.common import (
     FINDINGS,
@@ -70,11 +71,16 @@ def command(
     limits = Limits(jobs=jobs if len(layouts) == 1 else 1)
     results = each(compile_file, [(p, out, check, unproved, limits, tools) for p in layouts], jobs)
     if form == "json":
-        put_json([proof_body(r) for r in results])
+        put_json([proof_body(r) | {"folder": str(_folder(r, out)) if r.files else None} for r in results])
     else:
         for r in results:
             show_proof(r, form, verbose)
             if r.green and r.checked.layout is not None:
-                where = out / r.checked.layout.name
-                click.echo(f"  {'current' if check else 'written'}: {where} ({len(r.files)} files)")
+                click.echo(f"  {'current' if check else 'written'}: {_folder(r, out)} ({len(r.files)} files)")
     sys.exit(exit_code(results))
+
+
+def _folder(result: Proved, out: Path) -> Path:
+    """Where the outputs of a layout are."""
+    assert result.checked.layout is not None  # it has outputs
+    return out / result.checked.layout.name

@@ -19,6 +19,7 @@ from interlock.cli.common import (
     force_option,
     format_option,
     look_ahead_option,
+    progress,
     put_json,
     show,
     told,
@@ -84,39 +85,44 @@ def command(
         sys.exit(_replay(layout, replay, form))
     if (failing or occupied) and (timings or exploring):
         raise click.UsageError("with --failed and --occupied a plan is made, and nothing is run or explored")
-    found = dispatch(
-        layout,
-        commands,
-        length_m=length,
-        timings=timings,
-        gap=gap,
-        rule=not without_rule,
-        exploring=exploring,
-        look_ahead=look_ahead,
-        file=orders,
-        policy=policy,
-        failed=failing,
-        occupied=occupied,
-    )
+    with progress(layout) as report:
+        report("planning", 0, 0)
+        found = dispatch(
+            layout,
+            commands,
+            length_m=length,
+            timings=timings,
+            gap=gap,
+            rule=not without_rule,
+            exploring=exploring,
+            look_ahead=look_ahead,
+            file=orders,
+            policy=policy,
+            failed=failing,
+            occupied=occupied,
+        )
     if plan is not None and found.plan is not None:
-        target = Path(plan)
-        read = [Path(layout), Path(orders or beside(layout))]
-        try:
-            if target.exists() and any(f.exists() and target.samefile(f) for f in read):
-                failed(f"{plan} is what is read: choose another file with --plan", form)
-                sys.exit(FINDINGS)
-            if target.exists() and not force and not _is_plan(target):
-                failed(f"{plan} exists and is no completion plan; --force overwrites it", form)
-                sys.exit(FINDINGS)
-            write_whole(target, to_text(found.plan).encode())
-        except OSError as error:
-            failed(told(error, target), form)
-            sys.exit(FINDINGS)
+        _write(Path(plan), to_text(found.plan), [Path(layout), Path(orders or beside(layout))], force, form)
     if form == "json":
         put_json(_body(found))
     else:
         _print(found, form)
     sys.exit(_code(found))
+
+
+def _write(target: Path, plan: str, read: list[Path], force: bool, form: str) -> None:
+    """Write a completion plan; ends the command where it would overwrite what is read, or something else."""
+    try:
+        if target.exists() and any(f.exists() and target.samefile(f) for f in read):
+            failed(f"{target} is what is read: choose another file with --plan", form)
+            sys.exit(FINDINGS)
+        if target.exists() and not force and not _is_plan(target):
+            failed(f"{target} exists and is no completion plan; --force overwrites it", form)
+            sys.exit(FINDINGS)
+        write_whole(target, plan.encode())
+    except OSError as error:
+        failed(told(error, target), form)
+        sys.exit(FINDINGS)
 
 
 def _is_plan(file: Path) -> bool:
@@ -139,7 +145,9 @@ def _replay(layout: str, plan: str, form: str) -> int:
     checked, problems, done = replay_file(layout, plan)
     if form == "json":
         body = None if done is None else {"wrong": done.wrong, "grant_scans": done.grant, "scans": done.scans}
-        put_json({"file": checked.path, "diagnostics": render.as_json(list(problems)), "replayed": body})
+        told_ = render.as_json(list(problems), checked.source.texts)
+        ok = done is not None and done.wrong is None
+        put_json({"file": checked.path, "ok": ok, "diagnostics": told_, "replayed": body})
     elif done is None:
         show(problems, checked.source.texts, form)
     elif done.wrong:
@@ -150,14 +158,23 @@ def _replay(layout: str, plan: str, form: str) -> int:
 
 
 def _body(found: Dispatched) -> dict[str, object]:
-    x = found.explored
+    x, r = found.explored, found.replayed
+    stuck = next((o.stuck for o in found.timings.outcomes if o.stuck), {})
     return {
         "file": found.checked.path,
-        "diagnostics": render.as_json(list(found.diagnostics)),
+        "ok": _code(found) == OK,
+        "diagnostics": render.as_json(list(found.diagnostics), {**found.checked.source.texts, **found.texts}),
+        "orders": [
+            {"name": d.name, "trains": d.trains, "from": d.order.from_, "to": d.order.to} for d in found.derived
+        ],
         "verdict": None if found.answer is None else str(found.answer.verdict),
         "plan": None if found.plan is None else [list(m) for m in found.plan.moves],
-        "replayed": None if found.replayed is None else {"wrong": found.replayed.wrong, "scans": found.replayed.scans},
+        "replayed": None
+        if r is None
+        else {"wrong": r.wrong, "grant_scans": r.grant, "open_scans": r.opened, "scans": r.scans},
+        "in_the_way": list(found.faults),
         "caught": list(found.caught),
+        "others": str(found.others) if found.caught else None,
         "explored": None
         if x is None
         else {
@@ -168,8 +185,10 @@ def _body(found: Dispatched) -> dict[str, object]:
             "moves_held_back": x.refused_moves,
         },
         "story": list(found.deadlock.story) if found.deadlock is not None else [],
+        "shown": found.deadlock.shown if found.deadlock is not None else None,
         "timings": len(found.timings.outcomes),
         "stuck": found.timings.stuck,
+        "stuck_because": dict(stuck),
     }
 
 

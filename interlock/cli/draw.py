@@ -9,7 +9,7 @@ import click
 
 from interlock.app.draw import Paper, draw_file
 from interlock.app.own import NotOurs, write_own
-from interlock.cli.common import FINDINGS, OK, failed, force_option, format_option, put_json, show, told
+from interlock.cli.common import FINDINGS, OK, failed, force_option, format_option, progress, put_json, show, told
 
 
 @click.command("draw")
@@ -36,7 +36,9 @@ def command(layout: str, output: Path | None, paper: str | None, force: bool, fo
     target = output or Path(Path(layout).stem + ".svg")
     if target.suffix.lower() != ".svg" and target.resolve() != Path(layout).resolve():
         raise click.UsageError(f"{target}: a plan is drawn as SVG: call it {target.with_suffix('.svg').name}")
-    drawn = draw_file(layout, Paper(paper or Paper.WHOLE))
+    with progress(layout) as report:
+        report("drawing", 0, 0)
+        drawn = draw_file(layout, Paper(paper or Paper.WHOLE))
     if not drawn.pages:
         show(drawn.diagnostics, drawn.source.texts, form)
         sys.exit(FINDINGS)

@@ -9,7 +9,7 @@ import click
 
 from interlock.app.export import aiger_file, registers_file
 from interlock.app.own import NotOurs, write_own
-from interlock.cli.common import FINDINGS, OK, failed, force_option, format_option, put_json, show, told
+from interlock.cli.common import FINDINGS, OK, failed, force_option, format_option, progress, put_json, show, told
 
 
 @click.command("export")
@@ -30,7 +30,9 @@ def command(layout: str, engine: str, output: Path, force: bool, form: str) -> N
         raise click.UsageError(f"{output}: a circuit in binary AIGER is called NAME.aig")
     if engine == "registers" and output.suffix != ".csv":
         raise click.UsageError(f"{output}: a table of registers is called NAME.csv")
-    checked, data = (aiger_file if engine == "aiger" else registers_file)(layout)
+    with progress(layout) as report:
+        report("making the circuit" if engine == "aiger" else "numbering registers", 0, 0)
+        checked, data = (aiger_file if engine == "aiger" else registers_file)(layout)
     if data is None:
         show(checked.diagnostics, checked.source.texts, form)
         sys.exit(FINDINGS)

@@ -8,8 +8,10 @@ from __future__ import annotations
 import errno
 import gc
 import importlib
+import json
 import os
 import sys
+from itertools import pairwise
 from typing import NoReturn
 
 import click
@@ -97,28 +99,56 @@ def main() -> None:
     except (click.Abort, KeyboardInterrupt):
         _interrupted()
     except click.ClickException as error:
-        error.show()
+        _say(error)
         _leave(error.exit_code)
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(1)
     except Exception as error:
         if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT):
-            click.echo(f"error: what is written does not fit: {error.strerror}", err=True)
+            _failed(f"what is written does not fit: {error.strerror}")
             _leave(1)
         if "keyboard interrupt" in str(error):  # what a solver says that was interrupted
             _interrupted()
         if os.environ.get("INTERLOCK_DEBUG"):
             raise
-        click.echo(
-            f"internal error: {type(error).__name__}: {error}\n"
+        _failed(
+            f"{type(error).__name__}: {error}\n"
             "This is a defect of interlock, not of your layout. Please report it with the layout; "
             "INTERLOCK_DEBUG=1 shows where it happened.",
-            err=True,
+            "internal error",
         )
         sys.exit(70)
     else:
         _leave(code if isinstance(code, int) else 0)
+
+
+def _json() -> bool:
+    """Whether the command line asks for JSON, whatever else is wrong with it."""
+    args = sys.argv[1:]
+    return "--format=json" in args or any(a == "--format" and b == "json" for a, b in pairwise(args))
+
+
+def _say(error: click.ClickException) -> None:
+    """What is wrong with the command line."""
+    if not _json():
+        error.show()
+        return
+    context = error.ctx if isinstance(error, click.UsageError) else None
+    _put(error.format_message(), f"{context.command_path if context else 'interlock'} --help")
+
+
+def _failed(text: str, kind: str = "error") -> None:
+    """Why nothing came of it."""
+    if _json():
+        _put(text, None)
+    else:
+        click.echo(f"{kind}: {text}", err=True)
+
+
+def _put(error: str, fix: str | None) -> None:
+    body = {"ok": False, "error": error, "code": None, "fix": fix}
+    click.echo(json.dumps(body, indent=2, ensure_ascii=False))
 
 
 def _interrupted() -> NoReturn:

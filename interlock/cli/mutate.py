@@ -13,7 +13,7 @@ from pathlib import Path
 import click
 
 from interlock.app.check import check_file
-from interlock.cli.common import FINDINGS, NOT_PROVED, OK, Amount, format_option, jobs_option, put_json, show
+from interlock.cli.common import FINDINGS, NOT_PROVED, OK, Amount, format_option, jobs_option, progress, put_json, show
 from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
@@ -90,12 +90,17 @@ def command(
         sys.exit(FINDINGS)
     _known(layout, families)
     campaign = Campaign(_made, {layout: every}, frozenset(families), weakened=True)
-    found = campaign.run(kept, jobs, shard)[layout]
-    if shard[0] == 1:
-        found += [(m, v) for m, v in text_mutants(_made(layout)[2], 0 if every else 1) if _wanted(m, families)]
-    told, left = _stories(layout, found, search_seconds, stories_seconds) if stories else ({}, 0)
+    with progress(layout) as report:
+        report("judging mutants", 0, 0)
+        found = campaign.run(kept, jobs, shard, lambda done, total: report("judging mutants", done, total))[layout]
+        if shard[0] == 1:
+            report("editing the texts", 0, 0)
+            found += [(m, v) for m, v in text_mutants(_made(layout)[2], 0 if every else 1) if _wanted(m, families)]
+        if stories:
+            report("searching for movements to harm", 0, 0)
+        told, left = _stories(layout, found, search_seconds, stories_seconds) if stories else ({}, 0)
     if form == "json":
-        put_json([_row(m, v) | ({"story": told[m.family]} if m.family in told else {}) for m, v in found if v])
+        put_json([_row(m, v) | ({"story": told[m.family]} if m.family in told else {}) for m, v in found])
     else:
         _print(found, told)
     whole = all(v for _, v in found) and not left
@@ -124,8 +129,13 @@ def _wanted(m: Mutation, families: tuple[str, ...]) -> bool:
     return not families or m.family in families
 
 
-def _row(m: Mutation, v: Verdict) -> dict[str, object]:
-    return {"family": m.family, "form": m.form, "mutation": m.name, "fate": str(v.fate), "why": v.why}
+def _row(m: Mutation, v: Verdict | None) -> dict[str, object]:
+    """A mutant and its fate, None while it is not judged yet; if it survives, the reason why it may, or None."""
+    row: dict[str, object] = {"family": m.family, "form": m.form, "mutation": m.name}
+    if v is None:
+        return {**row, "fate": None, "why": None}
+    listing = {"listed": listed().get(m.shape)} if v.fate is Fate.SURVIVES else {}
+    return {**row, "fate": str(v.fate), "why": v.why, **listing}
 
 
 def _stories(layout: str, found: Iterable[Judged], seconds: float, in_all: float) -> tuple[dict[str, list[str]], int]:

@@ -59,7 +59,10 @@ def command(
             raise NotAPanels(f"{trace} is no record of a panel")
         else:
             page = player_html(data.decode("utf-8"))
-    except (OSError, UnicodeDecodeError, BadTrace, NotAPanels, NoShift) as error:
+    except BadTrace as error:
+        failed(f"{trace}: {error}", form)
+        sys.exit(FINDINGS)
+    except (OSError, UnicodeDecodeError, NotAPanels, NoShift) as error:
         failed(told(error, trace), form)
         sys.exit(FINDINGS)
     try:

@@ -9,7 +9,17 @@ from pathlib import Path
 import click
 
 from interlock.app.own import write_whole
-from interlock.cli.common import FINDINGS, NOT_PROVED, OK, Amount, failed, force_option, format_option, put_json
+from interlock.cli.common import (
+    FINDINGS,
+    NOT_PROVED,
+    OK,
+    Amount,
+    failed,
+    force_option,
+    format_option,
+    progress,
+    put_json,
+)
 from interlock.planning.displib import BadFile, read, write
 from interlock.planning.planner import Planned, schedule
 from interlock.planning.solver import installed
@@ -38,7 +48,9 @@ def command(
         sys.exit(FINDINGS)
     try:
         asked = read(problem)
-        found = schedule(asked, seconds, workers, seed)
+        with progress(str(problem)) as report:
+            report("planning", 0, 0)
+            found = schedule(asked, seconds, workers, seed)
         wrong = _wrong(problem, found)
         if output is not None and found.plan is not None and not wrong:
             write_whole(output, write(found.plan).encode())

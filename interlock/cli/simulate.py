@@ -157,6 +157,7 @@ def _body(done: Sequence[Worked], files: Sequence[str]) -> dict[str, object]:
                 "plans": w.planning.made,
                 "by_rules": w.planning.by_rules,
                 "chain": w.chain,
+                "what_was_wrong": [*w.wrong.hazards, *w.wrong.passed_at_stop],
                 **{k.replace(" ", "_"): v for k, v in w.wrong.counts().items()},
             }
             for w in done

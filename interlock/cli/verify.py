@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 
-from interlock.cli.common import FINDINGS, NOT_PROVED, OK, format_option, put_json, took
+from interlock.cli.common import FINDINGS, NOT_PROVED, OK, format_option, progress, put_json, took
 from interlock.verify import ERRORS, judge, why
 
 
@@ -32,27 +32,38 @@ def command(given: tuple[str, ...], form: str) -> None:
     for folder in given:
         began = time.monotonic()
         accepted, text = judge(folder)
-        found.append({"folder": folder, "verdict": "ACCEPTED" if accepted else "REJECTED", "text": text})
+        verdict = "ACCEPTED" if accepted else "REJECTED"
+        found.append({"folder": folder, "ok": accepted, "verdict": verdict, "text": text, **_took(began)})
         if form != "json":
-            mark = click.style(found[-1]["verdict"], fg="green" if accepted else "red")
+            mark = click.style(verdict, fg="green" if accepted else "red")
             click.echo(f"{folder}: {mark}  {text}, {took(began)}")
     if form == "json":
         put_json(found)
-    sys.exit(OK if all(f["verdict"] == "ACCEPTED" for f in found) else FINDINGS)
+    sys.exit(OK if all(f["ok"] for f in found) else FINDINGS)
+
+
+def _took(began: float) -> dict[str, float]:
+    return {"wall_seconds": round(time.monotonic() - began, 3)}
 
 
 def _compare(layout: Path, folder: Path, form: str) -> int:
     """With the layout and the emitted text; 3 when something was not compared."""
-    from interlock.checker.check import check, report
+    from interlock.checker.check import Checked, check, report
+
+    def checked(layout: Path, folder: Path) -> Checked:
+        with progress(str(layout)) as said:
+            said(f"comparing with {folder}", 0, 0)
+            return check(layout, folder)
 
     if form != "json":
-        return report(layout, folder)
+        return report(layout, folder, checked)
     body: dict[str, object] = {"layout": str(layout), "folder": str(folder)}
+    began = time.monotonic()
     try:
-        found = check(layout, folder)
+        found = checked(layout, folder)
     except ERRORS as error:
-        put_json([{**body, "verdict": "REJECTED", "text": why(error)}])
+        put_json([{**body, "ok": False, "verdict": "REJECTED", "text": why(error), **_took(began)}])
         return FINDINGS
-    verdict = "CHECKED" if found.left else "VERIFIED"
-    put_json([{**body, "verdict": verdict, "compared": list(found.compared), "not_compared": list(found.left)}])
+    body |= {"ok": not found.left, "verdict": "CHECKED" if found.left else "VERIFIED"}
+    put_json([{**body, "compared": list(found.compared), "not_compared": list(found.left), **_took(began)}])
     return NOT_PROVED if found.left else OK

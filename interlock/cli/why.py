@@ -9,6 +9,7 @@ import click
 from interlock.app.why import why
 from interlock.cli.common import FINDINGS, OK, format_option, put_json, show
 from interlock.diag import render
+from interlock.table.columns import COLUMNS
 
 
 @click.command("why")
@@ -23,6 +24,7 @@ def command(layout: str, route: str, column: str | None, form: str) -> None:
     if form == "json":
         put_json(
             {
+                "ok": not failed,
                 "route": route,
                 "reasons": [{"column": r.column, "item": r.item, "rule": r.rule, "text": r.text} for r in reasons],
                 "diagnostics": render.as_json([*checked.diagnostics, *problems], checked.source.texts),
@@ -36,6 +38,8 @@ def command(layout: str, route: str, column: str | None, form: str) -> None:
             form,
         )
         sys.exit(FINDINGS)
+    if not reasons:
+        click.echo(f"{route} has nothing in the column {next(c.en for c in COLUMNS if column in (c.key, c.en))}")
     last = ""
     for r in reasons:
         if r.column != last:

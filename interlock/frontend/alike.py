@@ -76,13 +76,13 @@ def check_alike(ctx: Context, elements: Iterable[tuple[str, str, Span]]) -> None
     """Report each name that looks like an earlier one of its kind.  Upper and lower case are told apart elsewhere."""
     seen: dict[tuple[str, str], list[tuple[str, Span]]] = {}
     for kind, name, span in elements:
-        rooms = [seen.setdefault((kind, key), []) for key in _keys(name)]
-        before = [x for room in rooms for x in room]
+        groups = [seen.setdefault((kind, key), []) for key in _keys(name)]
+        before = [x for group in groups for x in group]
         alike = next(
             (x for x in before if x[0].lower() != name.lower() and not numerals(_close(x[0]), _close(name))), None
         )
-        for room in rooms:
-            room.append((name, span))
+        for group in groups:
+            group.append((name, span))
         if alike is not None:
             ctx.add(
                 "IL7010",

@@ -1,4 +1,4 @@
-"""Pass 1: names.  Within a room no two elements may share a name, not even in another case (PLC text ignores case).
+"""Pass 1: names.  In one namespace no two elements share a name, not even in another case (PLC text ignores case).
 
 Output: diagnostics IL2002, IL2010; names that look alike: `alike.py`, IL7010.
 """
@@ -54,7 +54,7 @@ MOVED = ("point", "machine", "derailer", "level crossing", "interlock")
 
 
 def check_names(ctx: Context, sections: dict[str, Span]) -> None:
-    """Report names used twice within a room.  A track's name never leaves the layout, so it only needs to differ
+    """Report names used twice within a namespace.  A track's name never leaves the layout, so it only needs to differ
     from what else can be joined: points, crossings, boundaries and buffers."""
     declared = _declared(ctx)
     elements = [d for d in declared if d[0] != "track"] + [("section", n, s) for n, s in sections.items()]

@@ -96,9 +96,9 @@ class PinsRead:
     def at(self, variable: str) -> Span:
         """Where the address of a variable stands."""
         p = self.pins.by_variable[variable]
-        for room, those in (("channels", self.pins.channels), ("reserved", self.pins.reserved)):
+        for kind, those in (("channels", self.pins.channels), ("reserved", self.pins.reserved)):
             if p in those:
-                return span_of(self.root, (room, p.substation, p.element, p.variable))
+                return span_of(self.root, (kind, p.substation, p.element, p.variable))
         return self.root.span
 
 
@@ -146,7 +146,7 @@ def _pins(data: Channels) -> Iterator[Pin]:
                 yield Pin(variable, station, element, address[0], int(byte), int(bit))
 
 
-def _check(root: Node, cards: tuple[Card, ...], rooms: tuple[tuple[str, tuple[Pin, ...]], ...], sink: Sink) -> None:
+def _check(root: Node, cards: tuple[Card, ...], kinds: tuple[tuple[str, tuple[Pin, ...]], ...], sink: Sink) -> None:
     """Nothing is there twice, and no channel lies on a card of another substation."""
     holder: dict[tuple[str, int], Card] = {}
     for c in cards:
@@ -158,10 +158,10 @@ def _check(root: Node, cards: tuple[Card, ...], rooms: tuple[tuple[str, tuple[Pi
         holder |= {(c.direction, b): c for b in c.bytes}
     names: dict[str, Span] = {}
     places: dict[Place, tuple[str, Span]] = {}
-    for room, pins in rooms:
+    for kind, pins in kinds:
         for p in pins:
-            at = span_of(root, (room, p.substation, p.element, p.variable))
-            key = span_of(root, (room, p.substation, p.element, p.variable), key=True)
+            at = span_of(root, (kind, p.substation, p.element, p.variable))
+            key = span_of(root, (kind, p.substation, p.element, p.variable), key=True)
             if p.variable in names:
                 said = f"{p.variable} is pinned twice (first in line {names[p.variable].line})"
                 sink.add("IL2021", said, key, "keep the one at which it is wired")

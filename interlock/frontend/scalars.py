@@ -18,6 +18,7 @@ _WORD = rf"[^\W_{_UNSEEN}]+#?"
 NAME = re.compile(rf"{_WORD}([ _/-]{_WORD})*")
 """Letters and digits of any script, a `#` after them, and single signs or spaces between."""
 MAX_LENGTH_M = 100_000.0
+STEEPEST = 1000  # permille: no track is steeper than 1 in 1
 ADDRESS = re.compile(r"([IQ])([0-9]{1,4})\.([0-7])")
 """I or Q, byte, bit."""
 _NUMBER = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)")
@@ -201,10 +202,14 @@ def _amount(value: object) -> float:
     return x
 
 
-def _permille(value: object) -> object:
+def _permille(value: object) -> float:
     if not isinstance(value, str):
         raise PydanticCustomError("number", "a number is expected")
-    return number(value)
+    x = number(value)
+    if not -STEEPEST <= x <= STEEPEST:
+        fix = f"give permille from -{STEEPEST} to {STEEPEST}, negative where the track rises towards the signal"
+        raise PydanticCustomError("range", "{v} permille is no gradient", {"v": value, "fix": fix})
+    return x
 
 
 def _speed(value: object) -> int:
@@ -278,7 +283,9 @@ Reason = Annotated[
 Item = Annotated[str, BeforeValidator(_text), WithJsonSchema(_ITEM_SCHEMA)]
 Approach = Annotated[str, BeforeValidator(_text), WithJsonSchema(_APPROACH_SCHEMA)]
 Metres = Annotated[str, BeforeValidator(_text), WithJsonSchema({"type": "number", "minimum": 0, "maximum": 2000})]
-Permille = Annotated[float, BeforeValidator(_permille), WithJsonSchema({"type": "number"})]
+Permille = Annotated[
+    float, BeforeValidator(_permille), WithJsonSchema({"type": "number", "minimum": -STEEPEST, "maximum": STEEPEST})
+]
 Length = Annotated[
     float,
     BeforeValidator(_length),

@@ -5,15 +5,15 @@ One definition for validation (`validate`), JSON Schema and language page (`publ
 
 from __future__ import annotations
 
-from enum import StrEnum
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, WithJsonSchema
+from pydantic import BeforeValidator, WithJsonSchema
 
 from interlock.diag.codes import LINTS
+from interlock.frontend.keys import Part, key
+from interlock.frontend.principles import PrinciplesSpec
 from interlock.frontend.scalars import (
     XY,
-    Amount,
     Approach,
     Count,
     End,
@@ -38,12 +38,8 @@ from interlock.frontend.scalars import (
 )
 from interlock.model.elements import BlockKind, Hand, HealthBy, SignalKind, TelegramForm, Work
 from interlock.model.overlap import overlap_length
-from interlock.model.principles import MEANING, PROFILES, Caution, Closes, FlankChoice, Local
+from interlock.model.principles import PROFILES
 from interlock.model.target import CPUS
-
-
-class _Part(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
 
 def place() -> Any:
@@ -52,22 +48,13 @@ def place() -> Any:
     return key(text, None)
 
 
-def key(text: str, default: Any = ..., *, name: str | None = None, least: int = 0, most: int = 0) -> Any:
-    """A key of the language: what it means (shown by editors and by the language page), and what it is without it.
-
-    `name`: how it is written, where Python forbids that; `least` and `most` entries of a list.
-    """
-    count: Any = {k: v for k, v in (("min_length", least), ("max_length", most)) if v}
-    return Field(default, description=text, alias=name, **count)
-
-
 SUPERVISION = (
     "seconds after which a machine that is commanded and not detected raises an alarm; without it, the principle "
     "`point_supervision_s`"
 )
 
 
-class BoundarySpec(_Part):
+class BoundarySpec(Part):
     """Where trains come in or leave."""
 
     approach: Approach | None = key(
@@ -89,7 +76,7 @@ class BoundarySpec(_Part):
     xy: XY | None = place()
 
 
-class PointSpec(_Part):
+class PointSpec(Part):
     """A set of points; each end names what it is joined to."""
 
     section: Name = key("the section in which it lies")
@@ -117,7 +104,7 @@ class PointSpec(_Part):
     supervision: Seconds | None = key(SUPERVISION, None)
 
 
-class DerailerSpec(_Part):
+class DerailerSpec(Part):
     """A derailer between two ends; on is its normal position, off its reverse one."""
 
     section: Name = key("the section in which it lies")
@@ -131,7 +118,7 @@ class DerailerSpec(_Part):
     supervision: Seconds | None = key(SUPERVISION, None)
 
 
-class SlipSpec(_Part):
+class SlipSpec(Part):
     """A slip: a diamond whose arms are also joined by slip rails."""
 
     section: Name = key("the section in which it lies")
@@ -162,7 +149,7 @@ class SlipSpec(_Part):
     supervision: Seconds | None = key(SUPERVISION, None)
 
 
-class DeviceSpec(_Part):
+class DeviceSpec(Part):
     """A level crossing, or a bridge, door or hoist, closed and locked for every movement over its sections."""
 
     over: list[Name] = key("the sections over which no train runs unless it is closed", least=1)
@@ -170,14 +157,14 @@ class DeviceSpec(_Part):
     supervision: Seconds | None = key(SUPERVISION, None)
 
 
-class ArmSpec(_Part):
+class ArmSpec(Part):
     """One arm of a diamond crossing."""
 
     section: Name = key("the section of the arm")
     ends: Pair = key("what the arm's two ends are joined to: `1a`, `1b` of the first arm, `2a`, `2b` of the second")
 
 
-class CrossingSpec(_Part):
+class CrossingSpec(Part):
     """A diamond crossing of two arms."""
 
     arms: list[ArmSpec] = key("its two arms", least=2, most=2)
@@ -188,7 +175,7 @@ class CrossingSpec(_Part):
 _KINDS, _ROUTE_KINDS = (*SignalKind, "board", "limit"), ("main", "shunt", "call-on")
 
 
-class SignalSpec(_Part):
+class SignalSpec(Part):
     """A signal at the joint between two sections, read by movements that go into the second."""
 
     from_: Name = key("the section in rear of it, or, for an entry signal, the boundary", name="from")
@@ -217,13 +204,13 @@ class SignalSpec(_Part):
     )
 
 
-class DistantSpec(_Part):
+class DistantSpec(Part):
     """A distant or repeating signal: clear only while its main signal shows clear."""
 
     of: Name = key("the main signal that it announces")
 
 
-class HealthSpec(_Part):
+class HealthSpec(Part):
     """How a substation is seen to be well; while one is not, all inputs count as lost."""
 
     by: Annotated[HealthBy, choice("sign of health", tuple(HealthBy))] = key(
@@ -234,7 +221,7 @@ class HealthSpec(_Part):
     within: Within = key("seconds in which the heartbeat must change, 0.2 to 1", 1.0)
 
 
-class SectionSpec(_Part):
+class SectionSpec(Part):
     """More about a section."""
 
     speed: Speed | None = key("km/h permitted in it; without it, none is stated (R11)", None)
@@ -252,7 +239,7 @@ class SectionSpec(_Part):
     )
 
 
-class ConditionSpec(_Part):
+class ConditionSpec(Part):
     """A named input from outside that routes require."""
 
     text: Text = key("what it says, for plans and forms", "")
@@ -261,14 +248,14 @@ class ConditionSpec(_Part):
     exits: list[Name] = key("routes that leave over one of these boundaries require it", [])
 
 
-class ZoneSpec(_Part):
+class ZoneSpec(Part):
     """Sections in which no more than so many trains may be."""
 
     sections: list[Name] = key("routes lead into them only while there is room")
     trains: Trains = key("how many trains may be there at once")
 
 
-class OverlapWaySpec(_Part):
+class OverlapWaySpec(Part):
     """Alternatives of an overlap over some sections, with values of their own; a short one may lie inside them (R4)."""
 
     over: list[Name] = key("all of these sections; of several entries that fit, the first counts", least=1)
@@ -283,7 +270,7 @@ class OverlapWaySpec(_Part):
         return number(self.length) if self.length is not None else overlap_length(self.entry_speed or 0.0, self.falling)
 
 
-class OverlapSpec(_Part):
+class OverlapSpec(Part):
     """The overlap beyond a main signal inside the layout: `length`, or `speed` and `falling`, or `successive`."""
 
     length: Metres | None = key("metres, 0 for no overlap; without it, what `speed` or `successive` says", None)
@@ -325,7 +312,7 @@ class OverlapSpec(_Part):
         return overlap_length(self.speed or self.entry_speed or 0.0, self.falling)
 
 
-class ChoiceSpec(_Part):
+class ChoiceSpec(Part):
     """Routes: all that fit what is given."""
 
     from_: Name | None = key("the signal at which they begin; without it, any", None, name="from")
@@ -346,7 +333,7 @@ class ExcludeSpec(ChoiceSpec):
     reason: Reason = key("why they shall not be; not empty")
 
 
-class HostileSpec(_Part):
+class HostileSpec(Part):
     """Routes that must not be set together, though nothing in the layout tells."""
 
     one: ChoiceSpec = key("routes, each of them hostile to each of `other`")
@@ -354,7 +341,7 @@ class HostileSpec(_Part):
     reason: Reason = key("why they are hostile; not empty")
 
 
-class DemandSpec(_Part):
+class DemandSpec(Part):
     """A point or device that routes lock, or a section that must be clear, though nothing in the layout tells."""
 
     point: Name | None = key("a point, derailer, half of a slip, level crossing, interlock; without it, `clear`", None)
@@ -366,7 +353,7 @@ class DemandSpec(_Part):
     reason: Reason = key("why they do; not empty")
 
 
-class RouteSpec(_Part):
+class RouteSpec(Part):
     """One derived route."""
 
     from_: Name = key("the signal at which it begins", name="from")
@@ -400,7 +387,7 @@ class VoyageSpec(RouteSpec):
     )
 
 
-class WaiverSpec(_Part):
+class WaiverSpec(Part):
     """Flank protection given up on purpose."""
 
     flank: Text = key("the leg of a point: `point.normal` or `point.reverse`")
@@ -409,24 +396,7 @@ class WaiverSpec(_Part):
     )
 
 
-def knob(name: str) -> Any:
-    """A key of `principles`: its meaning stands where the principle does, and its values in the profiles."""
-    told, values = MEANING[name], {profile: getattr(p, name) for profile, p in PROFILES.items()}
-    usual = values.pop("generic")
-    others = ", ".join(f"{profile} {_word(v)}" for profile, v in values.items() if v != usual)
-    text = f"{told}; without it, the profile's: {_word(usual)}" + (f" ({others})" if others else "")
-    return Field(None, description=text, json_schema_extra={"default": _plain(usual)})
-
-
-def _plain(x: Any) -> Any:
-    return str(x) if isinstance(x, StrEnum) else x
-
-
-def _word(x: Any) -> str:
-    return ("yes" if x else "no") if isinstance(x, bool) else f"{x:g}" if isinstance(x, float) else str(x)
-
-
-class AllowSpec(_Part):
+class AllowSpec(Part):
     """Usual practice departed from on purpose: which warning is not to be given, at which elements, and why."""
 
     lint: Annotated[str, choice("warning of usual practice", LINTS), WithJsonSchema({"enum": list(LINTS)})] = key(
@@ -436,45 +406,7 @@ class AllowSpec(_Part):
     reason: Reason = key("why it is meant so here; not empty")
 
 
-class PrinciplesSpec(_Part):
-    """Single knobs of the profile, overridden."""
-
-    release_delay_s: Seconds | None = knob("release_delay_s")
-    approach_release_s: Seconds | None = knob("approach_release_s")
-    shunt_release_s: Seconds | None = knob("shunt_release_s")
-    point_supervision_s: Seconds | None = knob("point_supervision_s")
-    point_start_gap_s: Amount | None = knob("point_start_gap_s")
-    fouling_m: Seconds | None = knob("fouling_m")
-    clearance_m: Seconds | None = knob("clearance_m")
-    leg_m: Seconds | None = knob("leg_m")
-    flank_by: Annotated[FlankChoice | None, choice("protection", tuple(FlankChoice))] = knob("flank_by")
-    flank_space: YesNo | None = knob("flank_space")
-    flank_lamp: YesNo | None = knob("flank_lamp")
-    drive_points: YesNo | None = knob("drive_points")
-    sensor_faults: YesNo | None = knob("sensor_faults")
-    lamp_proof: YesNo | None = knob("lamp_proof")
-    caution: Annotated[Caution | None, choice("use of caution", tuple(Caution))] = knob("caution")
-    overlap_m: Amount | None = knob("overlap_m")
-    overlap_release_s: Seconds | None = knob("overlap_release_s")
-    local_requests: Annotated[Local | None, choice("rule for local requests", tuple(Local))] = knob("local_requests")
-    priorities: YesNo | None = knob("priorities")
-    priority_wait_s: Amount | None = knob("priority_wait_s")
-    token_delay_s: Seconds | None = knob("token_delay_s")
-    token_agreed_s: Seconds | None = knob("token_agreed_s")
-    line_speed_kmh: Seconds | None = knob("line_speed_kmh")
-    shunt_speed_kmh: Seconds | None = knob("shunt_speed_kmh")
-    braking_ms2: Seconds | None = knob("braking_ms2")
-    reaction_s: Seconds | None = knob("reaction_s")
-    output_delay_s: Seconds | None = knob("output_delay_s")
-    detection_delay_s: Seconds | None = knob("detection_delay_s")
-    point_run_s: Seconds | None = knob("point_run_s")
-    restart_delay_s: Seconds | None = knob("restart_delay_s")
-    slow_below_kmh: Amount | None = knob("slow_below_kmh")
-    main_closes: Annotated[Closes | None, choice("closing of signals", tuple(Closes))] = knob("main_closes")
-    shunt_closes: Annotated[Closes | None, choice("closing of signals", tuple(Closes))] = knob("shunt_closes")
-
-
-class TargetSpec(_Part):
+class TargetSpec(Part):
     """The controller for which the text is meant: its sizes are estimated as for an S7-300 or S7-1500, and compared."""
 
     cpu: Annotated[str | None, choice("CPU", tuple(CPUS)), WithJsonSchema({"enum": list(CPUS)})] = key(
@@ -485,7 +417,7 @@ class TargetSpec(_Part):
     memory_kb: Count | None = key("1,024 bytes of work memory; without it, those of the CPU", None)
 
 
-class TitleBlockSpec(_Part):
+class TitleBlockSpec(Part):
     """The title block of printed forms; the station's name is the layout's `title`."""
 
     company: Text = key("who has the forms made", "")
@@ -495,7 +427,7 @@ class TitleBlockSpec(_Part):
     date: Text = key("the date, as it shall be printed; without it, none: forms never bear the day of the run", "")
 
 
-class LayoutFile(_Part):
+class LayoutFile(Part):
     """A track layout for interlock."""
 
     interlock: Annotated[int, BeforeValidator(version), WithJsonSchema({"const": 1})] = key("version of the language")
@@ -525,10 +457,10 @@ class LayoutFile(_Part):
     conditions: dict[Name, ConditionSpec] = key("inputs from outside that routes require", {})
     zones: dict[Name, ZoneSpec] = key("sections in which no more than so many trains may be", {})
     routes: dict[Name, NamedSpec] = key("names for derived routes", {})
-    voyages: dict[Name, VoyageSpec] = key("chains of routes that one command opens", {})
+    voyages: dict[Name, VoyageSpec] = key("route sequences: chains of routes that one command opens", {})
     automatic: list[RouteSpec] = key("train routes that an operator's switch sets again after every train", [])
     exclude: list[ExcludeSpec] = key("derived routes that shall not be", [])
-    hostile: list[HostileSpec] = key("routes that are hostile beyond what the layout tells", [])
+    hostile: list[HostileSpec] = key("routes that are hostile (conflicting) beyond what the layout tells", [])
     demand: list[DemandSpec] = key("points that routes lock beyond what the layout tells", [])
     overlaps: dict[Name, OverlapSpec] = key(
         "overlaps beyond main signals inside the layout; without it, the principle `overlap_m`", {}
@@ -552,7 +484,7 @@ class LayoutFile(_Part):
         "point commands go out as telegrams of document C; those of `tagged` bear their number", TelegramForm.NONE
     )
     target: TargetSpec = key(
-        "the controller: whether what is written may fit into it is told as a diagnostic", TargetSpec()
+        "the controller; a diagnostic says whether the text that is written may fit into it", TargetSpec()
     )
     title_block: TitleBlockSpec = key("the title block of printed forms", TitleBlockSpec())
     addresses: dict[Text, Text] = key(

@@ -8,6 +8,7 @@ from pydantic import BaseModel, ValidationError
 
 from interlock.diag import Sink
 from interlock.frontend import schema
+from interlock.frontend.principles import PrinciplesSpec
 from interlock.frontend.shapes import report_shape, span_of
 from interlock.frontend.yaml_tree import Mapping, Node, Scalar, Sequence
 
@@ -38,7 +39,7 @@ _KEYS: dict[str, tuple[str, ...]] = {
     "interlocks": _names(schema.DeviceSpec),
     "signals": _names(schema.SignalSpec),
     "distants": _names(schema.DistantSpec),
-    "principles": _names(schema.PrinciplesSpec),
+    "principles": _names(PrinciplesSpec),
     "overlaps": _names(schema.OverlapSpec),
     "exclude": _names(schema.ExcludeSpec),
     "sections": _names(schema.SectionSpec),

@@ -84,7 +84,7 @@ MEANING: dict[str, str] = {
     ),
     "approach_release_s": (
         "delay of a cancellation while the approach is occupied, for train routes (R8: 180 s receiving and "
-        "main-line departure; an Indian example has 120 s).  `mine` takes 60 s, our choice for 8 km/h"
+        "main-line departure; an Indian example has 120 s).  `mine` takes 60 s (our choice)"
     ),
     "shunt_release_s": "the same for shunt routes (R8: 30 s)",
     "point_supervision_s": "time after which a commanded point without detection raises an alarm (R10: 13 s)",
@@ -145,7 +145,7 @@ MEANING: dict[str, str] = {
     ),
     "token_delay_s": "how long the operator must hold the special manual change of direction (R12; our choice)",
     "token_agreed_s": (
-        "how long that hand must at least be held until what was under way on the telegraph and the line has "
+        "how long that hand must at least be held until telegrams and trains that were under way have "
         "arrived, as agreed by telephone (our choice)"
     ),
     "line_speed_kmh": "highest speed of trains where a section states none (our choice)",

@@ -204,7 +204,7 @@ def zone_joints(topo: Topology, z: Zone) -> list[tuple[SectionId, NodeId]]:
 
 @of_layout
 def topology(layout: Layout) -> Topology:
-    """The topology of a layout (kept, since several rooms ask for it)."""
+    """The topology of a layout (kept, since several packages ask for it)."""
     return Topology(layout)
 
 

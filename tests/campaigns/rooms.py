@@ -55,7 +55,7 @@ RECORDS = {
         36,
         "the keys of a layout file, each with its meaning: the schema is made from it",
     ),
-    "frontend/schema.py PrinciplesSpec": (33, "the keys under `principles`, each with its meaning"),
+    "frontend/principles.py PrinciplesSpec": (33, "the keys under `principles`, each with its meaning"),
     "model/principles.py Principles": (33, "the same keys with their values, as a profile has them"),
 }
 """Records with more than PUBLIC fields, and what flat form each has outside of the program.  Numbers only fall."""

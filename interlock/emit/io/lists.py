@@ -58,7 +58,7 @@ def channels_csv(layout: Layout, controller: Controller, a: Allocation) -> str:
 def names_csv(layout: Layout) -> str:
     """Each element with its name in PLC text, one row each; empty where all are written as they are, but for `-` and
     `/`."""
-    rooms: tuple[tuple[str, Iterable[str]], ...] = (
+    kinds: tuple[tuple[str, Iterable[str]], ...] = (
         ("layout", (layout.name,)),
         ("section", (s.id for s in layout.track.sections)),
         ("signal", (g.id for g in layout.signalling.signals)),
@@ -67,7 +67,7 @@ def names_csv(layout: Layout) -> str:
         ("zone", (z.id for z in layout.declared.zones)),
         ("boundary", (b.node for b in layout.track.boundaries)),
     )
-    rows = [(kind, name, portable(name)) for kind, names in rooms for name in names]
+    rows = [(kind, name, portable(name)) for kind, names in kinds for name in names]
     if all(len(name) == len(written) and written.isascii() for _, name, written in rows):
         return ""
     return _csv([("Kind", "Name", "Name in PLC text"), *rows])

@@ -12,6 +12,7 @@ from pydantic import BaseModel, Field, create_model
 
 from interlock.emit.tables.document import CELLS, ONLY_STATED, ROUTE, SCHEMA, TOPOLOGY
 from interlock.model.layout import Layout
+from interlock.model.places import Approach
 from interlock.table.cells import Because, HostileRoutes, Hostility
 from interlock.table.rows import InterlockingTable, RouteRow
 
@@ -86,6 +87,8 @@ class _Models:
             return Annotated[int, Field(ge=0, description=text)]
         if get_origin(hint) is tuple and get_args(hint)[-1] is ...:
             return list[self.written(get_args(hint)[0])]  # type: ignore[misc]
+        if hint is Approach:  # holds others of its kind, and neither cells nor reasons
+            return hint
         if get_origin(hint) in (Union, UnionType):
             return Union[tuple(map(self.written, get_args(hint)))]  # noqa: UP007
         return self.of(hint) if is_dataclass(hint) and isinstance(hint, type) else hint

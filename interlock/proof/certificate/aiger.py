@@ -4,6 +4,10 @@ Inputs: the free variables of a step, where a small-range input gives its bits, 
 the first step.  Latches, all 0 at reset: every state variable, `later` (not the first step) and `unfair` (an assumption
 or the initial condition was broken).
 Output 0 is bad: in a step in which everything assumed holds, and held before, some claim does not hold.
+
+**Theorem.**  Output 0 is 1 in some step of a run of the circuit exactly if the system has a run, from an initial state
+and under its assumptions up to that step, in which some claim of that step does not hold.  (A latch for each state
+variable, a gate for each part of a definition: Biere, Heljanko and Wieringa, *AIGER 1.9 and Beyond*, 2011.)
 """
 
 from __future__ import annotations

@@ -6,6 +6,10 @@ needed.txt   which term of the controller each claim rests on
 manifest.json   SHA-256 of both, of the layout file and of every emitted file, and of the manifest itself
 
 Expressions are written as `a`, `!a`, `(& a b)`, `(| a b)`; `T` and `F` are the constants.
+
+**Theorem.**  Reading is the inverse of writing: each line has one reading, so that what is checked is the system that
+was proved; and whoever changes a file keeps its digest only by a collision of SHA-256.  (Prefix notation, of which no
+text has two readings: Lukasiewicz, 1929; that nobody finds a collision is believed, not proved: FIPS 180-4.)
 """
 
 from __future__ import annotations

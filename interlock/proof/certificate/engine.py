@@ -52,7 +52,7 @@ class LocalProof:
     open: list[Goal] = field(default_factory=list)
 
 
-class Room:
+class Context:
     """Facts of one kind, and the goals that are proved of them.
 
     A clause has a number here as it has in what is written: when its turn comes, lemmas when they are first needed.
@@ -214,16 +214,16 @@ class Room:
 def prove_locally(base: FactBase, progress: Callable[[int, int], None] = lambda done, total: None) -> LocalProof:
     """Every goal of the base, in order."""
     goals = list(base.goals())
-    rooms: dict[int, list[int]] = {}
+    contexts: dict[int, list[int]] = {}
     for n, goal in enumerate(goals):
-        rooms.setdefault(id(base.facts(goal.kind)), []).append(n)
+        contexts.setdefault(id(base.facts(goal.kind)), []).append(n)
     found: list[Obligation | None] = [None] * len(goals)
     numbers: dict[int, tuple[int, ...]] = {}
     done = 0
-    for which, those in rooms.items():
-        room = Room(base.facts(goals[those[0]].kind), [goals[n] for n in those])
-        numbers[which] = tuple(room.facts)
-        for n, made in zip(those, room.prove(), strict=True):
+    for which, those in contexts.items():
+        context = Context(base.facts(goals[those[0]].kind), [goals[n] for n in those])
+        numbers[which] = tuple(context.facts)
+        for n, made in zip(those, context.prove(), strict=True):
             if done % 256 == 0:
                 progress(done, len(goals))
             found[n] = made

@@ -11,6 +11,11 @@ A *clause* here is a disjunction whose parts are literals or small expressions. 
 
 Every fact is numbered in the order in which `interlock verify` builds it again from the written system; goals of the
 step that are proved are numbered on from there, in their order, and are facts for what comes after them.
+
+**Theorem.**  Together the clauses of an expression are equivalent to it.  If each goal of the base case follows from
+the initial condition, and each other goal from the facts of a step and the goals of the step before it, then the
+invariants hold in all reachable states, and so do the claims.  (Induction: Floyd, 1967; each goal rests on earlier ones
+alone, so that none shows itself.)
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """Refutations with hints (LRAT without deletions): for each clause that follows, the clauses that show it.
 
-CaDiCaL looks for them and writes down, for every clause that it learns, the clauses from which it has it.  All goals of
-a room are asked in one search: for goal i there is a variable that says that it is false, the search decides these
-variables one after the other, and each is learnt to be false before the next one is decided.  A goal that may be used
-for those after it holds where its variable is false.
+CaDiCaL looks for them and writes down, for every clause that it learns, the clauses from which it has it.  All goals
+that have the same facts are asked in one search: for goal i there is a variable that says that it is false, the search
+decides these variables one after the other, and each is learnt to be false before the next one is decided.  A goal that
+may be used for those after it holds where its variable is false.
 
 **Theorem.**  A clause follows if, with all of its literals false, clause after clause forces a literal, until one has
 none left; and so does all that is shown with it.  (Reverse unit propagation: Goldberg and Novikov, 2003; hints:

@@ -4,6 +4,10 @@ The interlocking is proved for every value of its inputs, so nothing more is ask
 gets its own wire (or the operator's variable of its name), each wire to the outside gets its own output, each word a
 variable, no address twice, VALID only while no cycle was too long and every substation is seen to be well (its watch,
 its diagnosis bit, or both), each substation with outputs gets a heartbeat that changes in every cycle, and one task.
+
+**Theorem.**  Where each input has a wire of its own and each wire to the outside an output of its own, a claim that
+holds for every value of the inputs holds for every state of the wires.  (Renaming by a bijection keeps validity;
+everything else that the program computes is compared formula by formula.)
 """
 
 from __future__ import annotations

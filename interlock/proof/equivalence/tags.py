@@ -2,6 +2,10 @@
 
 A workbook is an archive of files that name each other, and a spreadsheet follows these names: so whatever could lead it
 to another sheet, text or cell than is read here is refused.
+
+**Theorem.**  Each part of the archive that is followed has one name, one place and one reading, and whatever else could
+be followed is refused: so a spreadsheet that keeps to the format shows the names and addresses that are read here.
+(Determinism of the reading; format: ECMA-376.)
 """
 
 from __future__ import annotations

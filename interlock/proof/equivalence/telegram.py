@@ -5,6 +5,10 @@ exclusive or of all bytes is zero; it commands exactly what the telegram says, a
 exactly when the host agrees on every machine, what it then sends is such a telegram for these commands, and what it
 holds otherwise is none.  Neither remembers anything: that is proved for every value that a variable may have kept from
 the call before.  TRY, which has memory, is the block that is made, statement by statement; no other block is there.
+
+**Theorem.**  A formula that no valuation of its variables makes false holds for every telegram, every command and every
+value that was left from the call before; where no result reads what was left, the block has no memory.  (Validity of a
+propositional formula, as unsatisfiability of its denial.)
 """
 
 from __future__ import annotations

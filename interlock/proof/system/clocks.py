@@ -5,6 +5,10 @@ What is assumed of the world speaks of clocks, never of timers.  A timer says so
 input was true, what the clock looks at held too (`cov.TIMER`, a history variable, proved to stay true), and if its
 preset is no shorter than the time that the world needs: two durations over the same scans.  Neither is assumed: a timer
 that is started by something else, or is too short, says nothing of the world, and what rests on it is not proved.
+
+**Theorem.**  If a timer has run out, its input was true without a break for its preset at least; if what a clock looks
+at held in all of these scans, and the preset is no shorter than the world needs, then that has held without a break for
+as long as the world needs.  (One interval within another; counted in the same time: A-CLOCK.)
 """
 
 from __future__ import annotations

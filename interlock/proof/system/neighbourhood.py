@@ -2,6 +2,9 @@
 
 A solver is quickest when a question is like the one before it.  Sections are numbered by a walk over the track that
 goes on from a section to its neighbours before it comes back to a branch.
+
+**Theorem.**  Each question is asked of lines of the system, whatever is said here of places: order and grouping of
+questions decide how long they take, never what follows.  (Weakening of premises; as in `abstraction/focus.py`.)
 """
 
 from __future__ import annotations

@@ -5,6 +5,11 @@ may still run.  The start values that every such scan keeps, whatever is read, a
 afterwards; nothing else is, and the induction begins there, with trains standing anywhere (A-RESTART).  The set is the
 greatest one that a scan keeps: values are dropped until none is lost (Kleene's three values: a value that is not
 determined by those that are kept counts as lost).
+
+**Theorem.**  What holds of the start values, and is kept by every scan while the restart delay runs, whatever it reads,
+holds when the delay is over, after however many scans; and what three values determine is so under every value of what
+they leave open.  (Induction over scans; greatest fixed point: Tarski, 1955; Kleene, *Introduction to Metamathematics*,
+1952.)
 """
 
 from __future__ import annotations

@@ -2,6 +2,11 @@
 
 `after` turns an expression about a state into one about the state one step later, in terms of the old state and
 the free inputs of the step.
+
+**Theorem.**  In every step an expression over the state, with the name of its next value for each variable, has the
+value that the expression has in the state after the step, and a definition is true of every step: so a formula that
+follows from definitions and assumptions holds in every step of every run.  (Substitution lemma; transition systems:
+Manna and Pnueli, *Temporal Verification of Reactive Systems*, 1995.)
 """
 
 from __future__ import annotations
