@@ -72,9 +72,10 @@ def _certified(path: str, outputs: Path, proofs: Path, check: bool, progress: Pr
             "IL5003", Severity.ERROR, f"{outputs / layout.name}: {stale[0]}", span, f"compile {path} first"
         )
         return Certified(proved, notes=(note,))
-    system = System(layout, lower(layout, table))
+    controller = lower(layout, table)
+    system = System(layout, controller)
     facts = Facts(system)
-    base = FactBase(system, strengthening(facts), claims(facts), start_claim(system))
+    base = FactBase(system.relation, system.initial, strengthening(facts), claims(facts), start_claim(system.loop))
     target = proofs / layout.name
     texts = {SYSTEM: system_text(base).encode()}
     if not check and (found := strangers(target)):
@@ -92,7 +93,7 @@ def _certified(path: str, outputs: Path, proofs: Path, check: bool, progress: Pr
                 note = Diagnostic("IL5002", Severity.ERROR, f"no certificate: {g.kind} of {g.source} is open", span)
                 return Certified(proved, notes=(note,))
             texts[PROOF] = proof_bytes(local)
-            texts[NEEDED] = needs_text(needs(local, system.controller)).encode()
+            texts[NEEDED] = needs_text(needs(local, controller)).encode()
             manifest = manifest_text(layout.name, {**texts, **tied})
             write_folder(target, {**texts, MANIFEST: manifest.encode()})
         progress("verifying the certificate", 0, 0)

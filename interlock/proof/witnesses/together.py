@@ -10,11 +10,10 @@ from itertools import pairwise
 from interlock.logic import names
 from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import NodeId, Position, SectionId
-from interlock.proof.system.transition import System
+from interlock.proof.system.loop import ClosedLoop
 from interlock.proof.witnesses import opening
 from interlock.proof.witnesses.routes import (
     MAX_STEPS,
-    Railway,
     _before,
     _closing,
     _failed_section,
@@ -58,22 +57,22 @@ class PairRun:
         return (self.first,) if self.how in (How.ONWARD, How.ALONE) else (self.first, self.second)
 
 
-def pair_run(system: System, railway: Railway, run: PairRun, lane: Lane) -> Driver:
+def pair_run(railway: ClosedLoop, run: PairRun, lane: Lane) -> Driver:
     """Release after the restart, bring the trains before their signals, open both, drive, and see all free again."""
     failure = yield from _placed(railway, run, lane)
     if failure is not None:
         return failure
-    failure = yield from _disturbed_for(railway, (run.first, run.second), _used(system, railway, run, lane))
+    failure = yield from _disturbed_for(railway, (run.first, run.second), _used(railway, run, lane))
     troubles = lane.troubles()
     return failure or (f"the run meets {', '.join(troubles)}" if troubles else None)
 
 
-def lone_request(railway: Railway, run: PairRun, r: RouteSymbols, lane: Lane) -> Driver:
+def lone_request(railway: ClosedLoop, run: PairRun, r: RouteSymbols, lane: Lane) -> Driver:
     """One of two routes is asked for with the trains of a run before their signals, while the other is not set."""
     failure = yield from _placed(railway, run, lane)
     if failure is not None:
         return failure
-    asking = _until(lane, r.active, Wish((), {railway.symbols.requests.request: r.number}), opening.SET)
+    asking = _until(lane, r.active, Wish((), {railway.controller.symbols.requests.request: r.number}), opening.SET)
     return (yield from _disturbed_for(railway, (run.first, run.second), _granted(lane, r, asking)))
 
 
@@ -81,7 +80,7 @@ def _granted(lane: Lane, r: RouteSymbols, asking: Generator[Wish, None, bool]) -
     return None if (yield from asking) else REFUSED + _not(lane, names.GRANTED(r.number))
 
 
-def _placed(railway: Railway, run: PairRun, lane: Lane) -> Driver:
+def _placed(railway: ClosedLoop, run: PairRun, lane: Lane) -> Driver:
     """Release after the restart, and bring the trains before their signals."""
     yield from settling(railway, [r for chain, r in zip(run.before, run.trains, strict=False) for r in (*chain, r)])
     for chain, last in zip(run.before, (run.first, run.second), strict=True):
@@ -101,18 +100,18 @@ def _placed(railway: Railway, run: PairRun, lane: Lane) -> Driver:
     return None
 
 
-def _there(railway: Railway, lane: Lane, r: RouteSymbols) -> Generator[Wish, None, None]:
+def _there(railway: ClosedLoop, lane: Lane, r: RouteSymbols) -> Generator[Wish, None, None]:
     """Another train comes to a boundary where the one before has gone on."""
     place = _before(railway, r)
     if place not in railway.topo.ends and not lane.is_on(names.STANDS(place)):
         yield from _until(lane, names.STANDS(place), Wish((names.APPEARS(place),)))
 
 
-def _used(system: System, railway: Railway, run: PairRun, lane: Lane) -> Driver:
+def _used(railway: ClosedLoop, run: PairRun, lane: Lane) -> Driver:
     first, second = run.first, run.second
     for r in (first, second):
         after = first if r is second else None
-        failure = yield from _opens(railway, lane, r, opening.steps(system, r, lane.lanes.dt_ms, after=after))
+        failure = yield from _opens(railway, lane, r, opening.steps(railway, r, lane.lanes.dt_ms, after=after))
         if failure is not None:
             return f"{r.id}: {failure}"
     yield NOTHING
@@ -125,12 +124,14 @@ def _used(system: System, railway: Railway, run: PairRun, lane: Lane) -> Driver:
     there = (second,) if run.how is How.ONWARD else run.trains
     keep = set(railway.layout.track.undetected).union(*(_stays(railway, r, r not in there) for r in (first, second)))
     left = [
-        s for s, locks in railway.symbols.sections.locked_by.items() if s not in keep and any(map(lane.is_on, locks))
+        s
+        for s, locks in railway.controller.symbols.sections.locked_by.items()
+        if s not in keep and any(map(lane.is_on, locks))
     ]
     return f"{', '.join(left)} stay locked in the end" if left else None
 
 
-def _driven(railway: Railway, run: PairRun, lane: Lane) -> Driver:
+def _driven(railway: ClosedLoop, run: PairRun, lane: Lane) -> Driver:
     first, second = run.first, run.second
     if run.how is How.TOGETHER:
         both = _merged([_travel(railway, lane, first), _travel(railway, lane, second)])
@@ -149,27 +150,27 @@ def _driven(railway: Railway, run: PairRun, lane: Lane) -> Driver:
         return failure
     given_back = {How.ALONE: [second], How.GIVEN_BACK: [first, second]}.get(run.how, [])
     for r in given_back:
-        yield Wish((), {railway.symbols.cancellation.cancel[r.entry]: 1})
+        yield Wish((), {railway.controller.symbols.cancellation.cancel[r.entry]: 1})
     there = (second,) if run.how is How.ONWARD else run.trains
     keep = set().union(*(_stays(railway, r, r not in there) for r in (first, second)))
     return (yield from _freed(railway, lane, (first, second), keep))
 
 
-def settling(railway: Railway, routes: Sequence[RouteSymbols]) -> list[Wish]:
+def settling(railway: ClosedLoop, routes: Sequence[RouteSymbols]) -> list[Wish]:
     """Two scans in which an operator releases everything that is clear, and closes crossings under waiting trains."""
     closing = dict.fromkeys((x for r in routes for x in _closing(railway, _before(railway, r))), 1)
     return [Wish((), {names.RELEASE_ALL: 1, **closing})] * 2
 
 
-def _broken(railway: Railway, r: RouteSymbols) -> SectionId | None:
+def _broken(railway: ClosedLoop, r: RouteSymbols) -> SectionId | None:
     """A section that is reported occupied by mistake while a train is called on."""
     return _failed_section(railway, r) if r.call_on else None
 
 
-def _disturbed_for(railway: Railway, routes: Sequence[RouteSymbols], run: Driver) -> Driver:
+def _disturbed_for(railway: ClosedLoop, routes: Sequence[RouteSymbols], run: Driver) -> Driver:
     """A run in which sections are reported occupied by mistake: calling on is for that."""
     broken: dict[str, int] = {
-        railway.symbols.sections.clear[s]: 0 for r in routes if (s := _broken(railway, r)) is not None
+        railway.controller.symbols.sections.clear[s]: 0 for r in routes if (s := _broken(railway, r)) is not None
     }
     while True:
         try:
@@ -180,11 +181,15 @@ def _disturbed_for(railway: Railway, routes: Sequence[RouteSymbols], run: Driver
         yield Wish(wish.events, {**wish.inputs, **broken})
 
 
-def _opens(railway: Railway, lane: Lane, r: RouteSymbols, steps: int) -> Driver:
+def _opens(railway: ClosedLoop, lane: Lane, r: RouteSymbols, steps: int) -> Driver:
     """Asked for, the route is set at once, and its signal opens within some scans."""
-    if not (yield from _until(lane, r.active, Wish((), {railway.symbols.requests.request: r.number}), opening.SET)):
+    if not (
+        yield from _until(
+            lane, r.active, Wish((), {railway.controller.symbols.requests.request: r.number}), opening.SET
+        )
+    ):
         return REFUSED + _not(lane, names.GRANTED(r.number))
-    token = railway.symbols.token.get(_exit(railway, r))
+    token = railway.controller.symbols.token.get(_exit(railway, r))
     if token is not None and not r.shunt and not lane.is_on(token.have):
         yield from _until(lane, token.have, Wish((), {token.manual: 1}), MAX_STEPS)
     if not (yield from _until(lane, r.proceed, NOTHING, steps - opening.SET)):
@@ -193,32 +198,32 @@ def _opens(railway: Railway, lane: Lane, r: RouteSymbols, steps: int) -> Driver:
     return None
 
 
-def _exit(railway: Railway, r: RouteSymbols) -> NodeId:
+def _exit(railway: ClosedLoop, r: RouteSymbols) -> NodeId:
     section, number = r.path.ways[-1]
     return railway.topo.traversals[section][number - 1].exit
 
 
-def opens_alone(system: System, railway: Railway, r: RouteSymbols, moved: int, lane: Lane) -> Driver:
+def opens_alone(railway: ClosedLoop, r: RouteSymbols, moved: int, lane: Lane) -> Driver:
     yield from settling(railway, [r])
-    return (yield from _opens(railway, lane, r, opening.steps(system, r, lane.lanes.dt_ms, moved)))
+    return (yield from _opens(railway, lane, r, opening.steps(railway, r, lane.lanes.dt_ms, moved)))
 
 
-def turned(system: System, r: RouteSymbols, standing: dict[str, int]) -> dict[str, int]:
+def turned(railway: ClosedLoop, r: RouteSymbols, standing: dict[str, int]) -> dict[str, int]:
     """Every machine of a route the other way, but for those on which its train stands."""
     return {
         name: value
-        for m, x in opening.demanded(system.symbols, r)
+        for m, x in opening.demanded(railway.controller.symbols, r)
         for name, value in ((names.LIES(m, x), 0), (names.LIES(m, x.other), 1))
         if name not in standing
     }
 
 
-def to_move(system: System, r: RouteSymbols, start: dict[str, int]) -> int:
+def to_move(railway: ClosedLoop, r: RouteSymbols, start: dict[str, int]) -> int:
     """The machines that a route has to move."""
     wrong = {
         m
-        for m, x in opening.demanded(system.symbols, r)
-        if not start.get(names.LIES(m, x), int(x is Position.NORMAL)) or m in opening.devices(system)
+        for m, x in opening.demanded(railway.controller.symbols, r)
+        if not start.get(names.LIES(m, x), int(x is Position.NORMAL)) or m in opening.devices(railway)
     }
     return len(wrong)
 
@@ -263,22 +268,22 @@ def _merged(runs: Sequence[Driver]) -> Driver:
         yield Wish(tuple(e for w in wishes for e in w.events), inputs)
 
 
-def _turn(railway: Railway, r: RouteSymbols) -> Generator[Wish, None, str | None]:
+def _turn(railway: ClosedLoop, r: RouteSymbols) -> Generator[Wish, None, str | None]:
     """The train that has come before a signal turns towards it, if it must."""
     place, node = _before(railway, r), railway.layout.signalling.signal[r.entry].node
     yield Wish(tuple(e for e in railway.plant.events if e.family is names.TURNS and e.at[:2] == (place, node)))
     return None
 
 
-def _stays(railway: Railway, r: RouteSymbols, empty: bool = False) -> set[SectionId]:
+def _stays(railway: ClosedLoop, r: RouteSymbols, empty: bool = False) -> set[SectionId]:
     """Where a route's sections stay locked: under its train, unless none is there, and from a failed section on."""
     broken = _broken(railway, r)
     return set() if empty and broken is None else _kept(railway, r, broken)
 
 
-def _freed(railway: Railway, lane: Lane, routes: Sequence[RouteSymbols], keep: set[SectionId]) -> Driver:
+def _freed(railway: ClosedLoop, lane: Lane, routes: Sequence[RouteSymbols], keep: set[SectionId]) -> Driver:
     """What routes have locked is free again, but for some sections; calling on is given back by hand."""
-    sym = railway.symbols
+    sym = railway.controller.symbols
     inputs: dict[str, int] = {}
     for r in routes:
         if r.call_on:
