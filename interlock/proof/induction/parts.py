@@ -52,7 +52,7 @@ class Parts:
         self.where = where
         self.hypotheses = hypotheses
         self.facts = [*hypotheses, *(a.expr for a in relation.assumptions)]
-        self.forms = CanonicalForms(relation.definitions)
+        self._forms = CanonicalForms(relation.definitions)
         self._names: dict[Expr, tuple[Name, ...]] = {}
         self._inputs: dict[Name, tuple[Name, ...]] = {}
 
@@ -143,7 +143,7 @@ class Parts:
         order = "".join("'" if g.later else "." for g in goals)
         later = [g.expr for g in goals if g.later]
         now = [g.expr for g in goals if not g.later]
-        return self.forms.digest(order, ((later, self.relation.later), (now, {}), ([self.facts[n] for n in facts], {})))
+        return self._forms.digest(order, ((later, self.relation.later), (now, {}), ([self.facts[n] for n in facts], {})))
 
     def decide(self, goals: Sequence[Goal], limits: Limits, rings: int) -> list[Decision]:
         """Which of the goals follow from the facts so many steps around."""
