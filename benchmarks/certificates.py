@@ -52,11 +52,11 @@ def _once(path: Path) -> tuple[float, float, float, int, int]:
     began = process_time()
     system = System(checked.layout, lower(checked.layout, checked.table))
     facts = Facts(system)
-    base = FactBase(system, strengthening(facts), claims(facts), start_claim(system))
+    base = FactBase(system.relation, system.initial, strengthening(facts), claims(facts), start_claim(system.loop))
     files = {SYSTEM: system_text(base).encode()}
     proof = prove_locally(base)
     files[PROOF] = proof_bytes(proof)
-    needs_text(needs(proof, system.controller))
+    needs_text(needs(proof, system.loop.controller))
     certifying = process_time() - began
     began = process_time()
     verify(path, files)

@@ -77,7 +77,7 @@ def by_induction_with_z3(system: System) -> str:
 
 def _base(system: System) -> FactBase:
     facts = Facts(system)
-    return FactBase(system, strengthening(facts), claims(facts), start_claim(system))
+    return FactBase(system.relation, system.initial, strengthening(facts), claims(facts), start_claim(system.loop))
 
 
 def by_hints(system: System) -> str:
@@ -99,13 +99,13 @@ def by_k_induction(system: System) -> str:
     """The claims alone, assumed in k steps, in the step after them."""
     wanted = conj(c.expr for c in claims(Facts(system)))
     step = Cnf()
-    for name, x in system.definitions.items():
+    for name, x in system.relation.definitions.items():
         step.define(name, x)
-    for a in system.assumptions:
+    for a in system.relation.assumptions:
         step.require(a.expr)
     good = step.literal(wanted)
-    now = {n: step.literal(var(n)) for n in system.state}
-    then = {n: step.literal(var(n.next)) for n in system.state}
+    now = {n: step.literal(var(n)) for n in system.relation.state}
+    then = {n: step.literal(var(n.next)) for n in system.relation.state}
     for k in range(1, 5):
         cnf = Cnf()
         cnf.clauses, cnf.count = [], step.count * (k + 1)
@@ -130,7 +130,7 @@ def by_spacer(system: System) -> str:
     import z3
 
     known: dict[int, z3.BoolRef] = {}
-    defined = dict(system.definitions)
+    defined = dict(system.relation.definitions)
     values: dict[str, z3.BoolRef] = {}
 
     def of(root: Expr) -> z3.BoolRef:
@@ -152,18 +152,18 @@ def by_spacer(system: System) -> str:
             known[id(node)] = term
         return known[id(root)]
 
-    state = [z3.Bool(n) for n in system.state]
+    state = [z3.Bool(n) for n in system.relation.state]
     reach = z3.Function("reach", *(z3.BoolSort() for _ in state), z3.BoolSort())
     solver = z3.Fixedpoint()
     solver.set(engine="spacer")
     solver.register_relation(reach)
-    free = [z3.Int(n) if n in system.sizes else z3.Bool(n) for n in system.inputs]
+    free = [z3.Int(n) if n in system.relation.sizes else z3.Bool(n) for n in system.relation.inputs]
     solver.declare_var(*state, *free)
     bad = z3.Function("bad", z3.BoolSort())
     solver.register_relation(bad)
-    fair = z3.And([of(a.expr) for a in system.assumptions])
-    solver.rule(reach(*state), of(system.initial))
-    solver.rule(reach(*(of(var(n.next)) for n in system.state)), [reach(*state), fair])
+    fair = z3.And([of(a.expr) for a in system.relation.assumptions])
+    solver.rule(reach(*state), of(system.initial.whole))
+    solver.rule(reach(*(of(var(n.next)) for n in system.relation.state)), [reach(*state), fair])
     solver.rule(bad(), [reach(*state), fair, of(neg(conj(c.expr for c in claims(Facts(system)))))])
     answer = solver.query(bad())
     return "proved" if answer == z3.unsat else "refuted" if answer == z3.sat else "open"

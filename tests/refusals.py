@@ -17,7 +17,7 @@ from interlock.logic import names
 from interlock.logic.controller import Controller, Equation, Timer
 from interlock.logic.expr import AND, EQ, NOT, VAR, Expr, Substitution, evaluate, var
 from interlock.logic.words import FREE, REFUSED, UNKNOWN
-from interlock.proof.system.transition import System
+from interlock.proof.system.loop import closed_loop
 from interlock.sim.run import Simulator
 from tests.layouts import built
 
@@ -93,7 +93,7 @@ class Hour:
 def hostile_hour(name: str, seed: int, seconds: int = HOUR) -> Hour:
     """Trains, failures and an operator who asks at random; each request is answered and each refusal looked into."""
     layout, _, controller = built(name)
-    sim, chance = Simulator(controller, System(layout, controller).plant), Random(seed)
+    sim, chance = Simulator(controller, closed_loop(layout, controller).plant), Random(seed)
     module = module_of(controller)
     sym, found = controller.symbols, Hour()
     blocked: set[str] = set()

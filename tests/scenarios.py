@@ -101,4 +101,4 @@ def run_to(scenario: Scenario) -> tuple[System, Run] | None:
 
 def told(system: System, run: Run, scenario: Scenario) -> Story:
     """The run in words."""
-    return narrated(system, run.frames, ("", scenario.layout, scenario.says), [])
+    return narrated(system.loop, run.frames, ("", scenario.layout, scenario.says), [])

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import cache
+from types import SimpleNamespace
 
 import pytest
 
@@ -14,8 +15,7 @@ from interlock.logic import names
 from interlock.logic.controller import Controller
 from interlock.logic.expr import Expr, Substitution, conj, disj, iff, implies, neg, var, variables
 from interlock.logic.lower import lower
-from interlock.logic.names import Form, Kind, Name, Owner, each, each_value
-from interlock.logic.plant import Assumption
+from interlock.logic.names import Form, Kind, Name, each, each_value
 from interlock.model.layout import Layout
 from interlock.proof.abstraction.focus import foci
 from interlock.proof.abstraction.indexed import IndexedFamilies
@@ -30,6 +30,8 @@ from interlock.proof.induction import parts
 from interlock.proof.induction.inductive import inductive, open_claims
 from interlock.proof.induction.one_state import States
 from interlock.proof.mutation.weakenings import KINDS
+from interlock.proof.system.neighbourhood import RouteVariables
+from interlock.proof.system.relation import TransitionRelation
 from interlock.proof.system.transition import System
 from interlock.table.rows import InterlockingTable
 from tests.layouts import built, grown
@@ -48,7 +50,7 @@ def small_yard(tracks: int, call_on: bool = False) -> tuple[Layout, Interlocking
 def goals_of(system: System) -> tuple[list[tuple[int, Expr]], list[tuple[int, Expr]], list[Expr]]:
     """The goals of the induction and the claims of a system, numbered, and its invariants."""
     kept = [i.expr for i in strengthening(Facts(system))]
-    steps = [(n, system.after(x)) for n, x in enumerate(kept)]
+    steps = [(n, system.relation.after(x)) for n, x in enumerate(kept)]
     return steps, [(len(kept) + n, c.expr) for n, c in enumerate(claims(Facts(system)))], kept
 
 
@@ -56,19 +58,17 @@ class Large:
     """The large system, asked whether it says what an abstraction says."""
 
     def __init__(self, system: System, kept: list[Expr], after: bool) -> None:
-        self.system = system
         self.of: dict[Name, list[tuple[int, Expr]]] = {}
-        named = IndexedFamilies(system, [])
-        for name, (family, number) in system.indexed.items():
+        named = IndexedFamilies(system.relation, system.where.routes, [])
+        for name, (family, number) in system.where.routes.indexed.items():
             self.of.setdefault(family, []).append((number, named.named(var(name))))
-        for r in system.symbols.routes:
-            self.of.setdefault(each_value(names.REQUEST), []).append(
-                (r.number, system.symbols.requests.asked(r.number))
-            )
+        symbols, relation = system.loop.controller.symbols, system.relation
+        for r in symbols.routes:
+            self.of.setdefault(each_value(names.REQUEST), []).append((r.number, symbols.requests.asked(r.number)))
         cnf = Cnf()
-        for name, x in system.definitions.items():
+        for name, x in relation.definitions.items():
             cnf.define(name, x)
-        for x in [*kept, *(a.expr for a in system.assumptions), *(map(system.after, kept) if after else ())]:
+        for x in [*kept, *(a.expr for a in relation.assumptions), *(map(relation.after, kept) if after else ())]:
             cnf.require(x)
         self.cnf = cnf
 
@@ -98,7 +98,7 @@ def whole_yard(tracks: int, call_on: bool) -> tuple[LocalAbstractions, list[Focu
     layout, _, controller = small_yard(tracks, call_on)
     system = System(layout, controller)
     steps, claimed, kept = goals_of(system)
-    local = LocalAbstractions(system, kept)
+    local = LocalAbstractions(system.relation, system.where, kept)
     return local, foci(local, [*steps, *claimed]), Large(system, kept, False)
 
 
@@ -117,7 +117,7 @@ def test_a_truncated_cone_says_less_and_asks_the_same() -> None:
     layout, _, controller = small_yard(6)
     system = System(layout, controller)
     steps, claimed, kept = goals_of(system)
-    local = LocalAbstractions(system, kept)
+    local = LocalAbstractions(system.relation, system.where, kept)
     some = [s for s in foci(local, [*steps, *claimed]) if s.homes and s.homes[0].kind is Kind.SECTION]
     sizes = []
     for focus in some:
@@ -143,11 +143,11 @@ def test_what_a_truncated_cone_leaves_open_is_asked_again(monkeypatch: pytest.Mo
         again.update(focus.goals)
         return seen
 
-    queries = LocalQueries(system, kept, Limits())
+    queries = LocalQueries(system.relation, system.where, kept, Limits())
     asked = queries.batches(steps)
     assert not any(queries.answer(batch).open for batch in asked)
     monkeypatch.setattr("interlock.proof.abstraction.queries.abstraction", seen_of)
-    queries = LocalQueries(system, kept, Limits())
+    queries = LocalQueries(system.relation, system.where, kept, Limits())
     assert not any(queries.answer(batch).open for batch in asked)
     goals = {n for batch in asked for n in batch.goals}
     assert again <= goals and len(again) > 0.9 * len(goals)
@@ -157,7 +157,7 @@ def test_what_does_not_follow_is_open_after_both_cones() -> None:
     layout, _, controller = small_yard(4)
     system = System(layout, controller)
     steps, _, _ = goals_of(system)
-    queries = LocalQueries(system, [], Limits())
+    queries = LocalQueries(system.relation, system.where, [], Limits())
     asked = queries.batches(steps)
     left = {n for batch in asked for n in queries.answer(batch).open}
     alone = {n for batch in asked for focus in batch.foci for n in queries._open(focus, truncated=False)}
@@ -169,7 +169,7 @@ def test_what_is_said_of_one_state_holds_in_the_large_system(after: bool) -> Non
     layout, _, controller = small_yard(4)
     system = System(layout, controller)
     _, claimed, kept = goals_of(system)
-    states = States(system, kept, Limits())
+    states = States(system.relation, system.where, kept, Limits())
     questions, others = states.questions(claimed)
     expr = dict(claimed)
     (asked,) = (q for q in questions if q.after is after)
@@ -231,7 +231,8 @@ def test_the_same_goals_fail_where_all_of_a_layout_is_abstracted(monkeypatch: py
     dropped, left, shown = open_goals(system, monkeypatch, 0)
     assert (dropped, left, 0) == in_parts
     assert left and shown > 1000
-    wide = parts.Inquiry(system, [], [parts.Goal(c.expr) for c in claims(Facts(system))], Limits())
+    goals = [parts.Goal(c.expr) for c in claims(Facts(system))]
+    wide = parts.Inquiry(system.relation, system.where, [], goals, Limits())
     assert not any(isinstance(q, parts.Question) for q in wide.first())
 
 
@@ -242,27 +243,9 @@ def test_the_same_goals_follow_with_abstractions_when_shipped(name: str, monkeyp
     assert not dropped and not left and shown > 100
 
 
-@dataclass
-class Told:
-    """A system of two routes."""
-
-    indexed: dict[Name, tuple[Name, int]]
-    definitions: dict[Name, Expr] = field(default_factory=dict)
-    assumptions: tuple[Assumption, ...] = ()
-    requests: tuple[Name, ...] = ()
-    later: dict[Name, Name] = field(default_factory=dict)
-    homes: dict[Name, Owner] = field(default_factory=dict)
-    beside: dict[Owner, tuple[Owner, ...]] = field(default_factory=dict)
-    lamps: frozenset[Name] = frozenset()
-    waits_for: dict[Name, Name] = field(default_factory=dict)
-
-    def after(self, x: Expr) -> Expr:
-        return x
-
-
-def told_of(*those: Name) -> Told:
-    """A system of nothing but variables of routes."""
-    return Told({name: (each(name), name.number) for name in those})
+def routes_of(*those: Name) -> RouteVariables:
+    """Variables of routes, of two routes at most."""
+    return RouteVariables({name: (each(name), name.number) for name in those})
 
 
 X, Y = var(names.spelled("x")), var(names.spelled("y"))
@@ -270,15 +253,15 @@ X, Y = var(names.spelled("x")), var(names.spelled("y"))
 
 def test_what_is_said_twice_of_a_route_is_said_of_no_other() -> None:
     fact = implies(var(names.ACTIVE(1)), X)
-    told = told_of(names.ACTIVE(1), names.ACTIVE(2))
-    (clause,) = IndexedFamilies(told, [fact, conj((fact, Y))]).guarded
+    routes = routes_of(names.ACTIVE(1), names.ACTIVE(2))
+    (clause,) = IndexedFamilies(TransitionRelation(), routes, [fact, conj((fact, Y))]).guarded
     assert (clause.expr, clause.members) == (X, 1 << 1)
 
 
 def test_a_fact_that_is_a_disjunction_in_one_tells_all_of_its_parts() -> None:
     active, locked = names.ACTIVE(1), names.LOCKED(1)
     fact = disj((neg(conj((var(active), neg(var(locked))))), neg(X)))
-    (clause,) = IndexedFamilies(told_of(active, locked), [fact]).guarded
+    (clause,) = IndexedFamilies(TransitionRelation(), routes_of(active, locked), [fact]).guarded
     assert (clause.family, clause.expr) == (each(active), disj((var(each(locked)), neg(X))))
 
 
@@ -288,10 +271,11 @@ def test_what_reads_a_route_as_false_is_said_of_no_two_of_them(denied: bool) -> 
     the one may be set and the other locked.  No yard has such a fact."""
     routes = (1, 2)
     place = names.spelled("place")
-    told = told_of(*(f(i) for f in (names.ACTIVE, names.LOCKED) for i in routes))
-    told.definitions[place] = disj(var(names.ACTIVE(i)) for i in routes)
+    of_routes = routes_of(*(f(i) for f in (names.ACTIVE, names.LOCKED) for i in routes))
+    where = SimpleNamespace(routes=of_routes, homes={}, beside={})
+    relation = TransitionRelation(definitions={place: disj(var(names.ACTIVE(i)) for i in routes)})
     locked = {i: neg(var(names.LOCKED(i))) if denied else var(names.LOCKED(i)) for i in routes}
     kept = [implies(var(names.ACTIVE(i)), disj((locked[i], X))) for i in routes]
-    seen = abstraction(LocalAbstractions(told, kept), Focus((), ((0, implies(var(place), X)),)))
+    seen = abstraction(LocalAbstractions(relation, where, kept), Focus((), ((0, implies(var(place), X)),)))
     assert seen.blocks == [0b110]
     assert any(each(names.LOCKED(1)) == v.base for v in variables(seen.facts) if v.form is Form.BLOCK) is not denied

@@ -31,6 +31,7 @@ from interlock.proof.engines.limits import Limits
 from interlock.proof.engines.tseitin import Cnf
 from interlock.proof.induction.verdict import Verdict
 from interlock.proof.prover import prove
+from interlock.proof.system.loop import closed_loop
 from interlock.proof.system.transition import System
 from interlock.proof.witnesses.availability import Manner, availability
 from interlock.table.cells import RouteKind
@@ -368,7 +369,7 @@ def test_of_two_doors_of_an_air_lock_only_one_is_open() -> None:
         agree(*told(Path("tests/layouts_for_tests/air_lock.yaml").read_text("utf-8")), specification.shipped()).left
         == ()
     )
-    assert availability(System(layout, controller), table).shown
+    assert availability(closed_loop(layout, controller), table).shown
 
 
 def test_a_door_that_could_always_be_opened_to_trains_is_driven_both_ways(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -431,7 +432,7 @@ def test_what_is_hostile_to_a_part_is_hostile_to_the_route_that_is_set_with_it()
 
 def test_a_section_that_a_part_is_to_find_clear_keeps_apart_the_route_that_is_set_with_it() -> None:
     layout, table = made(PAST + "demand: [{clear: e1, routes: {from: Y, to: Z}, reason: test}]\n")
-    found = availability(System(layout, lower(layout, table)), table)
+    found = availability(closed_loop(layout, lower(layout, table)), table)
     pairs = {frozenset((p.first, p.second)): p for p in found.pairs}
     assert found.shown, [(p.first, p.second, p.failure) for p in found.pairs if p.failure]
     assert pairs[frozenset(("X-Y-Z", "Q-E"))].manner == pairs[frozenset(("Y-Z", "Q-E"))].manner == Manner.CLEAR

@@ -66,28 +66,28 @@ def test_the_circuit_runs_as_the_system_does() -> None:
     layout, _, controller = built("fig2_2")
     system = System(layout, controller)
     wanted = claims(Facts(system))
-    read = Read(aiger(system, wanted))
+    read, relation = Read(aiger(system, wanted)), system.relation
     rng = random.Random(3)
     state = {v.name: int(v.initial) for v in controller.state}
     free = {x.split(" ", 1)[1] for x in read.names.values() if x.startswith("first ")}
-    start = {n: rng.randrange(2) for n in system.state if n in free}
+    start = {n: rng.randrange(2) for n in relation.state if n in free}
     state |= {o.name: int(o.restrictive) for o in controller.outputs}
-    state |= {n: 1 for n in system.state if n not in state} | start  # what is fixed besides: history that is true
-    state |= {n: 0 for x in system.initial_parts if x.op is NOT and (n := x.args[0].name) in state and n not in start}
+    state |= {n: 1 for n in relation.state if n not in state} | start  # what is fixed besides: history that is true
+    state |= {n: 0 for x in system.initial.parts if x.op is NOT and (n := x.args[0].name) in state and n not in start}
     fair = True
     for k in range(60):
-        inputs = {n: rng.randrange(system.sizes.get(n, 2)) for n in system.inputs}
+        inputs = {n: rng.randrange(relation.sizes.get(n, 2)) for n in relation.inputs}
         env = state | inputs
-        for name, x in system.definitions.items():
+        for name, x in relation.definitions.items():
             env[name] = int(evaluate(x, env.__getitem__, {}))
-        fair = fair and all(evaluate(a.expr, env.__getitem__, {}) for a in system.assumptions)
-        fair = fair and (k > 0 or evaluate(system.initial, env.__getitem__, {}))
+        fair = fair and all(evaluate(a.expr, env.__getitem__, {}) for a in relation.assumptions)
+        fair = fair and (k > 0 or evaluate(system.initial.whole, env.__getitem__, {}))
         bad = fair and evaluate(neg(conj(c.expr for c in wanted)), env.__getitem__, {})
         given = {f"first {n}": v for n, v in start.items()}
         for n, value in inputs.items():
-            given |= {f"{n}[{i}]": value >> i & 1 for i in range(8)} if n in system.sizes else {n: value}
+            given |= {f"{n}[{i}]": value >> i & 1 for i in range(8)} if n in relation.sizes else {n: value}
         assert read.step(given) == bad
-        state = {n: env[n.next] for n in system.state}
+        state = {n: env[n.next] for n in relation.state}
         latches = dict(zip((read.names[f"l{i}"] for i in range(read.latches)), read.state, strict=True))
         assert {n: latches[n] for n in state} == state
 

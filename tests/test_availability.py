@@ -17,6 +17,7 @@ from interlock.cli.availability import command
 from interlock.logic.lower import lower
 from interlock.model.principles import PROFILES
 from interlock.proof.prover import prove
+from interlock.proof.system.loop import closed_loop
 from interlock.proof.system.transition import System
 from interlock.proof.witnesses.availability import Manner, Trial, availability, compatible
 from interlock.proof.witnesses.opening import OPEN, steps
@@ -33,7 +34,7 @@ CASES = ("bare_signal", "both_ways", "door", "parallel", "scissors_apart", "thro
 @pytest.mark.parametrize("name", SHIPPED)
 def test_every_pair_that_is_not_hostile_can_be_used_together(name: str) -> None:
     layout, table, controller = built(name)
-    found = availability(System(layout, controller), table)
+    found = availability(closed_loop(layout, controller), table)
     assert [(p.first, p.second, p.failure) for p in found.pairs if p.failure] == []
     assert [(r.bound.route, r.failure) for r in found.routes if r.failure] == []
     listed = {(a, b) for r in table.routes for a, b in [(r.id, h) for h in r.locking.hostile.routes]}
@@ -49,12 +50,12 @@ def test_small_layouts_are_proved_and_available_in_every_profile(name: str, prof
     layout, table = made
     system = System(layout, lower(layout, table))
     assert prove(system).proved
-    assert availability(system, table).shown
+    assert availability(system.loop, table).shown
 
 
 def test_two_parallel_trains_run_at_once_where_each_is_in_the_section_of_the_point_that_protects_the_other() -> None:
     layout, _, controller = built("../tests/layouts_for_tests/parallel")
-    trial = Trial(System(layout, controller))
+    trial = Trial(closed_loop(layout, controller))
     n, p = (r for r in controller.symbols.routes if r.id in ("N-E1", "P-W2"))
     manner, runs = trial.plan(n, p)
     assert manner is Manner.BESIDE and {x.how for x in runs} == {How.THEN, How.TOGETHER}
@@ -66,7 +67,7 @@ def test_a_point_that_the_author_has_a_route_demand_lies_so_before_the_route_is_
     assert made is not None
     layout, table = made
     system = System(layout, lower(layout, table))
-    found = availability(system, table)
+    found = availability(system.loop, table)
     assert [(r.bound.route, r.failure) for r in found.routes if r.failure] == []
     assert found.shown and {r.bound.route: r.bound.machines for r in found.routes}["S1-W"] == 2
 
@@ -74,16 +75,16 @@ def test_a_point_that_the_author_has_a_route_demand_lies_so_before_the_route_is_
 @pytest.mark.parametrize("case", list(weakened()), ids=lambda c: f"{c[0]} {c[1]}")
 def test_weakenings_are_found_out(case: tuple) -> None:  # type: ignore[type-arg]
     _, _, layout, table, controller = case
-    assert any(p.failure for p in availability(System(layout, controller), table).pairs)
+    assert any(p.failure for p in availability(closed_loop(layout, controller), table).pairs)
 
 
 def test_a_signal_that_falls_because_of_the_other_train_is_told_and_played(tmp_path: Path) -> None:
     layout, table, _ = built("../tests/layouts_for_tests/parallel")
     system = System(layout, lower(layout, space_to_the_point(layout, table)))
-    found = availability(system, table)
+    found = availability(system.loop, table)
     (bad,) = [p for p in found.pairs if p.failure]
     assert {bad.first, bad.second} == {"N-E1", "P-W2"} and "falls to stop before its train" in (bad.failure or "")
-    story = Trial(system).story(bad)
+    story = Trial(system.loop).story(bad, system.relation)
     assert story is not None
     text = "\n".join(story.steps).replace("Signal ", "signal ")
     assert "signal N shows proceed for route N-E1" in text and "signal P returns to stop" in text
@@ -93,7 +94,7 @@ def test_a_signal_that_falls_because_of_the_other_train_is_told_and_played(tmp_p
     from interlock.emit.report import player_html
     from interlock.proof.induction.trace import itf
 
-    trace = itf(system, story, layout.digest, plan_svg(layout))
+    trace = itf(system.loop, system.relation.state, story, layout.digest, plan_svg(layout))
     assert json.loads(trace)["#meta"]["claim"].startswith("AVAILABILITY") and "<svg" in player_html(trace)
 
 
@@ -101,24 +102,24 @@ def test_a_signal_that_falls_because_of_the_other_train_is_told_and_played(tmp_p
 def test_a_route_opens_within_the_scans_that_were_computed_and_some_need_them_all(name: str, scans: int) -> None:
     layout, table, controller = built(name)
     system = System(layout, controller)
-    found = availability(system, table)
+    found = availability(system.loop, table)
     seen = [r for r in found.routes if r.seen is not None]
     assert all(r.seen is not None and r.seen[0] >= OPEN and r.failure is None for r in seen)
-    bound = {r.id: steps(system, r, 1000) for r in controller.symbols.routes}
+    bound = {r.id: steps(system.loop, r, 1000) for r in controller.symbols.routes}
     assert all(r.seen is not None and r.seen[1] <= bound[r.bound.route] for r in seen)  # type: ignore[index]
     assert max(max(r.seen) for r in seen if r.seen is not None) == scans
 
 
 def test_pairs_that_are_tried_are_those_that_the_table_does_not_call_hostile() -> None:
     layout, table, controller = built("terminus")
-    tried = {(a.id, b.id) for a, b in compatible(System(layout, controller), table)}
+    tried = {(a.id, b.id) for a, b in compatible(closed_loop(layout, controller), table)}
     assert all(b not in table.route[a].locking.hostile.routes for a, b in tried) and len(tried) == 8
 
 
 def test_a_yard_is_available() -> None:
     made = derived(yard(6))
     assert made is not None
-    found = availability(System(made[0], lower(*made)), made[1])
+    found = availability(closed_loop(made[0], lower(*made)), made[1])
     assert found.shown and len(found.pairs) > 500
 
 
@@ -151,14 +152,14 @@ def test_a_point_that_the_author_has_a_route_lock_is_moved_like_its_own() -> Non
     found = grown(text)
     assert found is not None and not found[2].has_errors
     layout, table, _ = found
-    routes = {r.bound.route: r for r in availability(System(layout, lower(layout, table)), table).routes}
+    routes = {r.bound.route: r for r in availability(closed_loop(layout, lower(layout, table)), table).routes}
     assert routes["S1-W"].bound.machines == 2, "its own, and point 3"
     assert [r.failure for r in routes.values()] == [None] * len(routes)
 
 
 def test_a_train_that_stands_foul_of_the_other_route_is_told_and_the_pair_is_driven_without_it() -> None:
     layout, table, controller = built("../tests/layouts_for_tests/foul_berth")
-    found = availability(System(layout, controller), table)
+    found = availability(closed_loop(layout, controller), table)
     (pair,) = [p for p in found.pairs if p.apart]
     assert found.shown and (pair.first, pair.second, pair.manner, pair.runs) == ("G-W", "H-N", Manner.ALONE, 1)
     assert pair.apart == "H-N: the request is refused: not s4: the joint s4|s6 is foul of point P"
@@ -171,7 +172,7 @@ def test_a_point_held_for_a_flank_that_decides_whether_a_joint_is_foul_makes_a_p
     assert (hostile.route, str(hostile.kind), hostile.how.rule) == ("S1-A", "foul", "R6.10")
     assert hostile.witness.endswith("the joint s17|s10 is foul of point P16, unless P11 lies N")
     system = System(layout, controller)
-    assert availability(system, table).shown and prove(system).proved
+    assert availability(system.loop, table).shown and prove(system).proved
 
     def without(t: TraversalRow) -> TraversalRow:
         return replace(t, exclusions=tuple(x for x in t.exclusions if "P16" not in x.because.text))
@@ -182,7 +183,7 @@ def test_a_point_held_for_a_flank_that_decides_whether_a_joint_is_foul_makes_a_p
     )
     told = {(f.route, f.column) for f in audit(layout, replace(table, routes=bare))}
     assert {("S1-A", "hostile"), ("S2-B", "hostile")} <= told
-    found = availability(System(layout, lower(layout, weak)), replace(weak, routes=bare))
+    found = availability(closed_loop(layout, lower(layout, weak)), replace(weak, routes=bare))
     assert [(p.first, p.second) for p in found.pairs if p.failure] == [("S1-A", "S2-B")]
 
 
@@ -191,7 +192,7 @@ def test_a_pair_of_which_one_refuses_the_other_fails_though_a_train_stands_in_th
     (a, b) = (table.route[r].path.locked[0] for r in ("G-W", "H-N"))  # type: ignore[index]
     extra = Exclusion(a[0], True, (), Because("R6", "too much"))
     locks = tuple(replace(t, exclusions=(*t.exclusions, extra)) if t.key == b else t for t in table.locks)
-    found = availability(System(layout, lower(layout, replace(table, locks=locks))), table)
+    found = availability(closed_loop(layout, lower(layout, replace(table, locks=locks))), table)
     failed = {(p.first, p.second): p.failure for p in found.pairs if p.failure}
     assert failed["G-W", "H-N"] == "H-N: the request is refused: not s2: too much"
 
@@ -199,14 +200,14 @@ def test_a_pair_of_which_one_refuses_the_other_fails_though_a_train_stands_in_th
 def test_a_train_that_came_over_another_route_is_called_on_when_its_overlap_is_given_up() -> None:
     layout, table, controller = built("../tests/layouts_for_tests/called_on_over_overlap")
     system = System(layout, controller)
-    came = {w.route: w for w in witnesses(system)}["G-E.c"]
+    came = {w.route: w for w in witnesses(system.loop)}["G-E.c"]
     assert came.ok and came.text == "set, driven and released, coming over F-G"
-    assert availability(system, table).shown
+    assert availability(system.loop, table).shown
 
 
 def test_the_sections_of_a_train_that_is_called_on_fill_a_zone() -> None:
     layout, table, controller = built("../tests/layouts_for_tests/zone_of_called")
-    found = availability(System(layout, controller), table)
+    found = availability(closed_loop(layout, controller), table)
     manners = {(p.first, p.second): p.manner for p in found.pairs}
     assert found.shown and manners["G-E.c", "Y-S"] is Manner.ZONE and manners["G-E", "Y-S"] is Manner.BESIDE
 
@@ -217,7 +218,7 @@ def test_a_route_drives_a_point_along_to_where_a_parallel_route_needs_it() -> No
     assert {
         r.id: [f"{p.machine} {p.position}" for p in r.locking.driven] for r in table.routes if r.locking.driven
     } == {"A-A3": ["M R"]}
-    assert availability(System(layout, controller), table).shown
+    assert availability(closed_loop(layout, controller), table).shown
     otherwise = replace(table.route["A-A3"], locking=replace(table.route["A-A3"].locking, driven=()))
     rows = tuple(otherwise if r.id == "A-A3" else r for r in table.routes)
     assert [f.column for f in audit(layout, replace(table, routes=rows))] == ["driven"]
@@ -226,7 +227,7 @@ def test_a_route_drives_a_point_along_to_where_a_parallel_route_needs_it() -> No
 def test_points_that_are_driven_along_are_waited_for() -> None:
     layout, table, controller = built("../tests/layouts_for_tests/driven_reverse")
     system = System(layout, controller)
-    bounds = {r.bound.route: (r.bound.machines, r.bound.at_most_scans) for r in availability(system, table).routes}
+    bounds = {r.bound.route: (r.bound.machines, r.bound.at_most_scans) for r in availability(system.loop, table).routes}
     assert bounds["A-A3"] == (1, 7) and bounds["B-B2"] == (1, 5), "the second of two machines waits for its turn"
 
 
@@ -236,12 +237,12 @@ def test_points_that_two_routes_want_both_ways_are_not_driven_along() -> None:
     assert made is not None
     layout, table = made
     assert not any(r.locking.driven for r in table.routes if r.id == "X1-A") and audit(layout, table) == ()
-    assert availability(System(layout, lower(layout, table)), table).shown
+    assert availability(closed_loop(layout, lower(layout, table)), table).shown
 
 
 def test_a_route_over_a_section_that_another_one_is_to_find_clear_is_kept_apart() -> None:
     layout, table, controller = built("../tests/layouts_for_tests/clear_beyond")
-    found = availability(System(layout, controller), table)
+    found = availability(closed_loop(layout, controller), table)
     apart = [{p.first, p.second} for p in found.pairs if p.manner is Manner.CLEAR]
     assert found.shown and {"A-N2.c", "B-S1"} in apart and all("A-N2.c" in pair for pair in apart)
 
@@ -249,6 +250,6 @@ def test_a_route_over_a_section_that_another_one_is_to_find_clear_is_kept_apart(
 def test_trains_that_are_called_on_face_to_face_are_run_with_one_false_detection() -> None:
     """Both routes end where sections adjoin that may not both be reported occupied by mistake (A-ONE-FALSE)."""
     layout, table, controller = built("../tests/layouts_for_tests/called_on_face_to_face")
-    found = availability(System(layout, controller), table)
+    found = availability(System(layout, controller).loop, table)
     pair = next(p for p in found.pairs if {p.first, p.second} == {"S1-S2.c", "S3-S4.c"})
     assert pair.manner is Manner.BESIDE and pair.runs == 3 and found.shown

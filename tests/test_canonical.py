@@ -71,7 +71,7 @@ def inquiry_of(system: System, monkeypatch: pytest.MonkeyPatch, near: int) -> In
     monkeypatch.setattr(parts, "HUB", 9)  # what a long line has by itself: nothing is read by a few facts of all places
     kept = list(strengthening(Facts(system)))
     goals = [Goal(i.expr, later=True) for i in kept] + [Goal(c.expr) for c in claims(Facts(system))]
-    return Inquiry(system, [i.expr for i in kept], goals, Limits())
+    return Inquiry(system.relation, system.where, [i.expr for i in kept], goals, Limits())
 
 
 def asked(system: System, monkeypatch: pytest.MonkeyPatch, near: int) -> tuple[list[bool], int]:

@@ -632,7 +632,7 @@ def test_a_route_that_no_run_drives_is_told_as_that(monkeypatch: pytest.MonkeyPa
     """Nothing is unsafe: all claims are proved."""
 
     def one_stands(system: System) -> tuple[Witness, ...]:
-        first, *others = witnesses(system)
+        first, *others = witnesses(system.loop)
         return (replace(first, ok=False, text="it stands in section q2"), *others)
 
     monkeypatch.setattr("interlock.proof.prover.witnesses", one_stands)

@@ -20,7 +20,7 @@ from interlock.dispatch.plan.search import Planner, Verdict
 from interlock.dispatch.policy import Policy, yields
 from interlock.dispatch.run import Run
 from interlock.model.elements import SectionId
-from interlock.proof.system.transition import System
+from interlock.proof.system.loop import closed_loop
 from tests.campaigns.dispatch import (
     LOOPS,
     MINE,
@@ -187,7 +187,7 @@ def test_a_place_to_which_no_chain_of_routes_leads() -> None:
 @lru_cache
 def replay() -> Replay:
     ground = case(MINE).ground
-    return Replay(ground.layout, ground.controller, System(ground.layout, ground.controller).plant)
+    return Replay(ground.layout, ground.controller, closed_loop(ground.layout, ground.controller).plant)
 
 
 def good() -> Plan:

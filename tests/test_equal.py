@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 import types
+from dataclasses import replace
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -17,6 +18,7 @@ from interlock.logic.on_delay import CYCLE_MAX_MS
 from interlock.proof.claims import Facts, claims
 from interlock.proof.induction.search import search
 from interlock.proof.mutation.weakenings import KINDS
+from interlock.proof.system.loop import closed_loop
 from interlock.proof.system.transition import System
 from interlock.sim.run import Simulator
 from interlock.st.ast import Unit
@@ -106,7 +108,7 @@ def test_random_traces(name: str, seed: int) -> None:
 def test_traces_with_trains(name: str) -> None:
     """Random train movements and requests; the image that the trains make is fed to all three."""
     layout, _, controller = built(name)
-    sim = Simulator(controller, System(layout, controller).plant)
+    sim = Simulator(controller, closed_loop(layout, controller).plant)
     rng = random.Random(11)
     shown = 0
     for _ in range(3):
@@ -160,7 +162,7 @@ def test_counterexamples_replay_on_interpreter_runtime_and_text(name: str, kind:
     three = Three(controller)
     three.past_restart()
     here = conj(var(n) if v else neg(var(n)) for n, v in three.reference.state.items())
-    system.__dict__["initial"] = conj((system.initial, here))
+    system.initial = replace(system.initial, parts=(*system.initial.parts, here))
     run = search(system, [c for c in claims(Facts(system)) if c.id.startswith("T-")], 14, 60)
     assert run is not None and len(run.frames) > 3
     for frame, following in zip(run.frames, run.frames[1:], strict=False):

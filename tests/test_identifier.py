@@ -25,7 +25,7 @@ from interlock.logic.lower import lower
 from interlock.model.elements import Position, RouteId
 from interlock.proof.engines.limits import Limits
 from interlock.proof.mutation.weakenings import run_mutants
-from interlock.proof.system.transition import System
+from interlock.proof.system.loop import closed_loop
 from interlock.proof.witnesses.availability import availability
 from interlock.simulate.run import simulate
 from interlock.simulate.world import World
@@ -155,7 +155,7 @@ def test_it_is_proved_beside_other_words(which: str) -> None:
 
 def test_every_two_routes_can_be_used_together() -> None:
     layout, table, _ = said(TEXT)
-    result = availability(System(layout, lower(layout, table)), table)
+    result = availability(closed_loop(layout, lower(layout, table)), table)
     assert {r.failure for r in result.pairs} == {None} and len(result.pairs) == 16
 
 
@@ -314,7 +314,7 @@ def test_a_train_may_stop_at_either_signal_or_run_past_both() -> None:
     )
     assert {*long.locking.hostile.routes} == {"X-Q", "X-Y", "X-Y-Z", "Y-Z", "Y-Z-W", "Y-Z.i", "Z-W"}
     assert [c.text(long) for c in COLUMNS if c.key == "exit"] == ["W past Y, Z"]
-    result = availability(System(layout, lower(layout, table)), table)
+    result = availability(closed_loop(layout, lower(layout, table)), table)
     assert {r.failure for r in result.pairs} == {None} and len(result.pairs) == 31
 
 

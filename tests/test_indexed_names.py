@@ -95,7 +95,7 @@ def test_every_name_of_a_system_is_made_of_its_fields(layout: str) -> None:
         Kind.ROUTE: {str(r.number) for r in controller.symbols.routes},
     }
     computed = {e.name: e.group for e in (*controller.equations, *controller.next)}
-    for name in (*system.state, *system.definitions, *system.inputs):
+    for name in (*system.relation.state, *system.relation.definitions, *system.relation.inputs):
         assert isinstance(name, Name) and name.family.key
         plain = name
         while plain.form is not None:
@@ -107,7 +107,7 @@ def test_every_name_of_a_system_is_made_of_its_fields(layout: str) -> None:
         group = computed.get(name, "")
         if owner is not None and owner.kind in (Kind.SECTION, Kind.SIGNAL, Kind.OVERLAP, Kind.ZONE, Kind.LINE):
             assert group in ("", str(owner), "alarms")
-    assert all(system.later[n] is n.next and n.next.base is n and n.next.primed for n in system.state)
+    assert all(system.relation.later[n] is n.next and n.next.base is n and n.next.primed for n in system.relation.state)
 
 
 def test_names_that_are_made_of_others() -> None:

@@ -8,7 +8,7 @@ import pytest
 
 from interlock.logic.controller import Controller, Join, Term
 from interlock.logic.expr import FALSE, Expr
-from interlock.proof.system.transition import System
+from interlock.proof.system.loop import closed_loop
 from interlock.proof.witnesses.operations import OPERATIONS, operations
 from tests.layouts import SHIPPED, built
 
@@ -16,7 +16,7 @@ from tests.layouts import SHIPPED, built
 @pytest.mark.parametrize("name", SHIPPED)
 def test_every_operation_works_with_every_route_that_a_train_can_take(name: str) -> None:
     layout, _, controller = built(name)
-    found = operations(System(layout, controller))
+    found = operations(closed_loop(layout, controller))
     assert found and all(those.keys() == OPERATIONS.keys() for those in found.values())
     assert {(r, what, why) for r, those in found.items() for what, why in those.items() if why is not None} == set()
 
@@ -41,5 +41,5 @@ def put(controller: Controller, name: str, x: Expr) -> Controller:
 )
 def test_an_operation_that_does_not_work_is_told(operation: str, wire: str, words: str) -> None:
     layout, _, controller = built("mine11")
-    found = operations(System(layout, put(controller, wire, FALSE)))
+    found = operations(closed_loop(layout, put(controller, wire, FALSE)))
     assert any(words in (those[operation] or "") for those in found.values())

@@ -137,7 +137,7 @@ def collision(system: System) -> Iterator[str]:
     """The shortest run to a collision, step by step."""
     run = search(system, [c for c in claims(Facts(system)) if c.id == "T-COLLISION"], 14, 60)
     assert run is not None
-    yield from tell(system, run).steps
+    yield from tell(system.loop, run).steps
 
 
 @pytest.mark.parametrize("kind", ["overlap-inside", "entry-speed-forgotten", ""])

@@ -13,7 +13,7 @@ from interlock.frontend import load_text
 from interlock.logic.lower import lower
 from interlock.model.elements import RouteId
 from interlock.model.layout import Layout
-from interlock.proof.system.transition import System
+from interlock.proof.system.loop import closed_loop
 from interlock.proof.witnesses.routes import witnesses
 from interlock.table.rows import InterlockingTable
 from tests.grow import grow
@@ -68,7 +68,7 @@ def made(text: str) -> tuple[Layout, InterlockingTable, list[Diagnostic]]:
 
 def undrivable(layout: Layout, table: InterlockingTable) -> set[str]:
     """The routes that no run can set, drive and release."""
-    return {w.route for w in witnesses(System(layout, lower(layout, table))) if not w.ok}
+    return {w.route for w in witnesses(closed_loop(layout, lower(layout, table))) if not w.ok}
 
 
 def own(layout: Layout, table: InterlockingTable) -> set[str]:
@@ -153,5 +153,5 @@ def test_what_is_refused_cannot_be_driven_and_what_is_not_can() -> None:
     """The witness run is the second opinion."""
     for text, good in ((NEVER, False), (NEVER.replace("  G: {", f"{BACK}  G: {{"), True)):
         layout, table, errors = checked(text)
-        runs = {w.route: w.ok for w in witnesses(System(layout, lower(layout, table)))}
+        runs = {w.route: w.ok for w in witnesses(closed_loop(layout, lower(layout, table)))}
         assert (errors == []) is good is runs[RouteId("G-B")]

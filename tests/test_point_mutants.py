@@ -190,7 +190,7 @@ def test_runs_that_a_change_does_not_reach_are_not_run_again(judge: Judge) -> No
     stuck = next(m for m in mutations(c) if m.name.startswith("G_R1 false"))
     changed = judge.system.changed(stuck.make())
     assert changed is not None and judge.runs.reached(changed)
-    noticed = judge.runs.noticed(judge.system.under(stuck.make(), changed), changed)
+    noticed = judge.runs.noticed(judge.system.under(stuck.make(), changed).loop, changed)
     assert noticed is not None and noticed[0] and "refused" in noticed[1]
 
 
@@ -202,7 +202,7 @@ def test_two_timers_whose_inputs_differ_are_not_the_same(judge: Judge) -> None:
     changed = judge.system.changed(m.make())
     assert changed is not None
     system = judge.system.under(m.make(), changed)
-    other = Side(system, judge.lines.under(system), judge.side.invariants)
+    other = Side(m.make(), system.relation.state, judge.lines.under(system), judge.side.invariants)
     assert same(judge.step, judge.side, other, judge.reads) is None
 
 

@@ -280,8 +280,8 @@ def test_one_starting_signal_for_several_tracks_wants_a_shunt_signal_at_each(tmp
     assert whole.ok and whole.table is not None and whole.layout is not None and not lints(tmp_path, GROUP + OWN)
     assert {r.id for r in whole.table.routes} >= {"B-L1", "B-L2", "B-L3", "L1-G.s", "L2-G.s", "L3-G.s", "G-E"}
     system = System(whole.layout, lower(whole.layout, whole.table))
-    assert prove(system, limits=Limits(search_s=0)).proved and all(w.ok for w in witnesses(system))
-    assert not [p for p in availability(system, whole.table).pairs if p.failure is not None]
+    assert prove(system, limits=Limits(search_s=0)).proved and all(w.ok for w in witnesses(system.loop))
+    assert not [p for p in availability(system.loop, whole.table).pairs if p.failure is not None]
 
 
 PASSED = """interlock: 1

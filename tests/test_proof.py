@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import chain
 from pathlib import Path
 
@@ -96,7 +97,7 @@ def test_the_counterexample_replays_on_the_reference_interpreter() -> None:
     for _ in range(2):
         machine.scan({}, 100)
     here = conj(var(n) if v else neg(var(n)) for n, v in machine.state.items())
-    system.__dict__["initial"] = conj((system.initial, here))
+    system.initial = replace(system.initial, parts=(*system.initial.parts, here))
     run = search(system, [c for c in claims(Facts(system)) if c.id == "T-FLANK"], 12, 60)
     assert run is not None
     for frame, following in zip(run.frames, run.frames[1:], strict=False):
@@ -106,9 +107,23 @@ def test_the_counterexample_replays_on_the_reference_interpreter() -> None:
         machine.scan(frame.inputs, 0)
         assert all(machine.state[s.name] == following.state[s.name] for s in controller.state)
     last = {**run.frames[-1].state, **run.frames[-1].inputs}
-    for name, x in system.definitions.items():
+    for name, x in system.relation.definitions.items():
         last[name] = int(evaluate(x, last.__getitem__, {}))
     assert not evaluate(run.claim.expr, last.__getitem__, {})
+
+
+def test_a_claim_sees_no_equation() -> None:
+    """What claims and invariants are written in leads neither to the controller nor to the relation of its steps."""
+    system = System(*(lambda x: (x[0], x[2]))(built("fig2_2")))
+    facts = Facts(system)
+    seen = [
+        *vars(facts).values(),
+        *(x for part in (facts.track, facts.locking, facts.seen) for x in vars(part).values()),
+    ]
+    seen += vars(facts.zones).values()
+    assert len(seen) > 20 and facts.zones is system.zones
+    hidden = (system, system.loop, system.loop.controller, system.relation, system.relation.definitions)
+    assert not any(x is y for x in seen for y in hidden)
 
 
 @pytest.mark.parametrize("name", SHIPPED)
@@ -116,14 +131,16 @@ def test_questions_are_asked_place_by_place(name: str) -> None:
     """Every question once; each section of the walk touches one before it, but where a part of the railway begins."""
     layout, _, controller = built(name)
     system = System(layout, controller)
-    topo = system.topo
+    topo = system.loop.topo
     seen: set[str] = set()
     for s in walked(topo):
         touches = {topo.beyond(s, j) for j in topo.ends[s]} - {None}
         assert touches & seen or not _reached(topo, s) & seen
         seen.add(s)
     goals = [Goal(c.expr) for c in claims(Facts(system))]
-    assert sorted(chain.from_iterable(Parts(system, []).places(goals))) == list(range(len(goals)))
+    assert sorted(chain.from_iterable(Parts(system.relation, system.where, []).places(goals))) == list(
+        range(len(goals))
+    )
 
 
 def _reached(topo: Topology, start: str) -> set[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from interlock.model.elements import MachineId, Position, SectionId
-from interlock.proof.system.transition import System
+from interlock.proof.system.loop import closed_loop
 from interlock.sim.run import Simulator
 from tests.layouts import grown
 
@@ -43,7 +43,7 @@ def simulator(text: str) -> Simulator:
     assert made is not None
     layout, table, _ = made
     controller = lower(layout, table)
-    sim = Simulator(controller, System(layout, controller).plant)
+    sim = Simulator(controller, closed_loop(layout, controller).plant)
     sim.reset({f"at.{m}.N": 1 for m in layout.machines})
     for _ in range(2):
         sim.step((), {"RELALL": 1})

@@ -43,7 +43,7 @@ def test_every_digest_is_of_the_system_that_the_layout_gives(name: str) -> None:
     layout, _, controller = built(name)
     system = System(layout, controller)
     facts = Facts(system)
-    base = FactBase(system, strengthening(facts), claims(facts), start_claim(system))
+    base = FactBase(system.relation, system.initial, strengthening(facts), claims(facts), start_claim(system.loop))
     text = system_text(base)
     digest = hashlib.sha256(text.encode()).hexdigest()
     assert f"{name} system.txt {digest}\n" in (ROOT / "proofs/digests.txt").read_text("utf-8")
@@ -350,7 +350,7 @@ def test_a_clause_that_the_solver_numbers_otherwise_makes_no_certificate(monkeyp
     monkeypatch.setattr(Search, "settle", unnoticed)
     system = System(*built("fig2_2")[::2])
     facts = Facts(system)
-    base = FactBase(system, strengthening(facts), claims(facts), start_claim(system))
+    base = FactBase(system.relation, system.initial, strengthening(facts), claims(facts), start_claim(system.loop))
     with pytest.raises((Rejected, ValueError, LookupError)):
         files = {"system.txt": system_text(base).encode(), "proof.txt.xz": proof_bytes(prove_locally(base))}
         verify(Path("nowhere"), files)
@@ -373,8 +373,8 @@ def test_splitting_says_the_same() -> None:
 def local(name: str, controller=None):  # type: ignore[no-untyped-def]
     layout, _, own = built(name)
     system = System(layout, controller or own)
-    facts = Facts(system)
-    return prove_locally(FactBase(system, strengthening(facts), claims(facts), start_claim(system)))
+    facts, start = Facts(system), start_claim(system.loop)
+    return prove_locally(FactBase(system.relation, system.initial, strengthening(facts), claims(facts), start))
 
 
 def test_the_same_proof_gives_the_same_bytes() -> None:

@@ -25,9 +25,9 @@ def told(source: str) -> tuple[dict[str, Any], str, str]:
     assert found is not None
     layout, table, _ = found
     system = System(layout, lower(layout, table))
-    facts = Facts(system)
-    written = system_text(FactBase(system, strengthening(facts), claimed(facts), start_claim(system)))
-    (text,) = write_st(system.controller, BY_NAME["iec"], []).values()
+    facts, start = Facts(system), start_claim(system.loop)
+    written = system_text(FactBase(system.relation, system.initial, strengthening(facts), claimed(facts), start))
+    (text,) = write_st(system.loop.controller, BY_NAME["iec"], []).values()
     return loaded(source), written, text
 
 

@@ -11,6 +11,7 @@ from interlock.emit.drawing import plan_svg
 from interlock.emit.report import player_html
 from interlock.logic.lower import lower
 from interlock.proof.induction.trace import itf
+from interlock.proof.system.loop import ClosedLoop, closed_loop
 from interlock.proof.system.transition import System
 from interlock.proof.witnesses.availability import Availability, PairResult, Trial, availability
 
@@ -22,7 +23,7 @@ class Tried:
     """A checked layout and what its runs showed (None when it has errors)."""
 
     checked: Checked
-    system: System | None = None
+    railway: ClosedLoop | None = None
     found: Availability | None = None
 
     @property
@@ -36,24 +37,25 @@ def try_file(path: str) -> Tried:
     checked = check_file(path)
     if not checked.ok or checked.layout is None or checked.table is None:
         return Tried(checked)
-    system = System(checked.layout, lower(checked.layout, checked.table))
-    return Tried(checked, system, availability(system, checked.table))
+    railway = closed_loop(checked.layout, lower(checked.layout, checked.table))
+    return Tried(checked, railway, availability(railway, checked.table))
 
 
 def write_stories(tried: Tried, folder: Path) -> list[Path]:
     """A trace and a page that plays it for pairs that failed; the pages.  Raises OSError."""
-    if tried.system is None or tried.found is None or tried.checked.layout is None:
+    if tried.railway is None or tried.found is None or tried.checked.layout is None:
         return []
     failed = [p for p in tried.found.pairs if p.failed is not None][:TRACES]
     if not failed:
         return []
-    layout, trial = tried.checked.layout, Trial(tried.system)
+    layout, trial = tried.checked.layout, Trial(tried.railway)
+    relation = System(layout, tried.railway.controller).relation
     plan, out = plan_svg(layout), []
     folder.mkdir(parents=True, exist_ok=True)
     for p in failed:
-        story = trial.story(p)
+        story = trial.story(p, relation)
         assert story is not None
-        trace = itf(tried.system, story, layout.digest, plan)
+        trace = itf(tried.railway, relation.state, story, layout.digest, plan)
         page = folder / f"{layout.name}-{_file(p)}.html"
         write_whole(page.with_suffix(".itf.json"), trace.encode())
         write_whole(page, player_html(trace).encode())

@@ -76,9 +76,10 @@ def _certified(path: str, outputs: Path, proofs: Path, check: bool, progress: Pr
             f"run `interlock compile {path} -o {outputs}`",
         )
         return Certified(proved, notes=(note,))
-    system = System(layout, lower(layout, table))
+    controller = lower(layout, table)
+    system = System(layout, controller)
     facts = Facts(system)
-    base = FactBase(system, strengthening(facts), claims(facts), start_claim(system))
+    base = FactBase(system.relation, system.initial, strengthening(facts), claims(facts), start_claim(system.loop))
     target = proofs / layout.name
     texts = {SYSTEM: system_text(base).encode()}
     if not check and (found := strangers(target)):
@@ -96,7 +97,7 @@ def _certified(path: str, outputs: Path, proofs: Path, check: bool, progress: Pr
                 note = Diagnostic("IL5002", Severity.ERROR, f"no certificate: {g.kind} of {g.source} is open", span)
                 return Certified(proved, notes=(note,))
             texts[PROOF] = proof_bytes(local)
-            texts[NEEDED] = needs_text(needs(local, system.controller)).encode()
+            texts[NEEDED] = needs_text(needs(local, controller)).encode()
             manifest = manifest_text(layout.name, {**texts, **tied})
             write_folder(target, {**texts, MANIFEST: manifest.encode()})
         progress("verifying the certificate", 0, 0)

@@ -23,7 +23,7 @@ from interlock.dispatch.policy import Policy
 from interlock.logic.lower import lower
 from interlock.model.elements import Position
 from interlock.model.layout import Layout
-from interlock.proof.system.transition import System
+from interlock.proof.system.loop import closed_loop
 
 
 @dataclass(frozen=True)
@@ -208,7 +208,7 @@ def dispatch(
         return Dispatched(checked, sink.diagnostics, texts=texts)
     found = Dispatched(checked, (), setting.errands, derived=derived, faults=(*failed, *occupied))
     controller = lower(layout, table)
-    replay = Replay(layout, controller, System(layout, controller).plant)
+    replay = Replay(layout, controller, closed_loop(layout, controller).plant)
     found.answer = Planner(setting.built.problem).solve(setting.built.start)
     if found.answer.verdict is Verdict.PLAN:
         found.plan = setting.plan(layout.digest, found.answer.plan)
@@ -320,7 +320,7 @@ def replay_file(path: str, plan: str) -> tuple[Checked, tuple[Diagnostic, ...], 
     try:
         text = Path(plan).read_text("utf-8")
         controller = lower(checked.layout, checked.table)
-        replay = Replay(checked.layout, controller, System(checked.layout, controller).plant)
+        replay = Replay(checked.layout, controller, closed_loop(checked.layout, controller).plant)
         return checked, (), replay.check([from_text(text)])[0]
     except (OSError, UnicodeDecodeError) as error:
         why = getattr(error, "strerror", None) or "it is not UTF-8 text"

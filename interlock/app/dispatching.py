@@ -12,7 +12,7 @@ from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
 from interlock.logic.names import Name
 from interlock.model.layout import Layout
-from interlock.proof.system.transition import System
+from interlock.proof.system.loop import closed_loop
 from interlock.sim.lanes import Driver, Lane, Lanes, Wish
 from interlock.sim.line import Lines
 from interlock.sim.trains import Rails, Train
@@ -96,8 +96,7 @@ class Ground:
         self.railway = Railway(table, layout)
         self.rails = Rails(layout)
         self.lines = Lines(layout, self.controller.symbols)
-        system = System(layout, self.controller)
-        self.lanes = Lanes(self.controller, system.plant, DT_MS)
+        self.lanes = Lanes(self.controller, closed_loop(layout, self.controller).plant, DT_MS)
         sym = self.controller.symbols
         self._watched = [
             *sym.sections.clear.values(),

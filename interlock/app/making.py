@@ -91,7 +91,7 @@ def _traces(layout: Layout, system: System, proof: ProofResult) -> tuple[tuple[s
     from interlock.emit.drawing import plan_svg  # a proof needs no picture
 
     plan = plan_svg(layout)
-    return tuple((s.claim, itf(system, s, layout.digest, plan)) for s in stories)
+    return tuple((s.claim, itf(system.loop, system.relation.state, s, layout.digest, plan)) for s in stories)
 
 
 def _notes(checked: Checked, proof: ProofResult) -> list[Diagnostic]:

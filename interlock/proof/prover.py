@@ -28,6 +28,7 @@ from interlock.proof.induction.parts import Goal, Inquiry
 from interlock.proof.induction.search import search
 from interlock.proof.induction.story import tell
 from interlock.proof.induction.verdict import ClaimResult, Progress, ProofResult, Verdict, quiet
+from interlock.proof.system.loop import ClosedLoop
 from interlock.proof.system.transition import System
 from interlock.proof.witnesses.routes import witnesses
 
@@ -48,9 +49,9 @@ def prove(
     wanted = claims(Facts(system)) if wanted is None else wanted
     found = list(strengthening(Facts(system)))
     goals = [*(Goal(i.expr, later=True) for i in found), *(Goal(c.expr) for c in wanted)]
-    inquiry = Inquiry(system, [i.expr for i in found], goals, limits)
+    inquiry = Inquiry(system.relation, system.where, [i.expr for i in found], goals, limits)
     questions = inquiry.first()
-    tasks: list[Task] = [partial(witnesses, system), partial(holding_at_restart, system, found, limits)]
+    tasks: list[Task] = [partial(witnesses, system.loop), partial(holding_at_restart, system, found, limits)]
     tasks.append(partial(_start, system, limits))
     first = len(tasks)  # what comes before takes longer than the last questions
     tasks += [partial(inquiry.ask, q) for q in questions]
@@ -101,7 +102,7 @@ def _claims(
             looking = partial(progress, f"searching a counterexample to {id_}")
             run = search(system, open_[id_], limits.search_depth, limits.search_s, looking)
             verdict = Verdict.REFUTED if run is not None else Verdict.UNKNOWN
-            story = tell(system, run) if run is not None else None
+            story = tell(system.loop, run) if run is not None else None
         out.append(
             ClaimResult(
                 id_,
@@ -116,14 +117,14 @@ def _claims(
     return out
 
 
-def start_claim(system: System) -> Expr:
+def start_claim(loop: ClosedLoop) -> Expr:
     """P-START: at the restart nothing is commanded, all signals show stop, every section is locked."""
-    sym = system.symbols
-    devices = system.layout.machines.device
+    sym = loop.controller.symbols
+    devices = loop.layout.machines.device
     commands = [*sym.machines.command.items(), *sym.machines.drive.items()]
     out: list[Expr] = [neg(var(n)) for (m, x), n in commands if m not in devices or x is Position.NORMAL]
     out += [var(n) for n in sym.aspects.stop.values()]
-    out += [neg(sym.aspects.shows(g.id)) for g in system.layout.signalling.signals]
+    out += [neg(sym.aspects.shows(g.id)) for g in loop.layout.signalling.signals]
     out += [var(n) for n in sym.sections.restart.values()]
     return conj(out)
 
@@ -131,11 +132,11 @@ def start_claim(system: System) -> Expr:
 def _start(system: System, limits: Limits) -> ClaimResult:
     """The restart: nothing commanded, all signals at stop, every section locked."""
     began = time.monotonic()
-    wanted = start_claim(system)
-    ok = made_true(wanted, {name: x is TRUE for name, x in restart_values(system)[0].items()})
+    wanted = start_claim(system.loop)
+    ok = made_true(wanted, {name: x is TRUE for name, x in restart_values(system.initial)[0].items()})
     if not ok:
         cnf = Cnf()
-        cnf.require(system.initial)
+        cnf.require(system.initial.whole)
         literal = cnf.literal(wanted)
         ok = solver(limits.engine, cnf, limits.query_ms).ask(-literal) is Answer.UNSAT
     return ClaimResult(

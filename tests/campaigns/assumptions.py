@@ -56,7 +56,7 @@ def harm(assumption: str, name: str, claim: str) -> Story | None:
     layout, _, controller = built(name)
     system = System(layout, controller, frozenset({assumption}))
     run = search(system, [c for c in claims(Facts(system)) if c.id == claim], 16, 120)
-    return tell(system, run) if run is not None else None
+    return tell(system.loop, run) if run is not None else None
 
 
 def main() -> int:

@@ -26,6 +26,7 @@ from interlock.logic.expr import FALSE
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.model.principles import PROFILES
+from interlock.proof.system.loop import closed_loop
 from interlock.proof.system.transition import System
 from interlock.proof.witnesses.availability import Availability, Manner, Trial, availability, compatible
 from interlock.table.cells import Because, Exclusion, ProviderKind, SpaceCell
@@ -90,8 +91,8 @@ def one_exclusion_too_many(layout: Layout, table: InterlockingTable) -> Interloc
     """The first way of the first route that can have a train beside another one excludes all of the other's first
     section."""
     system = System(layout, lower(layout, table))
-    trial = Trial(system)
-    for a, b in compatible(system, table):
+    trial = Trial(system.loop)
+    for a, b in compatible(system.loop, table):
         if trial.plan(a, b)[0] is Manner.BESIDE:
             extra = Exclusion(b.path.ways[0][0], True, (), Because("R6", "too much"))
 
@@ -190,7 +191,7 @@ def main() -> int:
             refused.append(f"{name} in {profile} ({refusal(text)})")
             continue
         began = time.process_time()
-        found = availability(System(made[0], lower(*made)), made[1])
+        found = availability(closed_loop(made[0], lower(*made)), made[1])
         print(row(name, profile, found, time.process_time() - began), flush=True)
         total += len(found.pairs)
         bad += sum(p.failure is not None for p in found.pairs)
@@ -201,7 +202,7 @@ def main() -> int:
     print("| weakening | layout | pairs that fail | the first of them |\n|---|---|---|---|")
     survived = 0
     for what, name, layout, table, controller in weakened():
-        failed = [p for p in availability(System(layout, controller), table).pairs if p.failure is not None]
+        failed = [p for p in availability(closed_loop(layout, controller), table).pairs if p.failure is not None]
         survived += not failed
         first = f"{failed[0].first} and {failed[0].second}: {failed[0].failure}" if failed else "*survived*"
         print(f"| {what} | {name} | {len(failed)} | {first.replace('|', '/')} |", flush=True)

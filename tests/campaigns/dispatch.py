@@ -31,7 +31,7 @@ from interlock.app.replay import GONE, Plan, PlanTrain, Replay
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.commands import errand
 from interlock.dispatch.plan.railway import OUTSIDE, Errand
-from interlock.proof.system.transition import System
+from interlock.proof.system.loop import closed_loop
 from tests.campaigns.deadlock import processor
 from tests.layouts import grown
 
@@ -144,7 +144,7 @@ class Case:
             for asked, held in o.plans:
                 plans[self.plan(errands, asked, held)] = None
         controller = self.ground.controller
-        replay = Replay(self.layout, controller, System(self.layout, controller).plant)
+        replay = Replay(self.layout, controller, closed_loop(self.layout, controller).plant)
         todo = list(plans)
         found.plans = len(todo)
         for k in range(0, len(todo), 96):

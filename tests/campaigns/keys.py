@@ -55,18 +55,19 @@ def able(case: Case) -> str:
     try:
         system = System(ours[0], lower(theirs[0], theirs[1]))
         facts = Facts(system)
-        invariants, every, start = strengthening(facts), claimed(facts), start_claim(system)
+        invariants, every, start = strengthening(facts), claimed(facts), start_claim(system.loop)
     except Exception:  # variables of which the other controller has none
         return NONE
     body, text = loaded(case.author), told(case.other)[2]
     try:
-        w = written(system_text(FactBase(system, invariants, every, start)))
+        w = written(system_text(FactBase(system.relation, system.initial, invariants, every, start)))
         world = World(Railway(body), w)
         plant.define(world, data.shipped())
         wanted = asked(data.shipped().claims, world)
         lines = [not unsaid(set(parts(x)), wanted.get(id_, set())) for id_, _, x in w.claims]
         kept = tuple(c for c, fits in zip(every, lines, strict=True) if fits)
-        agree(body, system_text(FactBase(system, invariants, kept, start)), text, data.shipped())
+        agreed = system_text(FactBase(system.relation, system.initial, invariants, kept, start))
+        agree(body, agreed, text, data.shipped())
     except Rejected as e:
         return str(e)
     open_ = open_claims(system, inductive(system, NO_SEARCH)[0], kept, NO_SEARCH)

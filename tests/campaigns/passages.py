@@ -30,7 +30,7 @@ from interlock.dispatch.commands import errand
 from interlock.dispatch.plan.railway import Errand, NoVoyage, Railway, TooManyPlaces
 from interlock.dispatch.plan.search import Planner, Verdict
 from interlock.model.elements import BoundaryKind
-from interlock.proof.system.transition import System
+from interlock.proof.system.loop import closed_loop
 from tests.campaigns.deadlock import processor
 
 LENGTHS = (12.0, 60.0, 250.0)
@@ -104,7 +104,7 @@ def tried(path: str, lengths: Sequence[float] = LENGTHS, most: int = MOST, runs:
         found.unknown += answer.verdict is Verdict.UNKNOWN
         if answer.verdict is Verdict.PLAN:
             plans.append((one, setting.plan(layout.digest, answer.plan)))
-    replay = Replay(layout, ground.controller, System(layout, ground.controller).plant)
+    replay = Replay(layout, ground.controller, closed_loop(layout, ground.controller).plant)
     for k in range(0, len(plans), 128):
         part = plans[k : k + 128]
         done = replay.check([p for _, p in part])

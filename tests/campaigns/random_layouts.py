@@ -32,6 +32,7 @@ from interlock.proof.engines.limits import Limits
 from interlock.proof.equivalence.structured_text import compare_dialect
 from interlock.proof.induction.verdict import Verdict
 from interlock.proof.prover import prove
+from interlock.proof.system.loop import closed_loop
 from interlock.proof.system.transition import System
 from interlock.proof.witnesses.availability import Manner, availability
 from interlock.st.dialects import BY_NAME, write_st
@@ -141,7 +142,7 @@ def verified(x: Case, t: Tally) -> None:
 
 def driven(x: Case, t: Tally) -> None:
     """Every two routes that are not hostile, used together."""
-    found = availability(System(x.layout, x.controller), x.table)
+    found = availability(closed_loop(x.layout, x.controller), x.table)
     pairs = [p for p in found.pairs if p.manner is not Manner.NONE]
     t.counts["driven"] += 1
     t.counts["pairs"] += len(pairs)

@@ -91,7 +91,7 @@ def test_every_output_is_read_by_the_plant_or_a_claim() -> None:
     for name in ("junction", "passing_loop", "pit_bottom", "heishan", "flank_lab"):
         layout, _, controller = built(name)
         system = System(layout, controller)
-        read = set(variables([*(c.expr for c in claims(Facts(system))), *system.plant.next.values()]))
-        read |= set(variables(system.plant.events.definitions.values()))
+        read = set(variables([*(c.expr for c in claims(Facts(system))), *system.loop.plant.next.values()]))
+        read |= set(variables(system.loop.plant.events.definitions.values()))
         unread = [o.name for o in controller.outputs if not {o.name, o.name + "'"} & read]
         assert not unread, (name, unread)

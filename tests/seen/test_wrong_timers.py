@@ -8,7 +8,7 @@ import pytest
 
 from interlock.logic.controller import Controller, Equation, Join, Term, Timer
 from interlock.logic.expr import TRUE, Expr, disj, var
-from interlock.proof.system.transition import System
+from interlock.proof.system.loop import closed_loop
 from tests.layouts import SHIPPED, built
 from tests.left_open import left_open
 
@@ -74,7 +74,7 @@ def test_no_assumption_reads_a_symbol_of_the_controller_but_inputs_and_outputs()
 
     for name in SHIPPED:
         layout, _, controller = built(name)
-        plant = System(layout, controller).plant
+        plant = closed_loop(layout, controller).plant
         own = {s.name for s in controller.state} | {s.name for s in controller.steps}
         definitions = plant.events.definitions
         todo = [v for a in plant.assumptions for v in variables((a.expr,))]

@@ -36,10 +36,9 @@ def foci(local: LocalAbstractions, goals: Iterable[tuple[int, Expr]]) -> list[Fo
             continue
         homes = [local.homes[v] for v in names if v in local.homes]
         if homes:
-            beside = local.system.beside
-            ahead = any(h.kind is Kind.OVERLAP and homes[-1] not in beside.get(h, ()) for h in homes)
+            ahead = any(h.kind is Kind.OVERLAP and homes[-1] not in local.beside.get(h, ()) for h in homes)
             home = homes[0 if ahead else -1]
-            home = beside.get(home, (home,))[0]
+            home = local.beside.get(home, (home,))[0]
             whole.setdefault((home, local.places.are_far(names)), []).append((n, x))
     found: list[Focus] = []
     each = {

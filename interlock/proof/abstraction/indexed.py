@@ -13,14 +13,14 @@ Grumberg and Long, 1994.)
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Protocol
 
 from interlock.logic.expr import AND, EQ, NOT, OR, VAR, WIDE, Expr, Substitution, disj, neg, rebuild, var
 from interlock.logic.names import Name, each_value
-from interlock.logic.plant import Assumption
+from interlock.proof.system.neighbourhood import RouteVariables
+from interlock.proof.system.relation import TransitionRelation
 
 MANY = 64  # clauses of one expression
 
@@ -34,30 +34,6 @@ class Kind(IntEnum):
     DEFINED = 0
     ASSUMED = 1
     KEPT = 2
-
-
-class HasFamilies(Protocol):
-    """A system that tells which of its variables belong to routes."""
-
-    @property
-    def definitions(self) -> Mapping[Name, Expr]:
-        """Names of a step by what they mean."""
-        ...
-
-    @property
-    def assumptions(self) -> Sequence[Assumption]:
-        """Facts of every step."""
-        ...
-
-    @property
-    def indexed(self) -> Mapping[Name, IndexedVariable]:
-        """Family and member of the variables of routes."""
-        ...
-
-    @property
-    def requests(self) -> Sequence[Name]:
-        """Small-range variables that have the numbers of routes for values."""
-        ...
 
 
 @dataclass(eq=False, slots=True)
@@ -80,13 +56,13 @@ class GuardedClause:
 
 
 class IndexedFamilies:
-    """The definitions and facts of a system, sorted into those of routes and those of places."""
+    """The definitions and facts of a step, sorted into those of routes and those of places."""
 
-    def __init__(self, system: HasFamilies, hypotheses: Sequence[Expr]) -> None:
+    def __init__(self, relation: TransitionRelation, routes: RouteVariables, hypotheses: Sequence[Expr]) -> None:
         """`hypotheses`: the invariants; they hold before the step."""
-        self._member = system.indexed
+        self._member = routes.indexed
         self._numbers = {number for _, number in self._member.values()}
-        self._requests = frozenset(system.requests)
+        self._requests = frozenset(routes.requests)
         self._read: dict[Expr, tuple[tuple[Name, ...], tuple[IndexedVariable, ...]]] = {}
         self._families: dict[Expr, tuple[Name, ...]] = {}
         self._guarded: dict[tuple[Name, Kind, Expr], GuardedClause] = {}
@@ -100,32 +76,32 @@ class IndexedFamilies:
         """Facts that read no routes."""
         self.mixed: list[tuple[Expr, Kind]] = []
         """Facts that read several routes."""
-        same = self._same_names(system)
+        same = self._same_names(relation)
         self._same = {self._member[name] for name in same}
         self._put = Substitution({name: var(other) for name, other in same.items()})
-        for name, x in system.definitions.items():
+        for name, x in relation.definitions.items():
             member = self._member.get(name)
             if member is None:
                 self.meaning[name] = self.named(x)
             elif name in same:
                 continue
             else:
-                meant = self.named(system.definitions[x.name] if x.op is VAR and same.get(x.name) == name else x)
+                meant = self.named(relation.definitions[x.name] if x.op is VAR and same.get(x.name) == name else x)
                 parts = [self.abstract(a, member[1]) for a in _all(meant)]
                 guarded = [self._guard(member, Kind.DEFINED, x) for x in parts if x is not None]
                 self.defining[member] = guarded if len(guarded) == len(parts) else None
-        for kind, facts in ((Kind.KEPT, hypotheses), (Kind.ASSUMED, [a.expr for a in system.assumptions])):
+        for kind, facts in ((Kind.KEPT, hypotheses), (Kind.ASSUMED, [a.expr for a in relation.assumptions])):
             for x in facts:
                 for fact in _all(self.named(x)):
                     self._sort(fact, kind)
         self.guarded = list(self._guarded.values())
 
-    def _same_names(self, system: HasFamilies) -> dict[Name, Name]:
+    def _same_names(self, relation: TransitionRelation) -> dict[Name, Name]:
         """Variables of routes that others are defined to be, and these."""
         found: dict[Name, Name] = {}
         for name in self._member:
-            x = system.definitions.get(name)
-            if x is not None and x.op is VAR and x.name in self._member and x.name in system.definitions:
+            x = relation.definitions.get(name)
+            if x is not None and x.op is VAR and x.name in self._member and x.name in relation.definitions:
                 found.setdefault(x.name, name)
         return {name: other for name, other in found.items() if other not in found}
 

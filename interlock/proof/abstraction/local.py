@@ -30,51 +30,19 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Protocol
 
 from interlock.logic.expr import AND, NOT, OR, VAR, Expr, var
 from interlock.logic.names import NONE, Name, Owner, of_block
 from interlock.model.bits import bits, bits_of
-from interlock.proof.abstraction.indexed import GuardedClause, HasFamilies, IndexedFamilies, Kind
+from interlock.proof.abstraction.indexed import GuardedClause, IndexedFamilies, Kind
+from interlock.proof.system.neighbourhood import Neighbourhood
+from interlock.proof.system.relation import TransitionRelation
 
 _KEPT = Kind.KEPT
 
 MAX_SUPPORT = 30  # a fact whose support, the names that it reads, is larger is in no abstraction
 MAX_HOMES = 7  # a meaning or goal that names more elements than this is far: that nobody is on a long approach
 MAX_DEGREE = 60  # a name of the support of more facts than this leads to none of them
-
-
-class Located(HasFamilies, Protocol):
-    """A system that tells where its names belong."""
-
-    @property
-    def later(self) -> Mapping[Name, Name]:
-        """The names of next values by those of the state."""
-        ...
-
-    @property
-    def homes(self) -> Mapping[Name, Owner]:
-        """The element of the railway to which a name belongs, if to one."""
-        ...
-
-    @property
-    def beside(self) -> Mapping[Owner, tuple[Owner, ...]]:
-        """The elements of which another is a part: the sections of a machine."""
-        ...
-
-    @property
-    def lamps(self) -> frozenset[Name]:
-        """What signals show: names of the state."""
-        ...
-
-    @property
-    def waits_for(self) -> Mapping[Name, Name]:
-        """What each timer waits for: the name of its input."""
-        ...
-
-    def after(self, x: Expr) -> Expr:
-        """The expression one step later."""
-        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,10 +116,10 @@ def families_in(m: IndexedFamilies, x: Expr) -> tuple[Name, ...]:
 
 
 class PlaceIndex:
-    """The facts of a system that speak of places, by the names that they read; and what names lead to."""
+    """The facts of a step that speak of places, by the names that they read; and what names lead to."""
 
-    def __init__(self, system: Located, m: IndexedFamilies) -> None:
-        self.homes = system.homes
+    def __init__(self, state: Iterable[Name], homes: Mapping[Name, Owner], m: IndexedFamilies) -> None:
+        self.homes = homes
         self.facts_at: dict[Name, list[int]] = {}
         self.alone_at: dict[Name, list[int]] = {}
         """Facts that speak of one name."""
@@ -169,7 +137,7 @@ class PlaceIndex:
         """What the meaning of a name reads, and the families of which it speaks."""
         self.far = frozenset(v for v, (names, _) in self.leads.items() if self.are_far(names))
         """Names whose meaning is far."""
-        self.state_homes = {v: home for v in system.later if (home := self.homes.get(v)) is not None}
+        self.state_homes = {v: home for v in state if (home := self.homes.get(v)) is not None}
         for n, (x, _) in enumerate(m.mixed):
             _note(self.mixed_at, m.read(x)[0], n)
         for at in (self.facts_at, self.mixed_at):
@@ -244,12 +212,11 @@ class BlockVariables(dict[tuple[Name, int], Expr]):
 class LocalAbstractions:
     """The local abstractions of a system."""
 
-    def __init__(self, system: Located, hypotheses: Sequence[Expr]) -> None:
+    def __init__(self, relation: TransitionRelation, where: Neighbourhood, hypotheses: Sequence[Expr]) -> None:
         """`hypotheses`: the invariants; they hold before the step."""
-        self.members = IndexedFamilies(system, hypotheses)
-        self.system = system
-        self.homes = system.homes
-        self.places = PlaceIndex(system, self.members)
+        self.members = IndexedFamilies(relation, where.routes, hypotheses)
+        self.homes, self.beside = where.homes, where.beside
+        self.places = PlaceIndex(relation.state, self.homes, self.members)
         self.clauses = ClauseIndex(self.members, self.homes)
         self._groups: dict[Expr, list[Occurrences]] = {}
         self.variables = BlockVariables()

@@ -15,10 +15,12 @@ from interlock.logic.expr import Expr
 from interlock.logic.names import Kind
 from interlock.proof.abstraction.canonical import CanonicalForms
 from interlock.proof.abstraction.focus import foci
-from interlock.proof.abstraction.local import Focus, LocalAbstractions, Located
+from interlock.proof.abstraction.local import Focus, LocalAbstractions
 from interlock.proof.abstraction.quotient import abstraction
 from interlock.proof.engines.batch import decided
 from interlock.proof.engines.limits import Limits
+from interlock.proof.system.neighbourhood import Neighbourhood
+from interlock.proof.system.relation import TransitionRelation
 
 CHUNK = 60  # foci that one process takes one after the other
 
@@ -45,9 +47,11 @@ class Answers:
 class LocalQueries:
     """Goals asked of local abstractions, and what follows."""
 
-    def __init__(self, system: Located, hypotheses: Sequence[Expr], limits: Limits) -> None:
+    def __init__(
+        self, relation: TransitionRelation, where: Neighbourhood, hypotheses: Sequence[Expr], limits: Limits
+    ) -> None:
         """`hypotheses`: the invariants."""
-        self.local = LocalAbstractions(system, hypotheses)
+        self.local = LocalAbstractions(relation, where, hypotheses)
         self.limits = limits
         self._forms = CanonicalForms({})
         self._answered: dict[str, list[bool]] = {}

@@ -91,13 +91,13 @@ class _Literals:
 
 def aiger(system: System, claims: Sequence[Claim]) -> bytes:
     """The circuit; bad exactly when some claim is violated in a fair run."""
-    c = Circuit()
+    c, relation = Circuit(), system.relation
     names: dict[str, int] = {}
     symbols: list[str] = []
     inputs = 0
     bits: dict[Name, list[int]] = {}
-    for name in system.inputs:
-        size = system.sizes.get(name)
+    for name in relation.inputs:
+        size = relation.sizes.get(name)
         width = max(1, (size - 1).bit_length()) if size else 1
         lits = [c.fresh() for _ in range(width)]
         inputs += width
@@ -107,40 +107,40 @@ def aiger(system: System, claims: Sequence[Claim]) -> bytes:
         else:
             names[name] = lits[0]
             symbols.append(f"i{inputs - 1} {name}")
-    kept = {x.args[0].name if x.op is NOT else x.name: x.op is VAR for x in system.initial_parts if _literal(x)}
+    kept = {x.args[0].name if x.op is NOT else x.name: x.op is VAR for x in system.initial.parts if _literal(x)}
     started: dict[str, int] = {}
-    for name in system.state:
+    for name in relation.state:
         if name not in kept:
             started[name] = c.fresh()
             symbols.append(f"i{inputs} first {name}")
             inputs += 1
-    stored = {name: c.fresh() for name in system.state}
+    stored = {name: c.fresh() for name in relation.state}
     later, unfair = c.fresh(), c.fresh()
-    latches = [*system.state, "later", "unfair"]
+    latches = [*relation.state, "later", "unfair"]
     symbols += [f"l{n} {name}" for n, name in enumerate(latches)]
-    for name in system.state:
+    for name in relation.state:
         at_first = started.get(name, int(kept.get(name, False)))
         names[name] = c.either(c.both(later, stored[name]), c.both(later ^ 1, at_first))
     literal = _Literals(c, names, bits)
-    for name, x in system.definitions.items():
+    for name, x in relation.definitions.items():
         names[name] = literal(x)
-    assumed = [literal(a.expr) for a in system.assumptions]
+    assumed = [literal(a.expr) for a in relation.assumptions]
     for ranged, lits in bits.items():  # a value out of range is no value
-        size = system.sizes[ranged]
+        size = relation.sizes[ranged]
         for value in range(size, 1 << len(lits)):
             assumed.append(c.all([b if value >> k & 1 else b ^ 1 for k, b in enumerate(lits)]) ^ 1)
-    starts = c.either(later, literal(system.initial))
+    starts = c.either(later, literal(system.initial.whole))
     now = c.both(unfair ^ 1, c.all([*assumed, starts]))
     bad = c.both(now, literal(neg(conj(x.expr for x in claims))))
     out = [f"aig {c.top} {inputs} {len(latches)} 1 {len(c.gates)}\n".encode()]
-    out += [f"{names[name.next]}\n".encode() for name in system.state]
+    out += [f"{names[name.next]}\n".encode() for name in relation.state]
     out.append(f"1\n{now ^ 1}\n".encode())
     out.append(f"{bad}\n".encode())
     gate = 2 * (inputs + len(latches)) + 2
     for a, b in c.gates:
         out.append(_delta(gate - a) + _delta(a - b))
         gate += 2
-    text = [*symbols, "o0 bad", "c", f"interlock {system.layout.name}", ""]
+    text = [*symbols, "o0 bad", "c", f"interlock {system.loop.layout.name}", ""]
     return b"".join(out) + "\n".join(text).encode()
 
 

@@ -48,24 +48,24 @@ def system_text(base: FactBase) -> str:
 
 
 def _system(base: FactBase) -> Iterator[str]:
-    system = base.system
+    relation = base.relation
     yield "interlock-system 2"
     for claim in dict.fromkeys(c.id for c in base.claims):
         yield f"sentence {claim} {CLAIMS[claim]}"
-    for name in dict.fromkeys(a.id for a in system.assumptions):
-        words = ASSUMPTIONS.get(name) or next(a.text for a in system.assumptions if a.id == name)
+    for name in dict.fromkeys(a.id for a in relation.assumptions):
+        words = ASSUMPTIONS.get(name) or next(a.text for a in relation.assumptions if a.id == name)
         yield f"assumed {name} {words}"
-    for v in system.state:
+    for v in relation.state:
         yield f"state {v}"
-    for x in system.initial_parts:
+    for x in base.initial.parts:
         yield f"ini {text(x)}"
-    for name, x in system.definitions.items():
+    for name, x in relation.definitions.items():
         yield f"def {name} {text(x)}"
-    for a in system.assumptions:
+    for a in relation.assumptions:
         yield f"asm {a.id} {text(a.expr)}"
-    for t in system.controller.timers:
+    for t in relation.timers.values():
         yield f"timer {t.name} {t.input} {t.preset_ms}"
-    for name, size in system.sizes.items():
+    for name, size in relation.sizes.items():
         yield f"val {name} {size}"
     for i in base.invariants:
         yield f"inv {_word(i.id)} {_word(i.place)} {text(i.expr)}"

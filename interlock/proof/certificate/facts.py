@@ -27,7 +27,8 @@ from enum import StrEnum
 from interlock.logic.expr import AND, NOT, OR, TRUE, Expr, disj, eq, implies, neg, var
 from interlock.logic.names import Name
 from interlock.proof.claims import Claim, Invariant
-from interlock.proof.system.transition import System
+from interlock.proof.system.relation import TransitionRelation
+from interlock.proof.system.restart import InitialCondition
 
 
 def split(x: Expr) -> list[Expr]:
@@ -114,27 +115,33 @@ class FactBase:
     """All facts and goals of a system, its invariants and claims."""
 
     def __init__(
-        self, system: System, invariants: Sequence[Invariant], claims: Sequence[Claim], start: Expr | None = None
+        self,
+        relation: TransitionRelation,
+        initial: InitialCondition,
+        invariants: Sequence[Invariant],
+        claims: Sequence[Claim],
+        start: Expr | None = None,
     ) -> None:
-        self.system = system
+        self.relation = relation
+        self.initial = initial
         self.invariants = tuple(invariants)
         self.claims = tuple(claims)
         self.start = start
         self.steps: list[Fact] = []
-        for name, x in system.definitions.items():
+        for name, x in relation.definitions.items():
             self.steps += [Fact(Kind.DEFINITION, name, c) for c in halves(name, x)]
-        for asm in system.assumptions:
+        for asm in relation.assumptions:
             self.steps += [Fact(Kind.ASSUMPTION, asm.id, c) for c in split(asm.expr)]
         self._parts = [split(i.expr) for i in self.invariants]
         for i, those in zip(self.invariants, self._parts, strict=True):
             self.steps += [Fact(Kind.INVARIANT, f"{i.id} {i.place}", c) for c in those]
-        for name, size in system.sizes.items():
+        for name, size in relation.sizes.items():
             for a in range(size):
                 self.steps += [
                     Fact(Kind.VALUES, name, disj((neg(eq(name, a)), neg(eq(name, b))))) for b in range(a + 1, size)
                 ]
-        self.initial = [Fact(Kind.INITIAL, "", c) for x in system.initial_parts for c in split(x)]
-        self._next = [[system.after(c) for c in those] for those in self._parts]
+        self.restart = [Fact(Kind.INITIAL, "", c) for x in initial.parts for c in split(x)]
+        self._next = [[relation.after(c) for c in those] for those in self._parts]
 
     def goals(self) -> Iterator[Goal]:
         """Every goal: the base of each invariant, the step of each invariant, and each claim, in the order in which
@@ -154,4 +161,4 @@ class FactBase:
 
     def facts(self, kind: GoalKind) -> list[Fact]:
         """The facts that goals of a kind may use from the first on."""
-        return self.initial if kind in (GoalKind.BASE, GoalKind.START) else self.steps
+        return self.restart if kind in (GoalKind.BASE, GoalKind.START) else self.steps

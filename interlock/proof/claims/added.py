@@ -57,7 +57,7 @@ def declared(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 def held(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """What was added is held from proceed on until the train is wholly in the last section: hostile routes by no two at
     once, points commanded."""
-    after = f.system.after
+    after = f.after
     for r in f.sym.routes:
         if r.added is None:
             continue
@@ -101,7 +101,7 @@ def _last_lock(f: Facts, r: RouteSymbols) -> Expr:
 
 def demanded(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """S-DEMANDED, path by path."""
-    after = f.system.after
+    after = f.after
     for d in of_points(f.layout.declared.demanded):
         m, x = d.machine, d.position
         there = [var(f.sym.machines.detected[m, x]), neg(var(f.sym.machines.detected[m, x.other]))]

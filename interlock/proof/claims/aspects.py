@@ -19,7 +19,7 @@ def at_speed(f: Facts, signal: SignalId, path: SignalPath, here: Expr) -> Iterat
     permitted = path_speed(f.layout, path.ways)
     if permitted is None:
         return
-    after, shown = f.system.after, [(v, var(n)) for (g, v), n in f.sym.aspects.speed.items() if g == signal]
+    after, shown = f.after, [(v, var(n)) for (g, v), n in f.sym.aspects.speed.items() if g == signal]
     slow, faster = (disj(x for v, x in shown if (v <= permitted) is fits) for fits in (True, False))
     if faster is not FALSE:
         yield "", implies(here, neg(after(faster)))
@@ -29,7 +29,7 @@ def at_speed(f: Facts, signal: SignalId, path: SignalPath, here: Expr) -> Iterat
 def past_identifier(f: Facts, signal: SignalId, first: SignalPath, here: Expr) -> Iterator[tuple[str, str, Expr]]:
     """What a signal shows to a train that passes the next ones at identifier light counts for the ways beyond, too."""
     for run in runs_past(f, first):
-        lit, last = f.system.after(run.lit(f)), run.parts[-1]
+        lit, last = f.after(run.lit(f)), run.parts[-1]
         for what, x in at_speed(f, signal, last, conj((here, lit))):
             yield "S-SPEED", f"{run.called}{what}", x
         exit_ = exit_of(f, last)
@@ -45,7 +45,7 @@ def entry(
 
     Where a short overlap that is told apart lies inside a longer one, the longer one is ready for a faster train.
     """
-    after = f.system.after
+    after = f.after
     shown = {v: var(n) for (g, v), n in f.sym.aspects.speed.items() if g == signal}
     for k, ways in enumerate(over, 1):
         kmh = entry_speed(f.layout, exit_, ways)
@@ -67,7 +67,7 @@ def overlap_ready(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
     return conj(
         [
             *(f.seen.steadily_clear(t.section) for t in ways),
-            f.system.after(lie(f, ways)),
+            f.after(lie(f, ways)),
             *(var(f.sym.machines.detected[m, x]) for m, x in points),
             *(neg(var(f.sym.machines.detected[m, x.other])) for m, x in points),
         ]
@@ -83,14 +83,14 @@ def shows_open(f: Facts, g: SignalId, shunt: bool = False) -> Expr:
 
 def clear_aspect(f: Facts, g: SignalId) -> Expr:
     """The signal will show clear, not caution."""
-    return f.system.after(var(f.sym.aspects.clear[g])) if g in f.sym.aspects.clear else FALSE
+    return f.after(var(f.sym.aspects.clear[g])) if g in f.sym.aspects.clear else FALSE
 
 
 def allows_clear(f: Facts, path: SignalPath) -> Expr:
     """Whether a path may be shown as clear: the line beyond is checked, or the next main signal will be open (R11);
     where signals show their identifier lights, the one after them is the next, and all before it must allow it."""
     runs = (run for run in runs_past(f, path) if all(_awaits(f, p) for p in run.parts[:-1]))
-    past = (conj((f.system.after(run.lit(f)), _ends_clear(f, run.parts[-1]))) for run in runs)
+    past = (conj((f.after(run.lit(f)), _ends_clear(f, run.parts[-1]))) for run in runs)
     return disj((_ends_clear(f, path), *past))
 
 
@@ -100,7 +100,7 @@ def _ends_clear(f: Facts, path: SignalPath) -> Expr:
     if boundary is not None and boundary.checked:
         return FALSE if _slow(f, path) else TRUE
     exit_ = exit_of(f, path)
-    return f.system.after(shows_open(f, exit_)) if exit_ is not None and _awaits(f, path) else FALSE
+    return f.after(shows_open(f, exit_)) if exit_ is not None and _awaits(f, path) else FALSE
 
 
 def _awaits(f: Facts, path: SignalPath) -> bool:
@@ -117,5 +117,5 @@ def _slow(f: Facts, path: SignalPath) -> bool:
 
 def distants(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for d in f.layout.signalling.distants:
-        shown = f.system.after(var(f.sym.aspects.distant_clear[d.id]))
+        shown = f.after(var(f.sym.aspects.distant_clear[d.id]))
         yield "S-ASPECT", d.id, implies(shown, clear_aspect(f, d.of))

@@ -56,7 +56,7 @@ def _departing(f: Facts, b: NodeId) -> list[tuple[str, Expr]]:
         out.append((f"K-SHOWN:{r.id}", implies(shows, here)))
         first = r.path.ways[0][0]
         held = [x for t, k in r.path.ways for x in (f.locking.lock(t, k), f.locking.train(t))]
-        went = [accepted(r.entry)] if names.ACCEPTED(r.entry) in f.system.plant.state else []
+        went = [accepted(r.entry)] if names.ACCEPTED(r.entry) in f.plant.state else []
         called = disj((f.sym.aspects.signal(r.entry), lamp(r.entry), *went))
         out.append((f"K-CALLED:{r.id}", implies(conj((*held, f.locking.firm(first), called)), here)))
         for i, (t, _) in enumerate(r.path.ways):

@@ -132,7 +132,7 @@ CLAIMS: dict[str, str] = {
 def claims(f: Facts) -> tuple[Claim, ...]:
     """Every instance of every claim, but for places at which there is nothing to claim."""
     out: list[Claim] = []
-    for h in f.system.plant.hazards:
+    for h in f.plant.hazards:
         out.append(Claim(f"T-{h.id}", h.place, neg(h.expr), True))
     for name, place, expr, physical in (
         *((*x, x[0] == "T-FLANK") for x in flank(f)),
@@ -171,13 +171,13 @@ def _says(c: Claim) -> bool:
 
 def _zones(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for z in f.layout.declared.zones:
-        yield "T-ZONE", z.id, neg(f.system.overfull.get(z.id, FALSE))
+        yield "T-ZONE", z.id, neg(f.zones.overfull.get(z.id, FALSE))
         for s, j in zone_joints(f.topo, z):
             rear = f.topo.beyond(s, j)
             boundary = f.layout.track.boundary_at.get(j)
             where = rear or (boundary.approach if boundary and boundary.approach else names.outside(j))
-            comes = f.system.plant.events.get(names.HEAD(j, where), FALSE)
-            yield "T-ZONE", f"{z.id} at {j}", implies(comes, f.system.called_in(s, j))
+            comes = f.plant.events.get(names.HEAD(j, where), FALSE)
+            yield "T-ZONE", f"{z.id} at {j}", implies(comes, f.zones.called_in(s, j))
 
 
 # --- signals -------------------------------------------------------------------------------------
@@ -232,11 +232,11 @@ def _who(g: SignalId, shunt: bool) -> str:
 def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """Claims about the scan that shows proceed: new outputs against the inputs of that scan."""
     for signal, shunt in ((g.id, k) for g in f.layout.signalling.signals for k in f.track.functions(g.id)):
-        shows = f.system.after(f.sym.aspects.signal(signal, shunt))
+        shows = f.after(f.sym.aspects.signal(signal, shunt))
         paths = signal_paths(f, signal, shunt)
         yield from _signal(f, signal, shunt, shows, paths)
         for k, path in enumerate(paths, 1):
-            here = conj((shows, f.system.after(lie(f, path.ways))))
+            here = conj((shows, f.after(lie(f, path.ways))))
             if here is not FALSE:
                 for id_, what, x in _path(f, signal, shunt, path, here):
                     yield id_, f"{_who(signal, shunt)}:{k}{what}", x
@@ -246,7 +246,7 @@ def _signal(
     f: Facts, signal: SignalId, shunt: bool, shows: Expr, paths: Sequence[SignalPath]
 ) -> Iterator[tuple[str, str, Expr]]:
     """Claims about a signal that shows proceed, whichever path lies before it."""
-    after, who = f.system.after, _who(signal, shunt)
+    after, who = f.after, _who(signal, shunt)
     yield "S-LOST-INPUT", who, implies(neg(var(f.sym.valid)), neg(shows))
     yield "S-LOCKED", who, implies(shows, after(disj(lie(f, p.ways) for p in paths)))
     passing = after(f.sym.routes.passing(signal, shunt))
@@ -270,7 +270,7 @@ def _signal(
 
 def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr) -> Iterator[tuple[str, str, Expr]]:
     """Claims about a path while its signal shows proceed and its points lie (`here`): id, what of the path, claim."""
-    after = f.system.after
+    after = f.after
     lit = FALSE if shunt else f.sym.aspects.identifies(signal)
     opened = conj((after(disj((shows_open(f, signal, shunt), lit))), after(lie(f, path.ways))))
     yield "S-CLEAR", "", implies(opened, conj(f.seen.steadily_clear(t.section) for t in path.kept_clear))
@@ -344,7 +344,7 @@ def _beyond_the_path(
     boundary = f.layout.track.boundary_at.get(path.ways[-1].exit)
     if boundary is not None and boundary.node in f.sym.token and not shunt:
         ours = conj((var(f.sym.token[boundary.node].have), neg(has_token(boundary.node, "has"))))
-        yield "S-DIRECTION", "", implies(here, f.system.after(ours))
+        yield "S-DIRECTION", "", implies(here, f.after(ours))
     if boundary is not None and boundary.approach is not None and not shunt:
         needed.append(f.seen.steadily_clear(boundary.approach))
     needed += [_not_foul(f, fj) for fj in f.track.fouls if any(map(fj.fouls, path.ways))]
@@ -359,22 +359,20 @@ def _still_passing(f: Facts, g: SignalId, shunt: bool) -> Expr:
     assert rear is not None
     occupied = [neg(f.seen.clear(s)) for s in (first, rear) if s in f.sym.sections.clear]
     name = names.accepted(g, shunt)
-    second = (
-        conj((f.system.after(f.seen.been(first)), f.system.after(var(name)))) if name in f.system.plant.state else FALSE
-    )
+    second = conj((f.after(f.seen.been(first)), f.after(var(name)))) if name in f.plant.state else FALSE
     return conj([f.sym.aspects.signal(g, shunt), *occupied, neg(second)])
 
 
 def _may_call_on(f: Facts, path: SignalPath) -> Expr:
     """A train may be called on over a path: R2."""
-    stop = f.system.after(var(f.sym.aspects.stop[path.signal]))
+    stop = f.after(var(f.sym.aspects.stop[path.signal]))
     standing = [t.section for i, t in enumerate(path.ways) if i == 0 or t.section in f.topo.berths]
     return conj([stop, *map(f.seen.steadily_clear, standing)])
 
 
 def _requests(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """`fresh` is the controller's own bit; what it may mean is claimed too."""
-    after, valid = f.system.after, var(f.sym.valid)
+    after, valid = f.after, var(f.sym.valid)
     for x, fresh in f.sym.requests.fresh.items():
         yield "S-REQUEST", x, iff(after(var(fresh)), conj((valid, eq(x, 0))))
         yield "S-REQUEST", f"{x} seen", iff(after(var(f.sym.requests.seen[x])), neg(after(var(fresh))))
@@ -405,7 +403,7 @@ def _requests(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 def _set(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """R6, way by way, in the scan in which it is locked."""
     for (s, n), name in f.sym.sections.lock.items():
-        new = conj((f.system.after(var(name)), neg(var(name))))
+        new = conj((f.after(var(name)), neg(var(name))))
         blocked = [neg(var(f.sym.sections.blocked[s]))] if s in f.sym.sections.blocked else []
         occupied = any(r.call_on or r.path.berth == (s, n) for r in f.sym.routes.over.get((s, n), ()))
         free = (
@@ -421,7 +419,7 @@ def _boards(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for g in sorted({*f.layout.signalling.boards, *f.layout.signalling.stops}):
         signal = f.layout.signalling.signal[g]
         s = f.layout.track.section_of(signal.into)
-        train = f.system.after(f.locking.train(s))
+        train = f.after(f.locking.train(s))
         past = (
             FALSE
             if g in f.layout.signalling.boards and g in f.layout.signalling.stops
@@ -431,16 +429,16 @@ def _boards(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         )
         for n, name in f.sym.sections.locks_of.get(s, ()):
             if f.topo.traversals[s][n - 1].entry == signal.node:
-                new = conj((f.system.after(var(name)), neg(var(name))))
+                new = conj((f.after(var(name)), neg(var(name))))
                 yield "S-BOARD", f"{g}:{s}:{n}", implies(new, past)
 
 
 def _again(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for r in f.sym.routes:
-        yield "S-AGAIN", r.id, implies(f.seen.shut(r.number), neg(f.system.after(var(r.proceed))))
+        yield "S-AGAIN", r.id, implies(f.seen.shut(r.number), neg(f.after(var(r.proceed))))
         if r.call_on:
             seen = conj((var(r.shown), var(r.active), neg(var(r.proceed))))
-            yield "S-CALL-ON", f"{r.id} once", implies(seen, neg(f.system.after(var(r.proceed))))
+            yield "S-CALL-ON", f"{r.id} once", implies(seen, neg(f.after(var(r.proceed))))
 
 
 def _not_foul(f: Facts, fj: FoulJoint) -> Expr:
@@ -456,7 +454,7 @@ def _not_foul(f: Facts, fj: FoulJoint) -> Expr:
 
 
 def _locks(f: Facts) -> Iterator[tuple[str, str, Expr]]:
-    after = f.system.after
+    after = f.after
     valid = var(f.sym.valid)
     for s in f.topo.sections:
         held = f.locking.held(s)
@@ -488,12 +486,12 @@ def _held_fast(f: Facts, s: SectionId) -> Expr:
             f.layout.track.section_of(f.layout.signalling.signal[g].into), f.layout.signalling.signal[g].node
         )
         close = neg(f.seen.steadily_clear(before)) if g in f.sym.overlaps.swings and before is not None else TRUE
-        held.append(conj((var(name), disj((close, f.system.after(var(name)))))))
+        held.append(conj((var(name), disj((close, f.after(var(name)))))))
     return disj(held)
 
 
 def _points(f: Facts) -> Iterator[tuple[str, str, Expr]]:
-    after = f.system.after
+    after = f.after
 
     def stays(m: MachineId, x: Position) -> Expr:
         """It lies there already and was never commanded elsewhere: nothing will move."""

@@ -19,7 +19,7 @@ from interlock.proof.claims.paths import SignalPath, exit_of, lie, runs_past, si
 def excluded(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """Claim, place and expression for each path of a signal, and for each row of them where the signals between them
     show their identifier lights, that no route may take."""
-    after = f.system.after
+    after = f.after
     for g, shunt in ((h.id, k) for h in f.layout.signalling.signals for k in f.track.functions(h.id)):
         who = f"{g} shunt" if shunt else g
         for k, path in enumerate(signal_paths(f, g, shunt), 1):

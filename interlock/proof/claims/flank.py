@@ -103,12 +103,12 @@ def scissors(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                 continue
             uses = conj((f.locking.firm(s), f.locking.lock(s, t.number)))
             train = conj((uses, o(s), neg(rests(s)), came(s, t.entry)))
-            shown = f.system.after(disj(shown_over(ground, [t]).values()))
+            shown = f.after(disj(shown_over(ground, [t]).values()))
             for cid, arm in t.crossings:
                 for m in _crossover(f, cid, 1 - arm):
                     normal = lies(m, Position.NORMAL)
                     yield "T-SCISSORS", f"{s}:{t.number}:{m}", implies(train, normal)
-                    yield "S-SCISSORS", f"{s}:{t.number}:{m}", implies(shown, f.system.after(normal))
+                    yield "S-SCISSORS", f"{s}:{t.number}:{m}", implies(shown, f.after(normal))
 
 
 def _crossover(f: Facts, crossing: CrossingId, arm: int) -> tuple[MachineId, ...]:
@@ -149,12 +149,12 @@ def flank_space(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                 p = f.layout.pointwork.point[pid]
                 if (pid, x.other) not in waived:
                     quiet = _Space(f, s, beside).quiet(f.track.beyond[p.node, p.leg(x.other)])
-                    yield "S-FLANK-SPACE", f"{s}:{t.number}:{pid}", implies(f.system.after(shown), quiet)
+                    yield "S-FLANK-SPACE", f"{s}:{t.number}:{pid}", implies(f.after(shown), quiet)
             for cid, arm in t.crossings:
                 c = f.layout.pointwork.crossing[cid]
                 for edge in c.arms[1 - arm]:
                     quiet = _Space(f, s, beside).quiet(f.track.beyond[c.node, edge])
-                    yield "S-FLANK-SPACE", f"{s}:{t.number}:{cid}.{edge}", implies(f.system.after(shown), quiet)
+                    yield "S-FLANK-SPACE", f"{s}:{t.number}:{cid}.{edge}", implies(f.after(shown), quiet)
 
 
 def _movements(f: Facts) -> dict[SectionId, list[frozenset[SectionId]]]:
@@ -213,4 +213,4 @@ class _Space:
         if beyond.trailed is None:
             return inside
         machine, position = beyond.trailed
-        return disj((self.f.system.after(lies(machine, position.other)), inside))
+        return disj((self.f.after(lies(machine, position.other)), inside))

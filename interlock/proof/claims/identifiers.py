@@ -11,7 +11,7 @@ from interlock.proof.claims.kinds import Facts
 def identifiers(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """A signal shows its identifier light alone, and while the section before it is locked towards it; a route leads
     past it only while it does."""
-    after = f.system.after
+    after = f.after
     for g, name in f.sym.aspects.identifier.items():
         before, node = f.sym.cancellation.approach_of[g], f.layout.signalling.signal[g].node
         assert before is not None

@@ -5,19 +5,19 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Protocol
+from typing import Any
 
 from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.logic.names import Name
-from interlock.logic.plant import Plant, lies, old_command
+from interlock.logic.plant import lies, old_command
 from interlock.logic.symbols import Symbols
 from interlock.model.elements import EdgeId, MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint
-from interlock.model.layout import Layout
-from interlock.model.measured import Beyond, Measured
-from interlock.model.traversal import Topology, Traversal
-from interlock.proof.system.clocks import Tie
+from interlock.model.measured import Beyond
+from interlock.model.traversal import Traversal
+from interlock.proof.system.loop import ClosedLoop
+from interlock.proof.system.transition import System
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,47 +43,12 @@ class Invariant:
     expr: Expr
 
 
-class SystemView(Protocol):
-    """What invariants may see of the system."""
-
-    layout: Layout
-    measured: Measured
-    topo: Topology
-    symbols: Symbols
-    plant: Plant
-    ties: tuple[Tie, ...]
-    overfull: Mapping[str, Expr]
-    """Of each zone that can be so: a train is called into it, and then there are more than its maximum."""
-
-    @property
-    def waits_for(self) -> Mapping[Name, Name]:
-        """What each timer waits for."""
-        ...
-
-    @property
-    def presets(self) -> Mapping[Name, int]:
-        """The preset of every timer, in milliseconds."""
-        ...
-
-    def after(self, x: Expr) -> Expr:
-        """The expression one step later."""
-        ...
-
-    def called_in(self, s: SectionId, j: NodeId) -> Expr:
-        """A section is locked for a train that comes in at j and has not come yet."""
-        ...
-
-
 class TrackFacts:
     """What of the track invariants speak of: ways, joints, whom signals speak to."""
 
-    def __init__(self, system: SystemView) -> None:
-        self._layout, self._topo, self._sym, self._measured = (
-            system.layout,
-            system.topo,
-            system.symbols,
-            system.measured,
-        )
+    def __init__(self, loop: ClosedLoop) -> None:
+        self._layout, self._topo, self._measured = loop.layout, loop.topo, loop.measured
+        self._sym = loop.controller.symbols
 
     @property
     def shunts(self) -> bool:
@@ -170,8 +135,8 @@ class TrackFacts:
 class LockFacts:
     """How sections are locked, and as overlap of which signals."""
 
-    def __init__(self, system: SystemView, track: TrackFacts) -> None:
-        self._sym, self._track = system.symbols, track
+    def __init__(self, symbols: Symbols, track: TrackFacts) -> None:
+        self._sym, self._track = symbols, track
         self._locks: dict[str, list[tuple[int, Expr]]] = {}
         for (sec, n), name in sorted(self._sym.sections.lock.items()):
             self._locks.setdefault(sec, []).append((n, var(name)))
@@ -234,8 +199,8 @@ class LockFacts:
 class SeenFacts:
     """What detection reports, and what has been seen of the movement for which a section is locked."""
 
-    def __init__(self, system: SystemView) -> None:
-        self._layout, self._sym, self._plant = system.layout, system.symbols, system.plant
+    def __init__(self, loop: ClosedLoop) -> None:
+        self._layout, self._sym, self._plant = loop.layout, loop.controller.symbols, loop.plant
 
     def clear(self, s: str) -> Expr:
         """Reported clear by a healthy detector; never, without detection."""
@@ -294,17 +259,23 @@ class SeenFacts:
 
 
 class Facts:
-    """Short names for what invariants speak of."""
+    """All that claims and invariants may see of a system, with short names for what they speak of: the railway, the
+    plant, the names of the controller's variables and its timers, never an equation."""
 
-    def __init__(self, system: SystemView) -> None:
-        self.system = system
-        self.layout = system.layout
-        self.topo = system.topo
-        self.sym = system.symbols
-        self.track = TrackFacts(system)
-        self.locking = LockFacts(system, self.track)
-        self.seen = SeenFacts(system)
+    def __init__(self, system: System) -> None:
+        loop = system.loop
+        self.layout, self.topo, self.measured = loop.layout, loop.topo, loop.measured
+        self.plant = loop.plant
+        self.sym = loop.controller.symbols
+        self.timers = system.relation.timers
+        self.ties = system.ties
+        self.zones = system.zones
+        self.after = system.relation.after
+        """The expression one step later."""
+        self.track = TrackFacts(loop)
+        self.locking = LockFacts(self.sym, self.track)
+        self.seen = SeenFacts(loop)
         self.paths: dict[tuple[SignalId, bool], list[Any]] = {}
 
 
-__all__ = ["Claim", "Facts", "Invariant", "SystemView", "conj", "neg"]
+__all__ = ["Claim", "Facts", "Invariant", "conj", "neg"]

@@ -31,7 +31,7 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
     for option, name in f.sym.overlaps.held.items():
         out += _option(f, option, var(name))
     for s in f.topo.sections:
-        if names.RUNNING(s) in f.system.plant.state:
+        if names.RUNNING(s) in f.plant.state:
             along = disj(conj((x, came(s, f.track.way(s, n)[0]))) for n, x in f.locking.of(s))
             out.append(Invariant("O-ALONG", s, implies(conj((o(s), running(s), neg(rests(s)))), along)))
         if len(f.locking.overlaps(s)) > 1:
@@ -42,7 +42,7 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
                 accepted(h, k)
                 for h in f.topo.signals_out(s)
                 for k in f.track.functions(h)
-                if names.accepted(h, k) in f.system.plant.state
+                if names.accepted(h, k) in f.plant.state
             ]
             out.append(Invariant(f"O-STAYS:{g}", s, implies(overran(g, s), neg(disj(calls)))))
             firmly = [
@@ -68,16 +68,16 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
 def _inside(f: Facts, g: SignalId, s: SectionId) -> Iterator[tuple[str, Expr]]:
     """What has overrun a signal lies across a joint only into the next section of the overlap."""
     for j in f.topo.ends[s]:
-        if names.ACROSS(j, s) in f.system.plant.state:
+        if names.ACROSS(j, s) in f.plant.state:
             t = f.topo.beyond(s, j)
-            on = overran(g, t) if t is not None and names.OVERRAN(g, t) in f.system.plant.state else FALSE
+            on = overran(g, t) if t is not None and names.OVERRAN(g, t) in f.plant.state else FALSE
             yield j, implies(conj((across(j, s), overran(g, s))), on)
 
 
 def _only_in(f: Facts, s: SectionId, n: int) -> list[Expr]:
     """What is in s came in at the entry of the way, and does not stand across it outward."""
     entry = f.track.way(s, n)[0]
-    out = names.ACROSS(entry, s) in f.system.plant.state
+    out = names.ACROSS(entry, s) in f.plant.state
     others = [neg(came(s, j)) for j in f.topo.ends[s] if j != entry]
     return [came(s, entry), *others, *([neg(across(entry, s))] if out else [])]
 
@@ -132,7 +132,7 @@ def turned(f: Facts, option: tuple[SignalId, int]) -> Expr:
     g = option[0]
     wanted = [d for way in f.sym.overlaps.ways[option] for d in f.sym.ways.demands[way]]
     turns = [(m, p, names.TURNS_SINCE(g, m)) for m, p in wanted]
-    known = f.system.plant.state
+    known = f.plant.state
     return conj(disj((f.seen.settled(m, p), var(t))) if t in known else f.seen.settled(m, p) for m, p, t in turns)
 
 
@@ -202,7 +202,7 @@ def _coming(f: Facts, b: SectionId, entry: str) -> Expr:
     g = f.topo.main_into.get((entry, b))  # type: ignore[arg-type]
     if g is not None:
         active = [var(r.active) for r in f.sym.routes.of_signal.get(g, ()) if not r.shunt]
-        went = [accepted(g)] if names.ACCEPTED(g) in f.system.plant.state else []
+        went = [accepted(g)] if names.ACCEPTED(g) in f.plant.state else []
         shown = disj((f.sym.aspects.signal(g), lamp(g)))
         if f.sym.routes.passing(g) is not FALSE:  # nobody comes after the one that passes
             shown = disj(

@@ -22,8 +22,7 @@ def reasons(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 def _ends(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """R8, R9, R16: why the locks of a section end.  `used`, `passed` and `cancelling` are the controller's own bits, so
     that when they may be set is claimed, too."""
-    after = f.system.after
-    waits_for = f.system.waits_for
+    after = f.after
     for s in f.topo.sections:
         by_hand = var(f.sym.sections.release[s])
         freed = conj((f.locking.restart(s), neg(after(f.locking.restart(s)))))
@@ -56,7 +55,7 @@ def _ends(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         yield "L-REASON", f"{s} passed", implies(conj((after(f.seen.passed(s)), neg(f.seen.passed(s)))), onward)
         yield "L-CLEAR", s, implies(disj((freed, ended)), var(f.sym.sections.release_timer[s]))
     for s, timer in f.sym.sections.release_timer.items():
-        yield "L-CLEAR", f"{s} timed", implies(var(waits_for[timer]), conj((var(f.sym.valid), f.seen.clear(s))))
+        yield "L-CLEAR", f"{s} timed", implies(var(f.timers[timer].input), conj((var(f.sym.valid), f.seen.clear(s))))
     for (g, k), held in f.sym.overlaps.held.items():
         swings = [after(var(f.sym.overlaps.swings[g]))] if g in f.sym.overlaps.swings else []
         over = [var(f.sym.sections.release_timer[s]) for s, _ in f.sym.overlaps.ways[g, k]]
@@ -88,7 +87,7 @@ def _coming(f: Facts, x: Approach) -> Expr:
 
 def _given_up(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """R8: comprehensive approach locking, over what is `measured`."""
-    after = f.system.after
+    after = f.after
     for g, routes in f.sym.routes.of_signal.items():
         signal = f.layout.signalling.signal[g]
         first = f.layout.track.section_of(signal.into)
@@ -96,8 +95,8 @@ def _given_up(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         shown = disj(var(r.shown) for r in routes)
         given_up = conj((from_g, neg(after(from_g)), neg(f.seen.used(first)), shown))
         long = names.STOP_LONG(g)
-        stands = after(var(long)) if long in f.system.plant.clocks else FALSE
-        nobody = neg(_coming(f, f.system.measured.approaches[g]))
+        stands = after(var(long)) if long in f.plant.clocks else FALSE
+        nobody = neg(_coming(f, f.measured.approaches[g]))
         asked = conj((after(var(f.sym.cancellation.cancelling[g])), neg(var(f.sym.cancellation.cancelling[g]))))
         withdrawn = (conj((var(r.active), _withdrawn(f, r))) for r in f.sym.routes.of_signal.get(g, ()))
         yield "L-REASON", f"{g} cancelled", implies(asked, disj((var(f.sym.cancellation.cancel[g]), *withdrawn)))
@@ -117,7 +116,7 @@ def _withdrawn(f: Facts, r: RouteSymbols) -> Expr:
 
 def _trailed(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """R10: detection lost without a command.  That it was there in the scan before is the controller's own bit."""
-    after, commands = f.system.after, f.sym.machines.command
+    after, commands = f.after, f.sym.machines.command
     for m, trailed in f.sym.machines.trailed.items():
         right = var(f.sym.machines.seen_right[m])
         there = disj(conj((var(commands[m, x]), f.seen.reported(m, x))) for x in Position)

@@ -37,7 +37,7 @@ def slow_invariants(f: Facts) -> list[Invariant]:
             shown = implies(disj(map(var, r.open_while)), conj((within, neg(above))))
             out.append(Invariant(f"V-LIT:{kmh}", r.id, shown))
     for kmh in sorted({kmh for _, kmh in held}):
-        for g in (x.id for x in f.layout.signalling.signals if names.FAST(x.id, kmh) in f.system.plant.state):
+        for g in (x.id for x in f.layout.signalling.signals if names.FAST(x.id, kmh) in f.plant.state):
             out.append(Invariant(f"V-FAST:{kmh}", g, implies(fast(g, kmh), disj((lamp(g), accepted(g))))))
     for (g, kmh), xs in held.items():
         out += _on_the_way(f, g, kmh, disj(xs))
@@ -57,7 +57,7 @@ def _on_the_way(f: Facts, g: SignalId, kmh: int, held: Expr) -> Iterator[Invaria
         comes = conj((held, on, o(s), came(s, entry), neg(rests(s)), moves))
         yield Invariant(f"V-SLOW:{g}:{kmh}:{n}", s, implies(comes, slow(s, kmh)))
         signal = f.topo.main_into.get((entry, s))
-        if signal is not None and names.FAST(signal, kmh) in f.system.plant.state:
+        if signal is not None and names.FAST(signal, kmh) in f.plant.state:
             told = conj((held, on, f.locking.train(s)))
             yield Invariant(f"V-TOLD:{g}:{kmh}:{n}", signal, implies(told, neg(fast(signal, kmh))))
 

@@ -60,13 +60,13 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
             one = at_most_one(var(r.active) for r in routes)  # they lock the same ways
             out.append(Invariant("G-ONE", g.id, one))
     out += [Invariant("G-CALL-ON-LIT", g, lit) for g, lit in called_on_lit(f)]
-    out += [Invariant("C-COVERED", t.timer.name, var(t.covered)) for t in f.system.ties]
+    out += [Invariant("C-COVERED", t.timer.name, var(t.covered)) for t in f.ties]
     out += overlap_invariants(f)
     out += slow_invariants(f)
     out += token_invariants(f)
     for s in sorted({s for z in f.layout.declared.zones for s in z.sections}):
         inside = conj((o(s), neg(rests(s)), neg(disj(_coming(f, s)))))
-        if names.IMAGE(s) in f.system.plant.state:
+        if names.IMAGE(s) in f.plant.state:
             out.append(Invariant("Z-SEEN", s, implies(inside, image(s))))
     for r in f.sym.routes:
         out += [Invariant(i, r.id, x) for i, x in _route(f, r)]
@@ -101,7 +101,7 @@ def _all_joints(f: Facts) -> list[tuple[str, str, str]]:
             boundary = f.layout.track.boundary_at.get(j)
             if boundary is not None:
                 outside = boundary.approach or names.outside(j)
-                if names.STANDS(outside) in f.system.plant.state:
+                if names.STANDS(outside) in f.plant.state:
                     out.append((j, outside, s))
     return out
 
@@ -249,7 +249,7 @@ def _joint(f: Facts, j: str, s: str, t: str, past: bool) -> Iterator[tuple[str, 
                 waiting = disj(
                     x
                     for shunts in f.track.functions(g)
-                    if names.accepted(g, shunts) in f.system.plant.state
+                    if names.accepted(g, shunts) in f.plant.state
                     for x in (accepted(g, shunts), lamp(g, shunts), f.sym.routes.passing(g, shunts))
                 )
                 yield (
@@ -339,8 +339,7 @@ def _crossing_joint(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Exp
             over = disj(
                 overran(g, t)
                 for (g, _), ways in f.sym.overlaps.ways.items()
-                if names.OVERRAN(g, t) in f.system.plant.state
-                and any(a == t and f.track.way(a, n)[0] == j for a, n in ways)
+                if names.OVERRAN(g, t) in f.plant.state and any(a == t and f.track.way(a, n)[0] == j for a, n in ways)
             )
             yield "X-LOCKED", implies(conj((stands, neg(over), neg(overrun(f, s)))), f.locking.locked_out(s, j))
     if t and not (f.track.berth(t) and (j, t) not in f.topo.signal_into):
@@ -355,7 +354,7 @@ def _signal(f: Facts, g: SignalId, shunt: bool) -> Iterator[tuple[str, Expr]]:
     rear: str | None = f.topo.beyond(t, j)
     if boundary is not None:
         rear = boundary.approach or names.outside(j)
-    if rear is None or names.accepted(g, shunt) not in f.system.plant.state:
+    if rear is None or names.accepted(g, shunt) not in f.plant.state:
         return
     mark = "G-SHUNT" if shunt else "G"
     went = accepted(g, shunt)
@@ -384,7 +383,7 @@ def _signal(f: Facts, g: SignalId, shunt: bool) -> Iterator[tuple[str, Expr]]:
             )
         )
     yield f"{mark}-TRAIN", implies(went, conj(standing))
-    if names.IMAGE(rear) in f.system.plant.state:
+    if names.IMAGE(rear) in f.plant.state:
         yield f"{mark}-REPORTED", implies(went, image(rear))
     if rear in f.sym.sections.restart:
         yield f"{mark}-REAR", _from_rear(f, j, SectionId(rear), disj((shown, went)))

@@ -25,7 +25,7 @@ def terminals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
 
 def _lamps(f: Facts) -> Iterator[tuple[str, str, Expr]]:
-    after = f.system.after
+    after = f.after
     for g, stop in f.sym.aspects.stop.items():
         mains = [var(name) for name in f.sym.aspects.main_lamps(g)]
         others = [*mains, *(var(name) for name in f.sym.aspects.proceed_lamps(g, shunt=True))]
@@ -58,12 +58,12 @@ def _drives(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             due = commanded if turn is None else conj((commanded, var(turn)))
             both.append(iff(var(f.sym.machines.drive[m, x]), due))
         never = neg(conj(var(f.sym.machines.drive[m, x]) for x in Position))
-        yield "P-DRIVEN", m, f.system.after(conj((*both, never)))
+        yield "P-DRIVEN", m, f.after(conj((*both, never)))
 
 
 def _indications(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """What an operator is told, in terms of the state after the scan, or of what the scan has read."""
-    after, told = f.system.after, f.sym.indication
+    after, told = f.after, f.sym.indication
     for s in f.topo.sections:
         yield "I-TOLD", f"locked {s}", iff(after(var(told[f"locked {s}"])), after(f.locking.held(s)))
     for s, healthy in f.sym.sections.healthy.items():
@@ -72,7 +72,7 @@ def _indications(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         timer = f.sym.machines.late_timer[m]
         astray = disj(conj((var(f.sym.machines.command[m, x]), neg(f.seen.reported(m, x)))) for x in Position)
         yield "I-TOLD", f"late {m}", iff(after(var(told[f"late {m}"])), var(timer))
-        yield "I-TOLD", f"late {m} timed", iff(var(f.system.waits_for[timer]), astray)
+        yield "I-TOLD", f"late {m} timed", iff(var(f.timers[timer].input), astray)
     for m, trailed in f.sym.machines.trailed.items():
         yield "I-TOLD", f"trailed {m}", iff(after(var(told[f"trailed {m}"])), after(var(trailed)))
     for z, full in f.sym.zone_full.items():
@@ -88,8 +88,7 @@ def _indications(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
 def _delays(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """Each preset against what the principles order and what the world needs: settled by comparing numbers."""
-    rules, needs = f.layout.principles, f.system.measured.needs
-    presets = f.system.presets
+    rules, needs = f.layout.principles, f.measured.needs
     ordered: dict[Name, list[float]] = {}
     own = dict(f.layout.signalling.releases)
     for g, name in f.sym.cancellation.approach_timer.items():
@@ -106,9 +105,9 @@ def _delays(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     if f.sym.machines.start_timer is not None:
         ordered[f.sym.machines.start_timer] = [rules.point_start_gap_s]
     for name, seconds in ordered.items():
-        counts = round(1000 * max(seconds)) <= presets[name] <= LONGEST_MS
+        counts = round(1000 * max(seconds)) <= f.timers[name].preset_ms <= LONGEST_MS
         yield "D-PRESET", name, TRUE if counts else FALSE
-    for name in sorted(presets.keys() - ordered.keys()):
+    for name in sorted(f.timers.keys() - ordered.keys()):
         yield "D-PRESET", name, FALSE  # nothing says how long this timer must be
 
 

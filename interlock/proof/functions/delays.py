@@ -34,14 +34,18 @@ def delays(w: Words) -> Iterator[tuple[str, str, Expr]]:
         absent = [neg(var(name)) for name in (x.have, x.give, x.gives, x.has)]
         reasons[x.timer] = conj((w.valid, var(x.manual), var(sym.start.restart_timer), *absent))
     for name, reason in reasons.items():
-        yield "F-DELAY", name, iff(var(f.system.waits_for[name]), reason)
-    rules, presets = w.layout.principles, f.system.presets
+        yield "F-DELAY", name, iff(var(f.timers[name].input), reason)
+    rules = w.layout.principles
     for g, name in sym.cancellation.approach_timer.items():  # whatever routes it has today
         signal = w.layout.signalling.signal[g]
         trains = rules.approach_release_s if signal.main else 0.0
         kind = max(trains, rules.shunt_release_s if signal.shunt else 0.0)
         ordered = dict(w.layout.signalling.releases).get(g, kind)
-        yield "F-DELAY", f"{name} as its signal's kind", TRUE if presets[name] >= round(1000 * ordered) else FALSE
+        yield (
+            "F-DELAY",
+            f"{name} as its signal's kind",
+            TRUE if f.timers[name].preset_ms >= round(1000 * ordered) else FALSE,
+        )
     yield "F-DELAY", f"{sym.start.restart_timer} goes on", w.after(var(sym.start.running))
 
 

@@ -160,7 +160,7 @@ class SignalWords:
 
     def nobody(self, g: SignalId) -> Expr:
         """No train can be on its way to the signal (R8)."""
-        return neg(self._coming(self._w.f.system.measured.approaches[g]))
+        return neg(self._coming(self._w.f.measured.approaches[g]))
 
     def _coming(self, x: Approach) -> Expr:
         if x.section is None or x.unseen:
@@ -342,7 +342,7 @@ class Words:
 
     def __init__(self, f: Facts) -> None:
         self.f, self.sym, self.topo, self.layout = f, f.sym, f.topo, f.layout
-        self.after = f.system.after
+        self.after = f.after
         self.valid = var(f.sym.valid)
         self.sections, self.signals, self.points, self.ways = (
             SectionWords(self),

@@ -19,8 +19,11 @@ from interlock.proof.engines import Answer, solver
 from interlock.proof.engines.batch import Decision
 from interlock.proof.engines.limits import Limits
 from interlock.proof.engines.tseitin import Cnf
-from interlock.proof.induction.parts import Goal, Start, decide
+from interlock.proof.induction.parts import Goal, decide
 from interlock.proof.induction.verdict import Progress, quiet
+from interlock.proof.system.neighbourhood import Neighbourhood
+from interlock.proof.system.relation import TransitionRelation
+from interlock.proof.system.restart import InitialCondition
 from interlock.proof.system.transition import System
 
 
@@ -66,7 +69,7 @@ def decided(
 ) -> list[Decision]:
     """Which goals follow, in one step, from the invariants."""
     hypotheses = [i.expr for i in kept]
-    return decide(system, hypotheses, goals, limits, partial(progress, stage))
+    return decide(system.relation, system.where, hypotheses, goals, limits, partial(progress, stage))
 
 
 def holding_at_restart(system: System, invariants: Sequence[Invariant], limits: Limits) -> list[bool]:
@@ -74,7 +77,7 @@ def holding_at_restart(system: System, invariants: Sequence[Invariant], limits: 
 
     Most of the state has one value there: what is not true by these values alone is asked.
     """
-    fixed, others = restart_values(system)
+    fixed, others = restart_values(system.initial)
     put = Substitution(fixed)
     facts = [put(x) for x in others]
     cnf = Cnf()
@@ -85,18 +88,20 @@ def holding_at_restart(system: System, invariants: Sequence[Invariant], limits: 
     known = {name: x is TRUE for name, x in fixed.items()}
     left = [n for n, i in enumerate(invariants) if not made_true(i.expr, known)]
     asked = [Goal(put(invariants[n].expr)) for n in left]
-    found = decide(Start(), facts, asked, replace(limits, jobs=1), lambda done, total: None)
+    no_step = TransitionRelation()
+    where = Neighbourhood(system.loop, no_step)
+    found = decide(no_step, where, facts, asked, replace(limits, jobs=1), lambda done, total: None)
     holds = [True] * len(invariants)
     for n, d in zip(left, found, strict=True):
         holds[n] = d.follows
     return holds
 
 
-def restart_values(system: System) -> tuple[dict[Name, Expr], list[Expr]]:
+def restart_values(initial: InitialCondition) -> tuple[dict[Name, Expr], list[Expr]]:
     """The variables that have one value at a restart, and what is known besides."""
     fixed: dict[Name, Expr] = {}
     others: list[Expr] = []
-    for x in system.initial_parts:
+    for x in initial.parts:
         leaf, value = (x.args[0], FALSE) if x.op is NOT else (x, TRUE)
         if leaf.op is not VAR:
             others.append(x)

@@ -18,9 +18,10 @@ from functools import cached_property
 from interlock.logic.expr import Expr, variables
 from interlock.logic.names import Name
 from interlock.proof.abstraction.canonical import CanonicalForms
-from interlock.proof.abstraction.local import Located
 from interlock.proof.engines.batch import Decision, decided
 from interlock.proof.engines.limits import Limits
+from interlock.proof.system.neighbourhood import Neighbourhood
+from interlock.proof.system.relation import TransitionRelation
 
 MOST = 25_000  # goals asked of one solver: each has to read every invariant
 PATIENCE = 50  # what does not follow takes long to find out, with so many names: after so many, others look
@@ -40,16 +41,19 @@ class OfState:
 class States:
     """What invariants say of one state."""
 
-    def __init__(self, system: Located, hypotheses: Sequence[Expr], limits: Limits) -> None:
+    def __init__(
+        self, relation: TransitionRelation, where: Neighbourhood, hypotheses: Sequence[Expr], limits: Limits
+    ) -> None:
         """`hypotheses`: the invariants; they hold before the step, and after it if it keeps them all."""
-        self.system = system
+        self.relation = relation
+        self.where = where
         self.hypotheses = hypotheses
         self.limits = limits
 
     @cached_property
     def _kept(self) -> frozenset[str]:
         """The next values of which invariants speak."""
-        later = self.system.later
+        later = self.relation.later
         return frozenset(later[v] for v in variables(self.hypotheses) if v in later)
 
     def questions(self, goals: Iterable[tuple[int, Expr]]) -> tuple[list[OfState], list[int]]:
@@ -60,10 +64,10 @@ class States:
         before: list[int] = []
         after: list[int] = []
         others: list[int] = []
-        state = frozenset(self.system.later)
-        later = self.system.later
-        of_routes = frozenset(self.system.indexed)
-        now = (of_routes & state) | self.system.lamps
+        later = self.relation.later
+        state = frozenset(later)
+        of_routes = frozenset(self.where.routes.indexed)
+        now = (of_routes & state) | self.where.lamps
         following = (of_routes & frozenset(later.values())) | self._shown
         for n, x in goals:
             names = variables((x,))
@@ -80,7 +84,7 @@ class States:
     @cached_property
     def _shown(self) -> frozenset[str]:
         """The next values of lamps."""
-        return frozenset(self.system.later[x] for x in self.system.lamps)
+        return frozenset(self.relation.later[x] for x in self.where.lamps)
 
     def decide(self, goals: Sequence[Expr], after: bool) -> list[Decision]:
         """Which goals follow from the invariants before a step, or after it."""
@@ -96,28 +100,27 @@ class States:
         """
         if not after:
             return {}, self.hypotheses
-        system = self.system
+        relation, indexed, timers = self.relation, self.where.routes.indexed, self.relation.timers
         asked = dict.fromkeys(variables(goals))
-        lit = [system.definitions[v] for v in asked if v in self._shown]
+        lit = [relation.definitions[v] for v in asked if v in self._shown]
         asked |= dict.fromkeys(variables(lit))
         definitions: dict[Name, Expr] = {}
         seen: set[str] = set()
-        waits = system.waits_for
         todo = list(asked)
         while todo:
             v = todo.pop()
             if v in seen:
                 continue
             seen.add(v)
-            x = system.definitions.get(v)
+            x = relation.definitions.get(v)
             if x is None or (v not in asked and v in self._kept):
-                if v in waits:  # a timer: what it waits for holds while it is over (A-TON)
-                    todo.append(waits[v])
+                if v in timers:  # its input is true while it is (A-TON)
+                    todo.append(timers[v].input)
                 continue
             reads = tuple(variables((x,)))
-            if v not in asked and v not in system.indexed and any(u in system.indexed for u in reads):
+            if v not in asked and v not in indexed and any(u in indexed for u in reads):
                 continue
             definitions[v] = x
             todo += reads
-        inputs = [a.expr for a in system.assumptions if all(v in seen for v in variables((a.expr,)))]
-        return definitions, [*map(system.after, self.hypotheses), *inputs]
+        inputs = [a.expr for a in relation.assumptions if all(v in seen for v in variables((a.expr,)))]
+        return definitions, [*map(relation.after, self.hypotheses), *inputs]

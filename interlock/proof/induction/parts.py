@@ -12,21 +12,20 @@ from __future__ import annotations
 
 from collections import Counter, deque
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from itertools import chain
-from typing import Protocol
 
 from interlock.logic.expr import TRUE, Expr, variables
-from interlock.logic.names import Name, Owner
-from interlock.logic.plant import Assumption
+from interlock.logic.names import Name
 from interlock.proof.abstraction.canonical import CanonicalForms
-from interlock.proof.abstraction.local import Located
 from interlock.proof.abstraction.queries import Answers, Batch, LocalQueries
 from interlock.proof.engines.batch import Decision, decided
 from interlock.proof.engines.limits import Limits
 from interlock.proof.engines.pool import run
 from interlock.proof.induction.one_state import OfState, States
+from interlock.proof.system.neighbourhood import Neighbourhood
+from interlock.proof.system.relation import TransitionRelation
 
 SMALL = 9_500  # so many goals are asked of one solver
 GOALS = 4000  # in a part: fewer would encode the same definitions more often
@@ -45,43 +44,15 @@ class Goal:
     later: bool = False
 
 
-class Theory(Located, Protocol):
-    """What is known beside the hypotheses: a system, for questions about its steps."""
-
-    @property
-    def places(self) -> Mapping[Name, tuple[int, ...]]:
-        """Where variables belong: numbers, such that near ones lie together."""
-        ...
-
-
-@dataclass(frozen=True)
-class Start:
-    """Nothing: for questions about the restart."""
-
-    definitions: Mapping[Name, Expr] = field(default_factory=dict)
-    assumptions: Sequence[Assumption] = ()
-    places: Mapping[Name, tuple[int, ...]] = field(default_factory=dict)
-    later: Mapping[Name, Name] = field(default_factory=dict)
-    indexed: Mapping[Name, tuple[Name, int]] = field(default_factory=dict)
-    requests: Sequence[Name] = ()
-    homes: Mapping[Name, Owner] = field(default_factory=dict)
-    beside: Mapping[Owner, tuple[Owner, ...]] = field(default_factory=dict)
-    lamps: frozenset[Name] = frozenset()
-    waits_for: Mapping[Name, Name] = field(default_factory=dict)
-
-    def after(self, x: Expr) -> Expr:
-        """There is no step."""
-        return x
-
-
 class Parts:
-    """The facts of a system, by the variables that they read."""
+    """The facts of a step, by the variables that they read."""
 
-    def __init__(self, system: Theory, hypotheses: Sequence[Expr]) -> None:
-        self.system = system
+    def __init__(self, relation: TransitionRelation, where: Neighbourhood, hypotheses: Sequence[Expr]) -> None:
+        self.relation = relation
+        self.where = where
         self.hypotheses = hypotheses
-        self.facts = [*hypotheses, *(a.expr for a in system.assumptions)]
-        self.forms = CanonicalForms(system.definitions)
+        self.facts = [*hypotheses, *(a.expr for a in relation.assumptions)]
+        self._forms = CanonicalForms(relation.definitions)
         self._names: dict[Expr, tuple[Name, ...]] = {}
         self._inputs: dict[Name, tuple[Name, ...]] = {}
 
@@ -110,19 +81,19 @@ class Parts:
         """What a name's definition reads, looked up once; nothing if it has none."""
         found = self._inputs.get(name)
         if found is None:
-            x = self.system.definitions.get(name)
+            x = self.relation.definitions.get(name)
             found = self._inputs[name] = () if x is None else tuple(variables((x,)))
         return found
 
     def prepare(self) -> None:
         """Read everything once, so that processes inherit it."""
         _ = self.readers
-        for name in self.system.definitions:
+        for name in self.relation.definitions:
             self.inputs_of(name)
 
     def read_by(self, goal: Goal) -> tuple[Name, ...]:
         """What a goal reads."""
-        names, later = self.names_in(goal.expr), self.system.later
+        names, later = self.names_in(goal.expr), self.relation.later
         return tuple([later.get(v, v) for v in names]) if goal.later else names
 
     def places(self, goals: Sequence[Goal]) -> list[list[int]]:
@@ -140,7 +111,7 @@ class Parts:
 
     def _at(self, names: Iterable[Name]) -> set[int]:
         """Where names belong, or else the nearest of what they depend on."""
-        while not (at := _places(names, self.system.places)):
+        while not (at := _places(names, self.where.places)):
             names = dict.fromkeys(chain.from_iterable(map(self.inputs_of, names)))
             if not names:
                 break
@@ -172,7 +143,9 @@ class Parts:
         order = "".join("'" if g.later else "." for g in goals)
         later = [g.expr for g in goals if g.later]
         now = [g.expr for g in goals if not g.later]
-        return self.forms.digest(order, ((later, self.system.later), (now, {}), ([self.facts[n] for n in facts], {})))
+        return self._forms.digest(
+            order, ((later, self.relation.later), (now, {}), ([self.facts[n] for n in facts], {}))
+        )
 
     def decide(self, goals: Sequence[Goal], limits: Limits, rings: int) -> list[Decision]:
         """Which of the goals follow from the facts so many steps around."""
@@ -180,9 +153,9 @@ class Parts:
         if rings:
             self.cone(chain.from_iterable(map(self.read_by, goals)), seen)
         facts = self.around(seen, rings)
-        asked = [self.system.after(g.expr) if g.later else g.expr for g in goals]
+        asked = [self.relation.after(g.expr) if g.later else g.expr for g in goals]
         known = [self.facts[n] for n in facts]
-        return decided(asked, known, self.system.definitions, limits, lambda: self.form(goals, facts))
+        return decided(asked, known, self.relation.definitions, limits, lambda: self.form(goals, facts))
 
 
 def _places(names: Iterable[Name], known: Mapping[Name, tuple[int, ...]]) -> set[int]:
@@ -248,8 +221,15 @@ class Inquiry:
     only if the step keeps all hypotheses.
     """
 
-    def __init__(self, system: Theory, hypotheses: Sequence[Expr], goals: Sequence[Goal], limits: Limits) -> None:
-        self.parts = Parts(system, hypotheses)
+    def __init__(
+        self,
+        relation: TransitionRelation,
+        where: Neighbourhood,
+        hypotheses: Sequence[Expr],
+        goals: Sequence[Goal],
+        limits: Limits,
+    ) -> None:
+        self.parts = Parts(relation, where, hypotheses)
         self.goals = goals
         self.limits = limits
         self.found = [Decision(g.expr is TRUE, 0.0) for g in goals]
@@ -258,13 +238,13 @@ class Inquiry:
 
     @cached_property
     def local(self) -> LocalQueries:
-        """The local abstractions of the system."""
-        return LocalQueries(self.parts.system, self.parts.hypotheses, self.limits)
+        """The local abstractions of the step."""
+        return LocalQueries(self.parts.relation, self.parts.where, self.parts.hypotheses, self.limits)
 
     @cached_property
     def states(self) -> States:
         """What is known of one state."""
-        return States(self.parts.system, self.parts.hypotheses, self.limits)
+        return States(self.parts.relation, self.parts.where, self.parts.hypotheses, self.limits)
 
     @cached_property
     def places(self) -> list[list[int]]:
@@ -295,7 +275,7 @@ class Inquiry:
 
     def _is_wide(self, goals: Sequence[int]) -> bool:
         """Most goals of a large system, as far as some tell, depend on too much to lie in a part of their own."""
-        if len(self.parts.system.definitions) <= LARGE:
+        if len(self.parts.relation.definitions) <= LARGE:
             return False
         sizes = []
         for k in range(0, len(goals), max(1, len(goals) // SAMPLE)):
@@ -314,7 +294,7 @@ class Inquiry:
 
     def _batches(self, wide: Sequence[int]) -> list[Batch]:
         """Goals by number, in batches for local abstractions."""
-        after = self.parts.system.after
+        after = self.parts.relation.after
         goals = [(n, self.goals[n]) for n in sorted(wide)]  # in one order everywhere, so that like places have one form
         return self.local.batches([(n, after(g.expr) if g.later else g.expr) for n, g in goals]) if wide else []
 
@@ -395,13 +375,14 @@ class Inquiry:
 
 
 def decide(
-    system: Theory,
+    relation: TransitionRelation,
+    where: Neighbourhood,
     hypotheses: Sequence[Expr],
     goals: Sequence[Goal],
     limits: Limits,
     progress: Callable[[int, int], None],
 ) -> list[Decision]:
     """Which goals follow; see `Inquiry`."""
-    inquiry = Inquiry(system, hypotheses, goals, limits)
+    inquiry = Inquiry(relation, where, hypotheses, goals, limits)
     inquiry.settle(inquiry.first(), progress)
     return inquiry.finish(progress)

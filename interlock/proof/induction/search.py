@@ -19,6 +19,8 @@ from interlock.proof.claims import Claim
 from interlock.proof.engines import Answer
 from interlock.proof.engines.minisat import MiniSat
 from interlock.proof.engines.tseitin import Cnf
+from interlock.proof.system.relation import TransitionRelation
+from interlock.proof.system.restart import InitialCondition
 from interlock.proof.system.transition import System
 
 
@@ -41,22 +43,21 @@ class Run:
 class _Unrolled:
     """Copies of one step, chained."""
 
-    def __init__(self, system: System, goals: list[Expr]) -> None:
-        self.system = system
+    def __init__(self, relation: TransitionRelation, initial: InitialCondition, goals: list[Expr]) -> None:
         self.template = Cnf()
-        for name, x in system.definitions.items():
+        for name, x in relation.definitions.items():
             self.template.define(name, x)
-        for a in system.assumptions:
+        for a in relation.assumptions:
             self.template.require(a.expr)
         for name in variables(goals):
             self.template.literal(var(name))
-        for name, size in system.sizes.items():  # one of its values
+        for name, size in relation.sizes.items():  # one of its values
             self.template.require(disj(eq(name, k) for k in range(size)))
-        self.now = {n: self.template.literal(var(n)) for n in system.state}
-        self.then = {n: self.template.literal(var(n.next)) for n in system.state}
-        self.inputs = {n: self.template.literal(var(n)) for n in system.inputs if n not in system.sizes}
+        self.now = {n: self.template.literal(var(n)) for n in relation.state}
+        self.then = {n: self.template.literal(var(n.next)) for n in relation.state}
+        self.inputs = {n: self.template.literal(var(n)) for n in relation.inputs if n not in relation.sizes}
         self.goals = [self.template.literal(neg(g)) for g in goals]
-        self.initial = self.template.literal(system.initial)
+        self.initial = self.template.literal(initial.whole)
         self.bad = self.template.fresh()
         self.template.clauses.append((-self.bad, *self.goals))
         self.size = self.template.count
@@ -86,7 +87,7 @@ def search(
     """The shortest run that violates one of the claims, or None when none was found in depth and time."""
     if not claims:
         return None
-    steps = _Unrolled(system, [c.expr for c in claims])
+    steps = _Unrolled(system.relation, system.initial, [c.expr for c in claims])
     end = time.monotonic() + seconds
     solver = MiniSat(until=end)
     for k in range(max_depth):
@@ -127,12 +128,13 @@ class _Thinned:
 
 def _thin(system: System, steps: _Unrolled, claims: list[Claim], solver: MiniSat, depth: int) -> Run:
     """Leave out every input that can be left out, one by one."""
-    valid = system.symbols.valid
+    relation, symbols = system.relation, system.loop.controller.symbols
+    valid = symbols.valid
     healthy = {
         valid,
-        *system.symbols.sections.clear.values(),
-        *system.symbols.sections.healthy.values(),
-        *system.symbols.machines.detected.values(),
+        *symbols.sections.clear.values(),
+        *symbols.sections.healthy.values(),
+        *symbols.machines.detected.values(),
     }  # else a fault is told
     run = _Thinned(solver, steps.bad + (depth - 1) * steps.size)
     for k in range(depth):
@@ -151,7 +153,9 @@ def _thin(system: System, steps: _Unrolled, claims: list[Claim], solver: MiniSat
     for k in range(depth):
         shifted = {n: run.values.get(n + k * steps.size, False) for n in range(1, steps.size + 1)}
         named = steps.template.read(shifted)
-        frames.append(Frame({n: named.get(n, 0) for n in system.state}, {n: named.get(n, 0) for n in system.inputs}))
+        frames.append(
+            Frame({n: named.get(n, 0) for n in relation.state}, {n: named.get(n, 0) for n in relation.inputs})
+        )
     last = named
     memo: dict[int, bool] = {}
     violated = next(c for c in claims if not evaluate(c.expr, lambda n: last.get(n, 0), memo))

@@ -7,24 +7,26 @@ else: it is a run of the system if and only if the counterexample is.  (Informal
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 
 from interlock.logic import names
+from interlock.logic.names import Name
 from interlock.proof.induction.story import Story
-from interlock.proof.system.transition import System
+from interlock.proof.system.loop import ClosedLoop
 
 
-def views(system: System) -> dict[str, list[list[str]]]:
+def views(loop: ClosedLoop, state: Sequence[Name]) -> dict[str, list[list[str]]]:
     """What each state variable shows on the plan: kind of element, its id, and what is shown."""
-    sym, layout = system.symbols, system.layout
+    sym, layout, known = loop.controller.symbols, loop.layout, set(state)
     out: dict[str, list[list[str]]] = {}
     for s in layout.track.sections:
-        if names.STANDS(s.id) in system.state:
+        if names.STANDS(s.id) in known:
             out[names.STANDS(s.id)] = [["section", s.id, "occupied"]]
     for (s_, n), name in sym.sections.lock.items():
-        out[name] = [["edge", e, "locked"] for e in system.topo.traversals[s_][n - 1].edges]
+        out[name] = [["edge", e, "locked"] for e in loop.topo.traversals[s_][n - 1].edges]
     for option, name in sym.overlaps.held.items():
         ways = sym.overlaps.ways[option]
-        out[name] = [["edge", e, "overlap"] for s_, n in ways for e in system.topo.traversals[s_][n - 1].edges]
+        out[name] = [["edge", e, "overlap"] for s_, n in ways for e in loop.topo.traversals[s_][n - 1].edges]
     for s_, name in sym.sections.restart.items():
         out[name] = [["section", s_, "restart"]]
     for r in sym.routes:
@@ -33,12 +35,11 @@ def views(system: System) -> dict[str, list[list[str]]]:
     for (m, x), _ in sym.machines.command.items():
         ends = [["point", str(p.id), str(x)] for p in layout.machines.ends.get(m, ())]
         out[names.LIES(m, x)] = ends or [["device", str(m), str(x)]]
-    return {n: v for n, v in out.items() if n in set(system.state)}
+    return {n: v for n, v in out.items() if n in known}
 
 
-def itf(system: System, story: Story, layout_digest: str, plan: str) -> str:
-    """The trace of a story: one state for each of its steps."""
-    state: list[str] = list(system.state)
+def itf(loop: ClosedLoop, state: Sequence[Name], story: Story, layout_digest: str, plan: str) -> str:
+    """The trace of a story: one state for each of its steps; `state`: the state variables."""
     states: list[dict[str, object]] = []
     for k, (text, frame) in enumerate(zip(story.steps, story.after, strict=True)):
         true = set(story.frames[frame][0])
@@ -46,14 +47,14 @@ def itf(system: System, story: Story, layout_digest: str, plan: str) -> str:
     body = {
         "#meta": {
             "format": "ITF",
-            "title": f"Counterexample to {story.claim} in {system.layout.name}",
+            "title": f"Counterexample to {story.claim} in {loop.layout.name}",
             "claim": f"{story.claim} at {story.place}",
             "sentence": story.sentence,
             "layout": layout_digest,
             "plan": plan,
-            "views": views(system),
+            "views": views(loop, state),
         },
-        "vars": state,
+        "vars": [*state],
         "states": states,
     }
     return json.dumps(body, ensure_ascii=False, indent=1) + "\n"

@@ -25,6 +25,7 @@ from interlock.proof.mutation.points import Mutation
 from interlock.proof.mutation.runs import Runs
 from interlock.proof.mutation.same import Side, same, same_after_restart
 from interlock.proof.mutation.switched import Switched
+from interlock.proof.system.relation import TransitionRelation
 from interlock.proof.system.transition import System
 
 RENEWED = 400  # after so many mutants a solver carries more lines that are off than lines that are on
@@ -79,15 +80,15 @@ class Judge:
         self._renew()
         facts = [*self.lines.assumptions, *(x for _, x in self.lines.invariants)]
         self.patterns = Patterns(self.lines.definitions, facts, (*self.lines.claims, *self.lines.functions))
-        kept = self._proved(self.lines, self.system)
+        kept = self._proved(self.lines, self.system.relation)
         if isinstance(kept, str):
             raise ValueError(f"the controller itself is not proved: {kept}")
-        self.side = Side(self.system, self.lines, kept)
+        self.side = Side(controller, self.system.relation.state, self.lines, kept)
 
     @cached_property
     def runs(self) -> Runs:
         """The runs that work with the controller; few mutants come so far."""
-        return Runs(self.system)
+        return Runs(self.system.loop)
 
     def _renew(self) -> None:
         self.step = Switched()
@@ -114,14 +115,14 @@ class Judge:
                 lines = self.lines.under(system)
         except MalformedController as e:
             return Verdict(Fate.REFUSED, str(e))
-        kept = self._proved(lines, system)
+        kept = self._proved(lines, system.relation)
         if isinstance(kept, str):
             return _failed(kept)
-        other = Side(system, lines, kept)
+        other = Side(controller, system.relation.state, lines, kept)
         how = same(self.step, self.side, other, self.reads)
         if how is not None:
             return Verdict(Fate.EQUIVALENT, how)
-        noticed = self.runs.noticed(system, changed)
+        noticed = self.runs.noticed(system.loop, changed)
         if noticed is not None:
             return Verdict(Fate.TRAIN if noticed[0] else Fate.OPERATOR, noticed[1])
         later = same_after_restart(self.step, self.side, other, self.reads)
@@ -160,7 +161,7 @@ class Judge:
         where = f", wherever {' and '.join(machines)} may lie" if alone else ""
         return f"nothing can roll in at {len(here if alone else about)} claimed places{where}"
 
-    def _proved(self, lines: Lines, system: System) -> list[Expr] | str:
+    def _proved(self, lines: Lines, relation: TransitionRelation) -> list[Expr] | str:
         """The invariants that are kept, or a claim, or else a function, that does not follow from them."""
         self.asked += 1
         if self.asked > RENEWED:
@@ -178,7 +179,7 @@ class Judge:
                 model = self._failing(known, [x for _, x in wanted])
                 if model is not None:
                     return self._seen(model, wanted, len(kept) == len(self.lines.invariants))
-            after = [(i, system.after(i[1])) for i in kept]
+            after = [(i, relation.after(i[1])) for i in kept]
             model = self._failing(known, [x for _, x in after], again=first)
             if model is None:
                 return unmet or [x for _, x in kept]

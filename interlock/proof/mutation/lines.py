@@ -30,16 +30,16 @@ class Lines:
         """The lines of a system."""
         facts = Facts(system)
         return Lines(
-            system.definitions,
-            tuple(dict.fromkeys(a.expr for a in system.assumptions)),
+            system.relation.definitions,
+            tuple(dict.fromkeys(a.expr for a in system.relation.assumptions)),
             tuple((f"{i.id} at {i.place}", i.expr) for i in strengthening(facts)),
             tuple((f"{c.id} at {c.place}", c.expr) for c in claims(facts)),
-            tuple((f"{name} at {place}", x) for name, place, x in functions(facts, system.controller)),
-            tuple(dict.fromkeys(system.initial_parts)),
-            (("P-START", start_claim(system)), ("F-START", function_start(facts))),
+            tuple((f"{name} at {place}", x) for name, place, x in functions(facts, system.loop.controller)),
+            tuple(dict.fromkeys(system.initial.parts)),
+            (("P-START", start_claim(system.loop)), ("F-START", function_start(facts))),
         )
 
     def under(self, system: System) -> Lines:
         """The lines of a system that differs in right sides only (`System.changed`): what is assumed and claimed speaks
         of names, so that only definitions and the values that a restart keeps can be others."""
-        return replace(self, definitions=system.definitions, start=tuple(dict.fromkeys(system.initial_parts)))
+        return replace(self, definitions=system.relation.definitions, start=tuple(dict.fromkeys(system.initial.parts)))

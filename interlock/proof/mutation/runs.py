@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 
 from interlock.logic.expr import AND, NOT, OR, TRUE, VAR, Expr
 from interlock.logic.names import Name
-from interlock.proof.system.transition import System
+from interlock.proof.system.loop import ClosedLoop
 from interlock.proof.witnesses.operations import operated
 from interlock.proof.witnesses.routes import Trial, Trials, journeys
 
@@ -19,19 +19,18 @@ from interlock.proof.witnesses.routes import Trial, Trials, journeys
 class Runs:
     """The runs that work with a controller as it is."""
 
-    def __init__(self, system: System) -> None:
-        self.system = system
-        self.journeys, self.operations = journeys(system), operated(system)
+    def __init__(self, loop: ClosedLoop) -> None:
+        self.journeys, self.operations = journeys(loop), operated(loop)
         self.trials: list[Trial] = [*self.journeys, *self.operations]
         self._steps: list[Mapping[str, int]] = []
         self._going: list[int] = []
         self._vectors: dict[str, int] = {}
-        found = Trials(system, self._record).run(self.trials)
+        found = Trials(loop, self._record).run(self.trials)
         if any(failure is not None for failure in found):
             raise RuntimeError("a run that works alone does not work beside others")
         self._mask = self._joined(self._going)
-        self._equations = {e.name: e.expr for e in system.controller.equations}
-        self._equations |= {e.name.next: e.expr for e in system.controller.next}
+        self._equations = {e.name: e.expr for e in loop.controller.equations}
+        self._equations |= {e.name.next: e.expr for e in loop.controller.next}
 
     def _record(self, values: Mapping[str, int], going: int) -> None:
         self._steps.append(values)
@@ -79,7 +78,7 @@ class Runs:
             out = out | y if x.op is OR else out & y
         return out
 
-    def noticed(self, system: System, changed: Mapping[Name, Expr] | None) -> tuple[bool, str] | None:
+    def noticed(self, loop: ClosedLoop, changed: Mapping[Name, Expr] | None) -> tuple[bool, str] | None:
         """Whether a run does not work any more under a mutant, and which, and why: first trains (True), then
         operators.  `changed`: the definitions that are others; None where more than right sides has changed."""
         every = changed is None or not changed.keys() <= self._equations.keys()
@@ -89,7 +88,7 @@ class Runs:
             some = [self.trials[n] for n in those if (n < len(self.journeys)) is trains]
             if not some:
                 continue
-            on = on or Trials(system)
+            on = on or Trials(loop)
             for t, failure in zip(some, on.run(some, first=True), strict=True):
                 if failure is not None:
                     return trains, f"{t.name}: {failure}"

@@ -17,21 +17,16 @@ from interlock.logic.expr import NOT, TRUE, VAR, Expr, Substitution, implies, ne
 from interlock.logic.names import Form, Name
 from interlock.proof.mutation.lines import Lines
 from interlock.proof.mutation.switched import Switched
-from interlock.proof.system.transition import System
 
 
 @dataclass(frozen=True)
 class Side:
-    """A system, its lines, and the invariants that it keeps."""
+    """A controller, the state variables of its system, the lines of that, and the invariants that it keeps."""
 
-    system: System
+    controller: Controller
+    state: Sequence[Name]
     lines: Lines
     invariants: Sequence[Expr]
-
-    @property
-    def controller(self) -> Controller:
-        """The controller of the system."""
-        return self.system.controller
 
 
 def same(s: Switched, one: Side, other: Side, reads: Mapping[Name, frozenset[Name]]) -> str | None:
@@ -94,7 +89,7 @@ def _plain(name: Name) -> Name:
 def _inside(one: Side) -> set[Name]:
     """What nobody sees: state of the controller, timers, what the proof remembers of runs."""
     names = {x.name for x in one.controller.state} | {t.name for t in one.controller.timers}
-    return names | {n for n in one.system.state if n.family.history or n.form is Form.COVERED}
+    return names | {n for n in one.state if n.family.history or n.form is Form.COVERED}
 
 
 def _on_delays(c: Controller) -> Iterator[Expr]:
@@ -149,7 +144,7 @@ def _lost(
 
 def _watched(one: Side, other: Side, below: Mapping[Name, None]) -> dict[Name, tuple[Expr, Expr]]:
     """For each state variable and timer that may differ: its next value in both, or what it waits for in both."""
-    found = {n: (var(x), var(x)) for n, x in one.system.later.items() if x in below}
+    found = {n: (var(n.next), var(n.next)) for n in one.state if n.next in below}
     inputs = {t.name: t.input for t in other.controller.timers}
     for t in one.controller.timers:
         if t.input != inputs[t.name] or t.input in below:

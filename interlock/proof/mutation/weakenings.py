@@ -544,7 +544,7 @@ def judge(layout: Layout, kind: str, place: str, controller: Controller, limits:
     wanted = claims(Facts(system))
     open_ = open_claims(system, kept, wanted, limits)
     initial = {s.name: s.initial for s in controller.state}
-    at_restart = [n for n in system.symbols.sections.restart.values() if not initial[n]]
+    at_restart = [n for n in system.loop.controller.symbols.sections.restart.values() if not initial[n]]
     failing = [*open_, *(["P-START"] if at_restart else [])]
     if not failing:
         return Outcome(kind, place, Fate.REDUNDANT, (), ())
@@ -552,4 +552,4 @@ def judge(layout: Layout, kind: str, place: str, controller: Controller, limits:
     if run is None:
         return Outcome(kind, place, Fate.STRICT, tuple(failing), ())
     order = [run.claim.id, *(f for f in failing if f != run.claim.id)]
-    return Outcome(kind, place, Fate.KILLED, tuple(order), tell(system, run).steps)
+    return Outcome(kind, place, Fate.KILLED, tuple(order), tell(system.loop, run).steps)

@@ -13,15 +13,16 @@ as long as the world needs.  (One interval within another; counted in the same t
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from interlock.logic.controller import Controller, Timer
-from interlock.logic.expr import Expr, conj, disj, implies, neg, var
+from interlock.logic.expr import conj, implies, var
 from interlock.logic.names import AGREED_LONG, STAND_LONG, STOP_LONG, Name, covered
-from interlock.logic.plant import Assumption, Plant
+from interlock.logic.plant import Assumption
 from interlock.model.elements import SignalId
 from interlock.model.needs import Needs
+from interlock.proof.system.loop import ClosedLoop
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +32,6 @@ class Tie:
     timer: Timer
     clock: Name
     need: int
-    ordered: int = 0
 
     @property
     def covered(self) -> Name:
@@ -44,17 +44,16 @@ class Tie:
         return self.timer.preset_ms >= self.need
 
 
-def ties(controller: Controller, plant: Plant, needs: Needs) -> tuple[Tie, ...]:
+def ties(loop: ClosedLoop) -> tuple[Tie, ...]:
     """The timers that stand for a clock of the world."""
+    controller, needs, clocks = loop.controller, loop.measured.needs, loop.plant.clocks
     sym, timers = controller.symbols, {t.name: t for t in controller.timers}
     found = []
     for g, name in sym.cancellation.approach_timer.items():
         found.append((name, STOP_LONG(g), approach_need(controller, needs, g)))
     found += [(name, STAND_LONG(g), needs.stand[g]) for g, name in sym.overlaps.timer.items()]
     found += [(x.timer, AGREED_LONG(b), needs.agreed) for b, x in sym.token.items()]
-    return tuple(
-        Tie(timers[name], clock, need) for name, clock, need in found if name in timers and clock in plant.clocks
-    )
+    return tuple(Tie(timers[name], clock, need) for name, clock, need in found if name in timers and clock in clocks)
 
 
 def approach_need(controller: Controller, needs: Needs, g: SignalId) -> int:
@@ -63,13 +62,15 @@ def approach_need(controller: Controller, needs: Needs, g: SignalId) -> int:
     return max([*([needs.stop[g]] if False in kinds else []), *([needs.shunt] if True in kinds else [])], default=0)
 
 
-def history(those: tuple[Tie, ...], clocks: Mapping[Name, Expr]) -> dict[Name, Expr]:
-    """Next values of the history variables."""
-    return {t.covered: disj((neg(var(t.timer.input)), conj((clocks[t.clock], var(t.covered))))) for t in those}
-
-
-def arithmetic(those: tuple[Tie, ...]) -> Iterator[Assumption]:
-    """A timer that has run out, and was covered all the while, has lasted as long as the world needs."""
+def assumed(timers: Iterable[Timer], those: Iterable[Tie]) -> Iterator[Assumption]:
+    """What is assumed of time: an on-delay with a positive preset is true only while its input is true, and a timer
+    that has run out, and was covered all the while, has lasted as long as the world needs."""
+    for timer in timers:
+        yield Assumption(
+            "A-TON",
+            "An on-delay timer is true only while its input is true.",
+            implies(var(timer.name), var(timer.input)),
+        )
     for t in those:
         if t.enough:
             yield Assumption(

@@ -9,15 +9,17 @@ questions decide how long they take, never what follows.  (Weakening of premises
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
 
 from interlock.logic import names
-from interlock.logic.controller import Controller
-from interlock.logic.expr import Expr, variables
+from interlock.logic.expr import variables
 from interlock.logic.names import Form, Kind, Name, Owner
-from interlock.logic.symbols import Symbols
 from interlock.model.elements import SectionId, SignalId
 from interlock.model.traversal import Topology
+from interlock.proof.system.loop import ClosedLoop
+from interlock.proof.system.relation import TransitionRelation
 
 _AT_SECTIONS = frozenset(
     (
@@ -59,63 +61,105 @@ def walked(topo: Topology) -> dict[SectionId, int]:
     return order
 
 
-def places(topo: Topology, sym: Symbols, known: Iterable[Name]) -> dict[Name, tuple[int, ...]]:
-    """The sections of the variables of sections and routes, before and after a step, by their numbers."""
-    order: dict[str, int] = {str(s): n for s, n in walked(topo).items()}
-    kept = {r.number: (r.active, r.locked, r.want, r.proceed, r.shown, names.SHUT(r.number)) for r in sym.routes}
-    over = {name: tuple(order[s] for s, _ in r.path.ways) for r in sym.routes for name in kept[r.number]}
-    found: dict[Name, tuple[int, ...]] = {}
-    for name in known:
-        state = name.base if name.primed else name
-        if state in over:
-            found[name] = over[state]
-        elif state.form is None and state.family in _AT_SECTIONS and (owner := state.owner) is not None:
-            at = order.get(owner.id)
-            if at is not None:
-                found[name] = (at,)
-    return found
+@dataclass(frozen=True)
+class RouteVariables:
+    """Which variables are those of routes.
 
-
-def routes_of(known: Iterable[Name]) -> dict[Name, tuple[Name, int]]:
-    """The variables of routes, before and after a step: what they mean, and the route's number."""
-    return {name: (names.each(name), name.number) for name in known if name.family.kind is Kind.ROUTE}
-
-
-def homes(
-    topo: Topology,
-    controller: Controller,
-    known: Iterable[Name],
-    definitions: Mapping[Name, Expr],
-    inputs: Sequence[Name],
-) -> dict[Name, Owner]:
-    """The element to which names belong, as the groups of the controller's equations are called; none of routes.
-
-    What the controller computes and what is known of an element belong to it, what is remembered of a timer where it
-    does, and an input to the only element that reads it.
+    indexed: what each means, and the route's number.  requests: inputs that have the numbers of routes for values.
     """
-    computed = {e.name for e in (*controller.equations, *controller.next)}
-    before = controller.symbols.cancellation.approach_of
-    found: dict[Name, Owner] = {}
-    for name in known:
-        state = name.base if name.primed else name
-        covered = state.form is Form.COVERED
-        own = state.base if covered else state
-        if own.family is names.STAND_LONG or (covered and own.family is names.STANDING):
-            found[name] = Owner.of(Kind.SECTION, str(before.get(SignalId(str(own.at[0])))))
-            continue
-        owner = own.owner
-        if owner is None or owner.kind is Kind.ROUTE or own.form is not None:
-            continue
-        if own in computed or (own.family in _AT_HOME and (owner.kind is not Kind.SECTION or owner.id in topo.ends)):
-            found[name] = owner
-    readers: dict[Name, set[Owner]] = {}
-    for name, x in definitions.items():
-        home = found.get(name)
-        if home is not None:
-            for v in variables((x,)):
-                readers.setdefault(v, set()).add(home)
-    for name in inputs:
-        those = readers.get(name, ())
-        if len(those) == 1:
-            found.setdefault(name, next(iter(those)))
-    return found
+
+    indexed: Mapping[Name, tuple[Name, int]]
+    requests: tuple[Name, ...] = ()
+
+
+class Neighbourhood:
+    """To which routes and elements of the railway the variables of a step belong."""
+
+    def __init__(self, loop: ClosedLoop, relation: TransitionRelation) -> None:
+        self._loop, self._relation, self._symbols = loop, relation, loop.controller.symbols
+
+    @cached_property
+    def _known(self) -> dict[Name, None]:
+        """All names but those of inputs."""
+        return dict.fromkeys((*self._relation.state, *self._relation.definitions))
+
+    @cached_property
+    def routes(self) -> RouteVariables:
+        """The variables of routes, before and after a step."""
+        asked = self._symbols.requests
+        return RouteVariables(
+            {name: (names.each(name), name.number) for name in self._known if name.family.kind is Kind.ROUTE},
+            tuple(x for x in (asked.request, asked.local_request) if x is not None),
+        )
+
+    @cached_property
+    def lamps(self) -> frozenset[Name]:
+        """What signals show: names of the state."""
+        return frozenset(x for x in self._symbols.aspects.lamps if x in self._known)
+
+    @cached_property
+    def places(self) -> Mapping[Name, tuple[int, ...]]:
+        """The sections of the variables of sections and routes, before and after a step, by their numbers: near ones
+        have numbers that lie together."""
+        order: dict[str, int] = {str(s): n for s, n in walked(self._loop.topo).items()}
+        routes = self._symbols.routes
+        kept = {r.number: (r.active, r.locked, r.want, r.proceed, r.shown, names.SHUT(r.number)) for r in routes}
+        over = {name: tuple(order[s] for s, _ in r.path.ways) for r in routes for name in kept[r.number]}
+        found: dict[Name, tuple[int, ...]] = {}
+        for name in self._known:
+            state = name.base if name.primed else name
+            if state in over:
+                found[name] = over[state]
+            elif state.form is None and state.family in _AT_SECTIONS and (owner := state.owner) is not None:
+                at = order.get(owner.id)
+                if at is not None:
+                    found[name] = (at,)
+        return found
+
+    @cached_property
+    def homes(self) -> Mapping[Name, Owner]:
+        """The element to which names belong, as the groups of the controller's equations are called; none of routes.
+
+        What the controller computes and what is known of an element belong to it, what is remembered of a timer where
+        it does, and an input to the only element that reads it.
+        """
+        controller, topo, inputs = self._loop.controller, self._loop.topo, self._relation.inputs
+        computed = {e.name for e in (*controller.equations, *controller.next)}
+        before = self._symbols.cancellation.approach_of
+        found: dict[Name, Owner] = {}
+        for name in dict.fromkeys((*self._known, *inputs)):
+            state = name.base if name.primed else name
+            covered = state.form is Form.COVERED
+            own = state.base if covered else state
+            if own.family is names.STAND_LONG or (covered and own.family is names.STANDING):
+                found[name] = Owner.of(Kind.SECTION, str(before.get(SignalId(str(own.at[0])))))
+                continue
+            owner = own.owner
+            if owner is None or owner.kind is Kind.ROUTE or own.form is not None:
+                continue
+            if own in computed or (
+                own.family in _AT_HOME and (owner.kind is not Kind.SECTION or owner.id in topo.ends)
+            ):
+                found[name] = owner
+        readers: dict[Name, set[Owner]] = {}
+        for name, x in self._relation.definitions.items():
+            home = found.get(name)
+            if home is not None:
+                for v in variables((x,)):
+                    readers.setdefault(v, set()).add(home)
+        for name in inputs:
+            those = readers.get(name, ())
+            if len(those) == 1:
+                found.setdefault(name, next(iter(those)))
+        return found
+
+    @cached_property
+    def beside(self) -> Mapping[Owner, tuple[Owner, ...]]:
+        """The elements of which another is a part: the sections of each machine, beyond each signal and first in each
+        overlap."""
+        layout = self._loop.layout
+        found: dict[tuple[Kind, str], tuple[SectionId, ...]] = {}
+        found |= {(Kind.MACHINE, m): layout.machines.sections[m] for m in layout.machines}
+        found |= {(Kind.SIGNAL, g.id): (layout.track.section_of(g.into),) for g in layout.signalling.signals}
+        found |= {(Kind.OVERLAP, g): (ways[0][0],) for (g, _), ways in self._symbols.overlaps.ways.items()}
+        return {Owner.of(*x): tuple(Owner.of(Kind.SECTION, s) for s in those) for x, those in found.items()}

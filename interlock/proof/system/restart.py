@@ -14,12 +14,19 @@ they leave open.  (Induction over scans; greatest fixed point: Tarski, 1955; Kle
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
+from interlock.logic import names
 from interlock.logic.controller import Controller, Timer
-from interlock.logic.expr import FALSE, TRUE, Expr, Substitution
+from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, iff, neg, var
 from interlock.logic.names import Name
+from interlock.proof.system.clocks import Tie
+from interlock.proof.system.loop import ClosedLoop
+from interlock.proof.system.relation import TransitionRelation
+
+_REMEMBERED = (names.SEEN, names.SHUNT_SEEN, names.OLD_COMMAND)  # what the plant remembers of outputs
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,13 +48,48 @@ class Kept:
         return True
 
 
-def kept_values(
-    controller: Controller, start: Mapping[Name, Expr], following: Mapping[Name, Expr], later: Mapping[Name, Name]
-) -> Kept:
+@dataclass(frozen=True)
+class InitialCondition:
+    """The initial states: the controller's start-up, trains at a stand and points anyhow.
+
+    parts: one condition after the other.  kept: what the restart delay keeps of the values at power-up.
+    """
+
+    parts: tuple[Expr, ...]
+    kept: Kept
+
+    @cached_property
+    def whole(self) -> Expr:
+        """All of it."""
+        return conj(self.parts)
+
+
+def initial_condition(loop: ClosedLoop, ties: Iterable[Tie], relation: TransitionRelation) -> InitialCondition:
+    """What is known when the restart delay is over."""
+    start = _at_power_up(loop, ties)
+    following = {x: relation.definitions[x] for n, x in relation.later.items() if n in start}
+    kept = kept_values(loop.controller, start, following)
+    known = [var(n) if start[n] is TRUE else neg(var(n)) for n in start if n in kept.names]
+    shown = [iff(var(x.name), x.expr) for x in loop.controller.outputs if x.name not in kept.names]
+    return InitialCondition((*known, *shown, *loop.plant.initial), kept)
+
+
+def _at_power_up(loop: ClosedLoop, ties: Iterable[Tie]) -> dict[Name, Expr]:
+    """What the controller, its outputs and what is remembered of them are at power-up."""
+    controller = loop.controller
+    start = {x.name: TRUE if x.initial else FALSE for x in controller.state}
+    start |= {x.name: TRUE if x.restrictive else FALSE for x in controller.outputs}
+    start |= dict.fromkeys((names.BEEN(s) for s in loop.topo.sections), FALSE)
+    start |= dict.fromkeys((names.SHUT(r.number) for r in controller.symbols.routes), FALSE)
+    start |= dict.fromkeys((t.covered for t in ties), TRUE)
+    start |= dict.fromkeys((n for n in loop.plant.state if n.family in _REMEMBERED), FALSE)
+    return start
+
+
+def kept_values(controller: Controller, start: Mapping[Name, Expr], following: Mapping[Name, Expr]) -> Kept:
     """The variables of `start` (constants by name) whose value every scan keeps while the restart delay runs.
 
-    `following`: the definitions of next values that are to be looked at, by `later[name]`, in an order in which each
-    reads only next values before it.
+    `following`: the definitions of their next values, in an order in which each reads only next values before it.
     """
     kept, rounds = dict(start), []
     while True:
@@ -62,7 +104,7 @@ def kept_values(
                 known[step.name] = FALSE
         for name, x in following.items():
             _note(known, name, put(x))
-        lost = [name for name, value in kept.items() if known.get(later[name]) is not value]
+        lost = [name for name, value in kept.items() if known.get(name.next) is not value]
         if not lost:
             return Kept(frozenset(kept), tuple(rounds))
         for name in lost:

@@ -24,11 +24,11 @@ from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import RouteId, SectionId
 from interlock.proof.induction.search import Frame
 from interlock.proof.induction.story import Story, narrated
-from interlock.proof.system.transition import System
+from interlock.proof.system.loop import ClosedLoop
+from interlock.proof.system.relation import TransitionRelation
 from interlock.proof.witnesses import opening
 from interlock.proof.witnesses.routes import (
     FEEDERS,
-    Railway,
     _attempt,
     _before,
     _end,
@@ -111,10 +111,10 @@ class Availability:
         return all(p.failure is None for p in self.pairs) and all(r.failure is None for r in self.routes)
 
 
-def availability(system: System, table: InterlockingTable) -> Availability:
+def availability(railway: ClosedLoop, table: InterlockingTable) -> Availability:
     """Runs for every route and for every two routes that the table does not call hostile."""
-    trial = Trial(system)
-    pairs = list(compatible(system, table))
+    trial = Trial(railway)
+    pairs = list(compatible(railway, table))
     planned = [(a, b, *trial.plan(a, b)) for a, b in pairs]
     results = trial.results(planned)
     for otherwise in (trial.apart, trial.empty):
@@ -125,13 +125,13 @@ def availability(system: System, table: InterlockingTable) -> Availability:
     asked = {i: p for i, x in enumerate(results) if x.failure and (p := trial.demanded(*pairs[i], clear)) is not None}
     for (i, _), x in zip(asked.items(), trial.results([*asked.values()]), strict=True):
         results[i] = replace(x, apart=results[i].apart or results[i].failure)
-    count = len(system.symbols.routes.whole)
+    count = len(railway.controller.symbols.routes.whole)
     return Availability(trial.opened(), tuple(results), count * (count - 1) // 2 - len(pairs))
 
 
-def compatible(system: System, table: InterlockingTable) -> Iterator[tuple[RouteSymbols, RouteSymbols]]:
+def compatible(railway: ClosedLoop, table: InterlockingTable) -> Iterator[tuple[RouteSymbols, RouteSymbols]]:
     """Every two routes that are not hostile."""
-    routes = system.symbols.routes.whole
+    routes = railway.controller.symbols.routes.whole
     for i, a in enumerate(routes):
         hostile = set(table.route[a.id].locking.hostile.routes)
         yield from ((a, b) for b in routes[i + 1 :] if b.id not in hostile)
@@ -159,21 +159,20 @@ class _Failure:
 
 
 class Trial:
-    """The runs of one system."""
+    """The runs of one controller with its plant."""
 
-    def __init__(self, system: System) -> None:
-        self.system = system
-        self.railway = Railway(system.controller, system.plant, system.layout)
+    def __init__(self, railway: ClosedLoop) -> None:
+        self.railway = railway
         self._lanes = Lanes(self.railway.controller, self.railway.plant)
         self._comes = self._find_trains()
         self._unmet: set[PairRun] = set()
-        self._needs = {r.id: _needs_clear(system, self.railway, r) for r in system.symbols.routes.whole}
+        self._needs = {r.id: _needs_clear(railway, r) for r in railway.controller.symbols.routes.whole}
 
     def _find_trains(self) -> dict[RouteId, list[tuple[RouteSymbols, ...]]]:
         """For each route the ways in which its train can come before the signal, each as the routes over which it
         comes; none of them for one that stands there since the restart.  Standing first, then over one route, then over
         as few as it takes."""
-        routes = self.system.symbols.routes.whole
+        routes = self.railway.controller.symbols.routes.whole
         found: dict[RouteId, list[tuple[RouteSymbols, ...]]] = {r.id: [] for r in routes}
         tried = _attempt(self.railway, self._lanes, [(r, "", ()) for r in routes])
         for r, (failure, _) in zip(routes, tried, strict=True):
@@ -222,7 +221,7 @@ class Trial:
 
         None is run where one calls a train on: vehicles may stand where the other one is to find it clear.
         """
-        parts = self.system.symbols.routes.parts
+        parts = self.railway.controller.symbols.routes.parts
         for x, y in ((a, b), (b, a)):
             wanted = set[SectionId]().union(*(clear.get(RouteId(p.id), set()) for p in parts(x)))
             over = {_before(self.railway, y), *(s for p in parts(y) for s, _ in p.path.ways)}
@@ -278,9 +277,9 @@ class Trial:
 
     def _overlap(self, r: RouteSymbols) -> tuple[tuple[SectionId, int], ...]:
         """Of a route that leads past signals the overlaps of those signals, too."""
-        symbols = self.system.symbols.routes
+        symbols = self.railway.controller.symbols.routes
         held = [x.path.overlap for x in symbols.parts(symbols.number[r.number])]
-        return tuple(way for o in held if o is not None for way in self.system.symbols.overlaps.ways[o])
+        return tuple(way for o in held if o is not None for way in self.railway.controller.symbols.overlaps.ways[o])
 
     def _standing(self, *routes: RouteSymbols) -> dict[str, int] | None:
         """Trains before some signals, points lying under them as they stand; None if they would lie both ways."""
@@ -354,7 +353,7 @@ class Trial:
         found: list[_Failure | None] = []
         for at in range(0, len(runs), BATCH):
             some = runs[at : at + BATCH]
-            drivers = [partial(pair_run, self.system, self.railway, x) for x in some]
+            drivers = [partial(pair_run, self.railway, x) for x in some]
             done = self._lanes.run([self.start(x) for x in some], drivers)
             found += [
                 None if text is None else _Failure(text, counted=ZONE_FULL in text and self._counted_twice(x))
@@ -373,14 +372,14 @@ class Trial:
                 found[i] = _Failure(why.text, standing=True)
         return found
 
-    def story(self, result: PairResult) -> Story | None:
-        """The run that failed, for the player; None where nothing was tried."""
+    def story(self, result: PairResult, relation: TransitionRelation) -> Story | None:
+        """The run that failed, for the player, with the state and inputs of each step; None where nothing was tried."""
         if result.failed is None or result.failure is None:
             return None
         failed, frames = result.failed, list[Frame]()
 
         def recorded(lane: Lane) -> Driver:
-            run = pair_run(self.system, self.railway, failed, lane)
+            run = pair_run(self.railway, failed, lane)
             while True:
                 try:
                     wish = next(run)
@@ -389,15 +388,15 @@ class Trial:
                     return failure
                 yield wish
                 last = lane.lanes.last
-                state: dict[str, int] = {n: last.get(n, 0) for n in self.system.state}
-                frames.append(Frame(state, {n: _read(lane, n) for n in self.system.inputs}))
+                state: dict[str, int] = {n: last.get(n, 0) for n in relation.state}
+                frames.append(Frame(state, {n: _read(lane, n) for n in relation.inputs}))
 
         self._lanes.run([self.start(failed)], [recorded])
-        frames.append(Frame({n: self._lanes.state.get(n, 0) for n in self.system.state}, {}))
+        frames.append(Frame({n: self._lanes.state.get(n, 0) for n in relation.state}, {}))
         place = f"{result.first} and {result.second}"
         sentence = "Two routes that are not hostile can be set, open, driven and released at the same time."
         ending = [f"{failed.first.id} and {failed.second.id}, {failed.how}: {result.failure}."]
-        return narrated(self.system, frames, ("AVAILABILITY", place, sentence), ending)
+        return narrated(self.railway, frames, ("AVAILABILITY", place, sentence), ending)
 
     def start(self, run: PairRun) -> dict[str, int]:
         """The restart with the trains of a run, points lying for it where no train stands on them: a point that one
@@ -413,8 +412,8 @@ class Trial:
 
     def opened(self) -> tuple[Opened, ...]:
         """For each route its bound, and what runs show: with every machine in place, and with the others moved."""
-        railway, system = self.railway, self.system
-        routes = [r for r in system.symbols.routes.whole if () in self._comes[r.id] and not r.call_on]
+        railway = self.railway
+        routes = [r for r in railway.controller.symbols.routes.whole if () in self._comes[r.id] and not r.call_on]
         seen: dict[RouteId, list[int]] = {r.id: [] for r in routes}
         why: dict[RouteId, str] = {}
         for move in (False, True):
@@ -422,21 +421,21 @@ class Trial:
             for r in routes:
                 start = _start(railway, r, "")
                 assert isinstance(start, dict)
-                away = turned(system, r, self._standing(r) or {}) if move else {}
+                away = turned(railway, r, self._standing(r) or {}) if move else {}
                 starts.append(start | away)
-                moved.append(to_move(system, r, start | away))
-            drivers = [partial(opens_alone, system, railway, r, n) for r, n in zip(routes, moved, strict=True)]
+                moved.append(to_move(railway, r, start | away))
+            drivers = [partial(opens_alone, railway, r, n) for r, n in zip(routes, moved, strict=True)]
             for r, (failure, n) in zip(routes, self._lanes.run(starts, drivers), strict=True):
                 seen[r.id].append(n - len(settling(railway, [r])))
                 if failure is not None:
                     why[r.id] = failure
         return tuple(
             Opened(
-                opening.opening(system, r),
+                opening.opening(railway, r),
                 (seen[r.id][0], seen[r.id][1]) if r.id in seen else None,
                 why.get(r.id) or (None if self._comes[r.id] else "no train can take it"),
             )
-            for r in system.symbols.routes.whole
+            for r in railway.controller.symbols.routes.whole
         )
 
 
@@ -447,7 +446,7 @@ def _read(lane: Lane, name: str) -> int:
     return last.get(name, 0) if size is None else next((k for k in range(1, size) if last[f"{name}={k}"]), 0)
 
 
-def _goes_on(railway: Railway, a: RouteSymbols, b: RouteSymbols) -> bool:
+def _goes_on(railway: ClosedLoop, a: RouteSymbols, b: RouteSymbols) -> bool:
     """Whether a train at the end of one route stands before the other's signal, turned about or not."""
     if _leaves(railway, a) or _end(railway, a)[0] != _before(railway, b):
         return False
@@ -456,15 +455,15 @@ def _goes_on(railway: Railway, a: RouteSymbols, b: RouteSymbols) -> bool:
     return railway.layout.signalling.signal[b.entry].node in (t.entry, t.exit)
 
 
-def _needs_clear(system: System, railway: Railway, r: RouteSymbols) -> frozenset[str]:
+def _needs_clear(railway: ClosedLoop, r: RouteSymbols) -> frozenset[str]:
     """The sections in which nothing can stand while a route is set: path, berth, overlap, foul of them, line beyond."""
-    over = () if r.path.overlap is None else system.symbols.overlaps.ways[r.path.overlap]
+    over = () if r.path.overlap is None else railway.controller.symbols.overlaps.ways[r.path.overlap]
     ways = [
-        system.topo.traversals[s][n - 1]
+        railway.topo.traversals[s][n - 1]
         for s, n in (*r.path.ways, *over, *([r.path.berth] if r.path.berth is not None else []))
     ]
     found: set[str] = {t.section for t in ways}
-    found |= {f.neighbour for f in system.measured.fouls for t in ways if f.fouls(t)}
+    found |= {f.neighbour for f in railway.measured.fouls for t in ways if f.fouls(t)}
     if _leaves(railway, r):
         boundary = railway.layout.track.boundary_at[_end(railway, r)[1]]
         found |= {boundary.approach or names.outside(boundary.node)}

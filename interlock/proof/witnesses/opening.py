@@ -16,7 +16,7 @@ from interlock.logic import names
 from interlock.logic.expr import variables
 from interlock.logic.symbols import RouteSymbols, Symbols
 from interlock.model.elements import MachineId, Position
-from interlock.proof.system.transition import System
+from interlock.proof.system.loop import ClosedLoop
 
 SET, LOCKED, OPEN = 1, 2, 3
 
@@ -43,21 +43,21 @@ class Opening:
         return f"{text}; with a change of direction {self.token_s:g} s more" if self.token_s else text
 
 
-def opening(system: System, r: RouteSymbols) -> Opening:
+def opening(railway: ClosedLoop, r: RouteSymbols) -> Opening:
     """The bound of a route, computed from scans and machine times."""
-    rules = system.layout.principles
-    needed = machines_of(system, r)
+    rules = railway.layout.principles
+    needed = machines_of(railway, r)
     machines = len(needed)
     scans, seconds = OPEN, 0.0
     if machines:
-        back = bool(needed & devices(system))
+        back = bool(needed & devices(railway))
         scans, seconds = OPEN + 1 + back, rules.point_run_s * (1 + back)
         if rules.point_start_gap_s > 0:  # a turn is given, the start seen, and the gap waited for
-            turns = len(needed | along(system, r))
+            turns = len(needed | along(railway, r))
             scans += 2 * turns - 1
             seconds += (turns - 1) * rules.point_start_gap_s
-    exit_ = system.topo.traversals[r.path.ways[-1][0]][r.path.ways[-1][1] - 1].exit
-    token = exit_ in system.symbols.token and not r.shunt
+    exit_ = railway.topo.traversals[r.path.ways[-1][0]][r.path.ways[-1][1] - 1].exit
+    token = exit_ in railway.controller.symbols.token and not r.shunt
     return Opening(r.id, machines, OPEN, scans, seconds, rules.token_delay_s if token else 0.0)
 
 
@@ -70,16 +70,16 @@ def demanded(symbols: Symbols, r: RouteSymbols, overlap: bool = True) -> Iterato
     yield from r.path.demands
 
 
-def machines_of(system: System, r: RouteSymbols) -> set[MachineId]:
+def machines_of(railway: ClosedLoop, r: RouteSymbols) -> set[MachineId]:
     """The machines that a route needs to lie somehow."""
-    return {m for m, _ in demanded(system.symbols, r)}
+    return {m for m, _ in demanded(railway.controller.symbols, r)}
 
 
-def along(system: System, r: RouteSymbols) -> set[MachineId]:
+def along(railway: ClosedLoop, r: RouteSymbols) -> set[MachineId]:
     """The machines beside its path that a route drives along, if they are free to move."""
-    granted = {names.GRANTED(p.number) for p in system.symbols.routes.parts(r)}
+    granted = {names.GRANTED(p.number) for p in railway.controller.symbols.routes.parts(r)}
     found = set()
-    for e in system.controller.equations:
+    for e in railway.controller.equations:
         if e.name.family is names.DEMANDED:
             driven = [t.expr for t in e.terms if t.kind == "driven along"]
             if granted & set(variables(driven)):
@@ -87,23 +87,23 @@ def along(system: System, r: RouteSymbols) -> set[MachineId]:
     return found
 
 
-def devices(system: System) -> set[MachineId]:
+def devices(railway: ClosedLoop) -> set[MachineId]:
     """Level crossings, bridges and other interlocks: what opens by itself."""
-    return {d.id for d in system.layout.signalling.devices}
+    return {d.id for d in railway.layout.signalling.devices}
 
 
 def steps(
-    system: System, r: RouteSymbols, dt_ms: int, moved: int | None = None, after: RouteSymbols | None = None
+    railway: ClosedLoop, r: RouteSymbols, dt_ms: int, moved: int | None = None, after: RouteSymbols | None = None
 ) -> int:
     """The scans of a run, `dt_ms` apart, in which machines need no time to move, until the signal is open; `moved`: so
     many machines of those that it needs have to, else all; `after`: what that route drives along may wait before them.
     """
-    needed = machines_of(system, r)
+    needed = machines_of(railway, r)
     n = len(needed) if moved is None else moved
-    gap_ms = system.layout.principles.point_start_gap_s * 1000
+    gap_ms = railway.layout.principles.point_start_gap_s * 1000
     if not n:
         return OPEN
     if gap_ms > 0:
-        n += len((along(system, r) | (along(system, after) if after is not None else set())) - needed)
-    back = bool(needed & devices(system))
+        n += len((along(railway, r) | (along(railway, after) if after is not None else set())) - needed)
+    back = bool(needed & devices(railway))
     return OPEN + 1 + back + (1 + (n - 1) * (2 + ceil(gap_ms / dt_ms)) if gap_ms > 0 else 0)

@@ -16,10 +16,9 @@ from interlock.logic import names
 from interlock.logic.plant import lies
 from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import Position, RouteId
-from interlock.proof.system.transition import System
+from interlock.proof.system.loop import ClosedLoop
 from interlock.proof.witnesses.routes import (
     MAX_STEPS,
-    Railway,
     Trial,
     _before,
     _closing,
@@ -34,9 +33,8 @@ Part = Generator[Wish, None, str | None]
 """A part of a run: what went wrong, or None."""
 
 
-def operations(system: System) -> dict[RouteId, dict[str, str | None]]:
+def operations(railway: ClosedLoop) -> dict[RouteId, dict[str, str | None]]:
     """For each route that a train can take from a stand: by operation what went wrong, or None where it worked."""
-    railway = Railway(system.controller, system.plant, system.layout)
     lanes = Lanes(railway.controller, railway.plant)
     found: dict[RouteId, dict[str, str | None]] = {}
     for (r, name), failure in _tried(railway, lanes, _opening(railway, lanes)):
@@ -44,9 +42,8 @@ def operations(system: System) -> dict[RouteId, dict[str, str | None]]:
     return found
 
 
-def operated(system: System) -> list[Trial]:
+def operated(railway: ClosedLoop) -> list[Trial]:
     """The runs by which operations work: those that went well."""
-    railway = Railway(system.controller, system.plant, system.layout)
     lanes = Lanes(railway.controller, railway.plant)
     starts = _opening(railway, lanes)
     worked = {key for key, failure in _tried(railway, lanes, starts) if failure is None}
@@ -62,16 +59,16 @@ Starts = list[tuple[RouteSymbols, dict[str, int]]]
 """Routes, each with a restart at which a train stands before its signal."""
 
 
-def _opening(railway: Railway, lanes: Lanes) -> Starts:
+def _opening(railway: ClosedLoop, lanes: Lanes) -> Starts:
     """The routes whose signal a train can be shown from a stand."""
-    routes = [r for r in railway.symbols.routes.whole if not r.call_on]
+    routes = [r for r in railway.controller.symbols.routes.whole if not r.call_on]
     starts = [(r, s) for r in routes if isinstance(s := _start(railway, r, ""), dict)]
     runs = [partial(_after_restart, railway, r, _opened) for r, _ in starts]
     tried = lanes.run([s for _, s in starts], runs)
     return [x for x, (failure, _) in zip(starts, tried, strict=True) if failure is None]
 
 
-def _tried(railway: Railway, lanes: Lanes, starts: Starts) -> Iterator[tuple[tuple[RouteId, str], str | None]]:
+def _tried(railway: ClosedLoop, lanes: Lanes, starts: Starts) -> Iterator[tuple[tuple[RouteId, str], str | None]]:
     """What went wrong with each route and operation, or None."""
     for name, operation in OPERATIONS.items() if starts else ():
         runs = [partial(_after_restart, railway, r, operation) for r, _ in starts]
@@ -79,7 +76,7 @@ def _tried(railway: Railway, lanes: Lanes, starts: Starts) -> Iterator[tuple[tup
             yield (r.id, name), failure
 
 
-def _after_restart(railway: Railway, r: RouteSymbols, operation: Operation, lane: Lane) -> Driver:
+def _after_restart(railway: ClosedLoop, r: RouteSymbols, operation: Operation, lane: Lane) -> Driver:
     closing = dict.fromkeys(_closing(railway, _before(railway, r)), 1)
     for _ in range(2):
         yield Wish((), {names.RELEASE_ALL: 1, **closing})
@@ -90,24 +87,25 @@ def _after_restart(railway: Railway, r: RouteSymbols, operation: Operation, lane
     return f"the run meets {', '.join(troubles)}" if troubles else None
 
 
-def _asked(railway: Railway, r: RouteSymbols, **inputs: int) -> Wish:
-    return Wish((), {railway.symbols.requests.request: r.number, **inputs})
+def _asked(railway: ClosedLoop, r: RouteSymbols, **inputs: int) -> Wish:
+    return Wish((), {railway.controller.symbols.requests.request: r.number, **inputs})
 
 
-def _opened(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
+def _opened(railway: ClosedLoop, r: RouteSymbols, lane: Lane) -> Part:
     """Set, and open."""
     yield NOTHING
     if not (yield from _until(lane, r.active, _asked(railway, r), 2)):
         return "it cannot be set"
-    token = railway.symbols.token.get(railway.topo.traversals[r.path.ways[-1][0]][r.path.ways[-1][1] - 1].exit)
+    exit_ = railway.topo.traversals[r.path.ways[-1][0]][r.path.ways[-1][1] - 1].exit
+    token = railway.controller.symbols.token.get(exit_)
     if token is not None and not r.shunt and not lane.is_on(token.have):
         yield from _until(lane, token.have, Wish((), {token.manual: 1}), MAX_STEPS)
     return None if (yield from _until(lane, r.proceed)) else "its signal does not open"
 
 
-def _refused(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
+def _refused(railway: ClosedLoop, r: RouteSymbols, lane: Lane) -> Part:
     """A section that is blocked, or reported occupied, refuses the route; then it is set."""
-    sym = railway.symbols
+    sym = railway.controller.symbols
     for s, _ in r.path.ways:
         for name, value in ((sym.sections.blocked.get(s), 1), (sym.sections.clear.get(s), 0)):
             if name is not None:
@@ -121,18 +119,18 @@ def _refused(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
     return (yield from _opened(railway, r, lane))
 
 
-def _steadily_clear(railway: Railway, lane: Lane) -> Generator[Wish, None, None]:
+def _steadily_clear(railway: ClosedLoop, lane: Lane) -> Generator[Wish, None, None]:
     """Until what is reported clear has been so for the release delay (R15)."""
     for _ in range(-(-round(1000 * railway.layout.principles.release_delay_s) // lane.lanes.dt_ms) + 1):
         yield NOTHING
 
 
-def _reopened(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
+def _reopened(railway: ClosedLoop, r: RouteSymbols, lane: Lane) -> Part:
     """A condition is lost and comes back: stop, until the route is asked for again."""
     failure = yield from _opened(railway, r, lane)
     if failure is not None:
         return failure
-    lost = railway.symbols.sections.blocked[r.path.ways[0][0]]
+    lost = railway.controller.symbols.sections.blocked[r.path.ways[0][0]]
     yield Wish((), {lost: 1})
     for _ in range(3):
         yield NOTHING
@@ -141,10 +139,10 @@ def _reopened(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
     return None if (yield from _until(lane, r.proceed, _asked(railway, r), 2)) else "it does not open again"
 
 
-def _trailed(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
+def _trailed(railway: ClosedLoop, r: RouteSymbols, lane: Lane) -> Part:
     """A point of the route loses its detection: the route is kept back until somebody has looked at the point."""
     failure = yield from _opened(railway, r, lane)
-    sym = railway.symbols
+    sym = railway.controller.symbols
     demands = [
         (m, x)
         for way in r.path.ways
@@ -170,24 +168,24 @@ def _trailed(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
     return None if (yield from _until(lane, r.proceed, _asked(railway, r), 2)) else "it does not open again"
 
 
-def _cancelled(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
+def _cancelled(railway: ClosedLoop, r: RouteSymbols, lane: Lane) -> Part:
     """Cancelled by one touch, with a train before the signal: given back after the delay, and not before."""
     failure = yield from _opened(railway, r, lane)
     if failure is not None:
         return failure
-    yield Wish((), {railway.symbols.cancellation.cancel[r.entry]: 1})
+    yield Wish((), {railway.controller.symbols.cancellation.cancel[r.entry]: 1})
     yield NOTHING
     if lane.is_on(r.proceed):
         return "its signal does not close"
     return (yield from _free(railway, r, lane, NOTHING))
 
 
-def _by_hand(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
+def _by_hand(railway: ClosedLoop, r: RouteSymbols, lane: Lane) -> Part:
     """Inputs are lost while the train is in the route: its sections are given back by hand behind it."""
     failure = yield from _opened(railway, r, lane)
     if failure is not None:
         return failure
-    sym, topo, layout = railway.symbols, railway.topo, railway.layout
+    sym, topo, layout = railway.controller.symbols, railway.topo, railway.layout
     signal = layout.signalling.signal[r.entry]
     if not (yield from _until(lane, names.accepted(r.entry, r.shunt), Wish((names.accepts(r.entry, r.shunt),)))):
         return "no train can accept the signal"
@@ -205,7 +203,7 @@ def _by_hand(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
     return (yield from _free(railway, r, lane, Wish((), hands), place))
 
 
-def _free(railway: Railway, r: RouteSymbols, lane: Lane, wish: Wish, place: str = "") -> Part:
+def _free(railway: ClosedLoop, r: RouteSymbols, lane: Lane, wish: Wish, place: str = "") -> Part:
     """Nothing of the route stays locked but where the train is."""
     keep = {place, *railway.layout.track.undetected}
     for _ in range(MAX_STEPS):
@@ -216,9 +214,9 @@ def _free(railway: Railway, r: RouteSymbols, lane: Lane, wish: Wish, place: str 
     return f"{', '.join(locked)} stay locked"
 
 
-def _turned(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
+def _turned(railway: ClosedLoop, r: RouteSymbols, lane: Lane) -> Part:
     """Every point of the route is turned by hand and back before it is set; not both ways at once."""
-    sym = railway.symbols
+    sym = railway.controller.symbols
     for way in r.path.ways:
         for m, x in sym.ways.demands[way]:
             if m not in sym.machines.trailed:  # a device, or a point without a machine
@@ -234,7 +232,7 @@ def _turned(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
     return (yield from _opened(railway, r, lane))
 
 
-Operation = Callable[[Railway, RouteSymbols, Lane], Part]
+Operation = Callable[[ClosedLoop, RouteSymbols, Lane], Part]
 
 OPERATIONS: dict[str, Operation] = {
     "refused": _refused,

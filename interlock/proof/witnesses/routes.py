@@ -13,39 +13,18 @@ from functools import partial
 from itertools import pairwise
 
 from interlock.logic import names
-from interlock.logic.controller import Controller
 from interlock.logic.names import Name
-from interlock.logic.plant import Plant
-from interlock.logic.symbols import RouteSymbols, Symbols
+from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import NodeId, Position, RouteId, SectionId
 from interlock.model.layout import Layout
-from interlock.model.traversal import Topology, topology
+from interlock.model.traversal import Topology
 from interlock.proof.induction.verdict import Witness
-from interlock.proof.system.transition import System
+from interlock.proof.system.loop import ClosedLoop
 from interlock.proof.witnesses import opening
 from interlock.sim.lanes import NOTHING, Driver, Lane, Lanes, Record, Wish
 
 MAX_STEPS = 400
 FEEDERS = 3  # so many routes are tried, one after the other, over which a train may come to another
-
-
-@dataclass(frozen=True)
-class Railway:
-    """What runs are about: a controller, its plant, and the layout (without lengths)."""
-
-    controller: Controller
-    plant: Plant
-    layout: Layout
-
-    @property
-    def symbols(self) -> Symbols:
-        """What the controller's variables mean."""
-        return self.controller.symbols
-
-    @property
-    def topo(self) -> Topology:
-        """Its ways and neighbours."""
-        return topology(self.layout)
 
 
 @dataclass(frozen=True)
@@ -59,11 +38,11 @@ class Trial:
 
 
 class Trials:
-    """Runs on one system."""
+    """Runs of one controller with its plant."""
 
-    def __init__(self, system: System, record: Record | None = None) -> None:
+    def __init__(self, railway: ClosedLoop, record: Record | None = None) -> None:
         """`record`: is given what each step computes of the controller."""
-        self._lanes = Lanes(system.controller, system.plant, record=record)
+        self._lanes = Lanes(railway.controller, railway.plant, record=record)
 
     def run(self, trials: Sequence[Trial], first: bool = False) -> list[str | None]:
         """What goes wrong in each, or None; `first`: nothing is done any more after the first that goes wrong."""
@@ -71,14 +50,14 @@ class Trials:
         return [failure for failure, _ in found]
 
 
-def witnesses(system: System) -> tuple[Witness, ...]:
+def witnesses(railway: ClosedLoop) -> tuple[Witness, ...]:
     """A run for each route, all of them side by side.
 
     First with a train that has stood before the signal since the restart (into a berth a second time, with vehicles
     standing there); where that fails, with a train that came there under another route.
     """
-    found = {w.route: w for w, _ in _tried(Railway(system.controller, system.plant, system.layout))}
-    sym = system.symbols
+    found = {w.route: w for w, _ in _tried(railway)}
+    sym = railway.controller.symbols
     for r in sym.routes:
         if r.path.identifier:  # it is set, driven and released with the routes that lead past its signal
             by = [found[x.id] for x in sym.routes.set_with(r) if not x.path.identifier]
@@ -87,9 +66,8 @@ def witnesses(system: System) -> tuple[Witness, ...]:
     return tuple(found[r.id] for r in sym.routes)
 
 
-def journeys(system: System) -> list[Trial]:
+def journeys(railway: ClosedLoop) -> list[Trial]:
     """The runs by which routes can be used: those that went well."""
-    railway = Railway(system.controller, system.plant, system.layout)
     found = []
     for w, runs in _tried(railway):
         for run in runs if w.ok else ():
@@ -99,9 +77,9 @@ def journeys(system: System) -> list[Trial]:
     return found
 
 
-def _tried(railway: Railway) -> list[tuple[Witness, list[Run]]]:
+def _tried(railway: ClosedLoop) -> list[tuple[Witness, list[Run]]]:
     """Each route's witness, and its runs."""
-    routes = railway.symbols.routes.whole
+    routes = railway.controller.symbols.routes.whole
     lanes = Lanes(railway.controller, railway.plant)
     first = _attempt(railway, lanes, [(r, "", ()) for r in routes])
     again = [r for r, (failure, _) in zip(routes, first, strict=True) if failure is None and r.path.berth is not None]
@@ -131,12 +109,12 @@ def _tried(railway: Railway) -> list[tuple[Witness, list[Run]]]:
 
 
 def _over_others(
-    railway: Railway, lanes: Lanes, failed: Sequence[RouteSymbols]
+    railway: ClosedLoop, lanes: Lanes, failed: Sequence[RouteSymbols]
 ) -> dict[RouteId, tuple[tuple[RouteSymbols, ...], int]]:
     """For routes that no train can take from a stand since the restart: the routes over which one comes to them, as few
     as possible, with the route itself, and the number of scans."""
     ends: dict[str, list[RouteSymbols]] = {}
-    for x in railway.symbols.routes.whole:
+    for x in railway.controller.symbols.routes.whole:
         ends.setdefault((x.path.berth or x.path.ways[-1])[0], []).append(x)
     chains: list[tuple[RouteSymbols, ...]] = [(r,) for r in failed]
     found: dict[RouteId, tuple[tuple[RouteSymbols, ...], int]] = {}
@@ -158,7 +136,7 @@ def _berth(r: RouteSymbols) -> str:
     return r.path.berth[0] if r.path.berth is not None else ""
 
 
-def _before(railway: Railway, r: RouteSymbols) -> str:
+def _before(railway: ClosedLoop, r: RouteSymbols) -> str:
     return _rear(railway.layout, railway.topo, railway.layout.signalling.signal[r.entry].node, r.path.ways[0][0])
 
 
@@ -166,7 +144,7 @@ Run = tuple[RouteSymbols, str, tuple[RouteSymbols, ...]]
 """A route, a berth in which vehicles stand, and routes that the same train takes afterwards."""
 
 
-def _attempt(railway: Railway, lanes: Lanes, runs: list[Run]) -> list[tuple[str | None, int]]:
+def _attempt(railway: ClosedLoop, lanes: Lanes, runs: list[Run]) -> list[tuple[str | None, int]]:
     """What went wrong in each run, or None, and the number of scans."""
     starts = [_start(railway, r, berth) for r, berth, _ in runs]
     drivable = [n for n, s in enumerate(starts) if not isinstance(s, str)]
@@ -177,7 +155,7 @@ def _attempt(railway: Railway, lanes: Lanes, runs: list[Run]) -> list[tuple[str 
     return [done.get(n, (s if isinstance(s, str) else None, 0)) for n, s in enumerate(starts)]
 
 
-def _journey(railway: Railway, r: RouteSymbols, berth: str, onward: tuple[RouteSymbols, ...], lane: Lane) -> Driver:
+def _journey(railway: ClosedLoop, r: RouteSymbols, berth: str, onward: tuple[RouteSymbols, ...], lane: Lane) -> Driver:
     """Release every clear section after the restart, then drive."""
     del berth
     rear = _before(railway, r)
@@ -192,11 +170,11 @@ def _journey(railway: Railway, r: RouteSymbols, berth: str, onward: tuple[RouteS
     return failure
 
 
-def _given_up(railway: Railway, lane: Lane, r: RouteSymbols) -> Generator[Wish, None, None]:
+def _given_up(railway: ClosedLoop, lane: Lane, r: RouteSymbols) -> Generator[Wish, None, None]:
     """A train that stands at the end of its route needs its overlap no more (R4): it goes after the time of release."""
     held = [
         v
-        for (g, _), v in railway.symbols.overlaps.held.items()
+        for (g, _), v in railway.controller.symbols.overlaps.held.items()
         if r.path.overlap is not None and g == r.path.overlap[0]
     ]
     for _ in range(MAX_STEPS):
@@ -205,13 +183,13 @@ def _given_up(railway: Railway, lane: Lane, r: RouteSymbols) -> Generator[Wish, 
         yield NOTHING
 
 
-def _closing(railway: Railway, section: str) -> list[str]:
+def _closing(railway: ClosedLoop, section: str) -> list[str]:
     """The inputs by which an operator closes the crossings and bridges over a section."""
     over = [d.id for d in railway.layout.signalling.devices if section in d.over]
-    return [railway.symbols.machines.by_hand[m, Position.REVERSE] for m in over]
+    return [railway.controller.symbols.machines.by_hand[m, Position.REVERSE] for m in over]
 
 
-def _start(railway: Railway, r: RouteSymbols, berth: str) -> dict[str, int] | str:
+def _start(railway: ClosedLoop, r: RouteSymbols, berth: str) -> dict[str, int] | str:
     """A restart with one train before the signal (and vehicles standing in a berth), or what is impossible."""
     node = railway.layout.signalling.signal[r.entry].node
     state = _lying(railway, r)
@@ -225,21 +203,22 @@ def _start(railway: Railway, r: RouteSymbols, berth: str) -> dict[str, int] | st
     return state | standing | parked
 
 
-def _run(railway: Railway, lane: Lane, r: RouteSymbols, turning: str = "") -> Driver:
+def _run(railway: ClosedLoop, lane: Lane, r: RouteSymbols, turning: str = "") -> Driver:
     """Set the route, drive it with the train before its signal, and wait for the release behind it."""
     signal = railway.layout.signalling.signal[r.entry]
     if turning:
         turns = tuple(e for e in railway.plant.events if e.family is names.TURNS and e.at[:2] == (turning, signal.node))
         yield Wish(turns)
     if r.call_on and (failed := _failed_section(railway, r)):
-        return (yield from _disturbed(_drive(railway, lane, r, failed), {railway.symbols.sections.clear[failed]: 0}))
+        fault: dict[str, int] = {railway.controller.symbols.sections.clear[failed]: 0}
+        return (yield from _disturbed(_drive(railway, lane, r, failed), fault))
     return (yield from _drive(railway, lane, r))
 
 
-def _failed_section(railway: Railway, r: RouteSymbols) -> SectionId | None:
+def _failed_section(railway: ClosedLoop, r: RouteSymbols) -> SectionId | None:
     """A section of a call-on route that may be reported occupied by mistake."""
-    topo = railway.topo
-    return next((s for s, _ in r.path.ways[1:] if s not in topo.berths and s in railway.symbols.sections.clear), None)
+    berths, clear = railway.topo.berths, railway.controller.symbols.sections.clear
+    return next((s for s, _ in r.path.ways[1:] if s not in berths and s in clear), None)
 
 
 def _disturbed(run: Driver, inputs: dict[str, int]) -> Driver:
@@ -254,7 +233,7 @@ def _disturbed(run: Driver, inputs: dict[str, int]) -> Driver:
             return failure
 
 
-def _drive(railway: Railway, lane: Lane, r: RouteSymbols, failed: SectionId | None = None) -> Driver:
+def _drive(railway: ClosedLoop, lane: Lane, r: RouteSymbols, failed: SectionId | None = None) -> Driver:
     """Drive a route; `failed` is reported occupied all the time and stays locked."""
     failure = yield from _set(railway, lane, r)
     if failure is None:
@@ -269,7 +248,7 @@ def _drive(railway: Railway, lane: Lane, r: RouteSymbols, failed: SectionId | No
             for i in railway.controller.inputs
             if i.name == names.RELEASE_ALL or i.name.family is names.RELEASE_BY_HAND
         }
-        after = Wish((), {railway.symbols.cancellation.cancel[r.entry]: 1, **by_hand})
+        after = Wish((), {railway.controller.symbols.cancellation.cancel[r.entry]: 1, **by_hand})
     for _ in range(MAX_STEPS):
         locked = [s for s in lane.held() if s not in keep]
         if not locked:
@@ -281,11 +260,12 @@ def _drive(railway: Railway, lane: Lane, r: RouteSymbols, failed: SectionId | No
     return f"the run meets {', '.join(troubles)}" if troubles else None
 
 
-def _set(railway: Railway, lane: Lane, r: RouteSymbols) -> Driver:
+def _set(railway: ClosedLoop, lane: Lane, r: RouteSymbols) -> Driver:
     """Ask for a route until its signal is open, and for the direction of the line beyond where that has a token."""
-    if not (yield from _until(lane, r.active, Wish((), {railway.symbols.requests.request: r.number}), opening.SET)):
+    symbols = railway.controller.symbols
+    if not (yield from _until(lane, r.active, Wish((), {symbols.requests.request: r.number}), opening.SET)):
         return "the request is refused: " + _not(lane, names.GRANTED(r.number))
-    token = railway.symbols.token.get(railway.topo.traversals[r.path.ways[-1][0]][r.path.ways[-1][1] - 1].exit)
+    token = symbols.token.get(railway.topo.traversals[r.path.ways[-1][0]][r.path.ways[-1][1] - 1].exit)
     if token is not None and not r.shunt and not lane.is_on(token.have):
         yield from _until(lane, token.have, Wish((), {token.manual: 1}), MAX_STEPS)
     if not (yield from _until(lane, r.proceed)):
@@ -293,7 +273,7 @@ def _set(railway: Railway, lane: Lane, r: RouteSymbols) -> Driver:
     return None
 
 
-def _travel(railway: Railway, lane: Lane, r: RouteSymbols) -> Driver:
+def _travel(railway: ClosedLoop, lane: Lane, r: RouteSymbols) -> Driver:
     """Drive the train that stands before an open signal to the end of its route."""
     layout, topo = railway.layout, railway.topo
     signal = layout.signalling.signal[r.entry]
@@ -317,18 +297,18 @@ def _travel(railway: Railway, lane: Lane, r: RouteSymbols) -> Driver:
     return None
 
 
-def _end(railway: Railway, r: RouteSymbols) -> tuple[SectionId, NodeId]:
+def _end(railway: ClosedLoop, r: RouteSymbols) -> tuple[SectionId, NodeId]:
     """The last section of a route, and its end there."""
     section, number = r.path.ways[-1] if r.path.berth is None else r.path.berth
     return section, railway.topo.traversals[section][number - 1].exit
 
 
-def _leaves(railway: Railway, r: RouteSymbols) -> bool:
+def _leaves(railway: ClosedLoop, r: RouteSymbols) -> bool:
     """Whether a train leaves the layout at the end of a route."""
     return _end(railway, r)[1] in railway.layout.track.boundary_at and not r.shunt
 
 
-def _kept(railway: Railway, r: RouteSymbols, failed: SectionId | None) -> set[SectionId]:
+def _kept(railway: ClosedLoop, r: RouteSymbols, failed: SectionId | None) -> set[SectionId]:
     """Sections that stay locked behind the train: where it stands, and from one on that is reported occupied."""
     last = set() if _leaves(railway, r) else {_end(railway, r)[0]}
     if failed is not None:
@@ -356,10 +336,10 @@ def _not(lane: Lane, equation: str) -> str:
     return "; ".join("not " + t for t in lane.missing(equation)) or "a condition came and went"
 
 
-def _lying(railway: Railway, r: RouteSymbols, overlap: bool = False) -> dict[str, int]:
+def _lying(railway: ClosedLoop, r: RouteSymbols, overlap: bool = False) -> dict[str, int]:
     """Points as the route needs them, so that none has to move under the waiting train."""
     state: dict[str, int] = {}
-    for m, x in opening.demanded(railway.symbols, r, overlap):
+    for m, x in opening.demanded(railway.controller.symbols, r, overlap):
         state |= {
             names.LIES(m, Position.NORMAL): int(x is Position.NORMAL),
             names.LIES(m, Position.REVERSE): int(x is Position.REVERSE),
@@ -376,7 +356,7 @@ def _rear(layout: Layout, topo: Topology, node: NodeId, first: SectionId) -> str
     return rear
 
 
-def _stand(railway: Railway, rear: str, node: NodeId) -> dict[str, int] | None:
+def _stand(railway: ClosedLoop, rear: str, node: NodeId) -> dict[str, int] | None:
     """A railway with one train at rest before the signal, points lying for it."""
     if rear not in railway.topo.ends:
         return {names.STANDS(rear): 1}

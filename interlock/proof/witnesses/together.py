@@ -10,11 +10,10 @@ from itertools import pairwise
 from interlock.logic import names
 from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import NodeId, Position, RouteId, SectionId
-from interlock.proof.system.transition import System
+from interlock.proof.system.loop import ClosedLoop
 from interlock.proof.witnesses import opening
 from interlock.proof.witnesses.routes import (
     MAX_STEPS,
-    Railway,
     _before,
     _closing,
     _failed_section,
@@ -57,7 +56,7 @@ class PairRun:
             return ()
         return (self.first,) if self.how in (How.ONWARD, How.ALONE) else (self.first, self.second)
 
-    def reported(self, railway: Railway) -> dict[RouteId, SectionId]:
+    def reported(self, railway: ClosedLoop) -> dict[RouteId, SectionId]:
         """By route, where a train is called on, a section that is reported occupied by mistake: calling on is for that.
 
         Of two that adjoin the first alone, since not both are (A-ONE-FALSE); the other train is called on without.
@@ -68,22 +67,22 @@ class PairRun:
         return found
 
 
-def pair_run(system: System, railway: Railway, run: PairRun, lane: Lane) -> Driver:
+def pair_run(railway: ClosedLoop, run: PairRun, lane: Lane) -> Driver:
     """Release after the restart, bring the trains before their signals, open both, drive, and see all free again."""
     failure = yield from _placed(railway, run, lane)
     if failure is not None:
         return failure
-    failure = yield from _disturbed(railway, run, _used(system, railway, run, lane))
+    failure = yield from _disturbed(railway, run, _used(railway, run, lane))
     troubles = lane.troubles()
     return failure or (f"the run meets {', '.join(troubles)}" if troubles else None)
 
 
-def lone_request(railway: Railway, run: PairRun, r: RouteSymbols, lane: Lane) -> Driver:
+def lone_request(railway: ClosedLoop, run: PairRun, r: RouteSymbols, lane: Lane) -> Driver:
     """One of two routes is asked for with the trains of a run before their signals, while the other is not set."""
     failure = yield from _placed(railway, run, lane)
     if failure is not None:
         return failure
-    asking = _until(lane, r.active, Wish((), {railway.symbols.requests.request: r.number}), opening.SET)
+    asking = _until(lane, r.active, Wish((), {railway.controller.symbols.requests.request: r.number}), opening.SET)
     return (yield from _disturbed(railway, run, _granted(lane, r, asking)))
 
 
@@ -91,7 +90,7 @@ def _granted(lane: Lane, r: RouteSymbols, asking: Generator[Wish, None, bool]) -
     return None if (yield from asking) else REFUSED + _not(lane, names.GRANTED(r.number))
 
 
-def _placed(railway: Railway, run: PairRun, lane: Lane) -> Driver:
+def _placed(railway: ClosedLoop, run: PairRun, lane: Lane) -> Driver:
     """Release after the restart, and bring the trains before their signals."""
     yield from settling(railway, [r for chain, r in zip(run.before, run.trains, strict=False) for r in (*chain, r)])
     for chain, last in zip(run.before, (run.first, run.second), strict=True):
@@ -111,18 +110,18 @@ def _placed(railway: Railway, run: PairRun, lane: Lane) -> Driver:
     return None
 
 
-def _there(railway: Railway, lane: Lane, r: RouteSymbols) -> Generator[Wish, None, None]:
+def _there(railway: ClosedLoop, lane: Lane, r: RouteSymbols) -> Generator[Wish, None, None]:
     """Another train comes to a boundary where the one before has gone on."""
     place = _before(railway, r)
     if place not in railway.topo.ends and not lane.is_on(names.STANDS(place)):
         yield from _until(lane, names.STANDS(place), Wish((names.APPEARS(place),)))
 
 
-def _used(system: System, railway: Railway, run: PairRun, lane: Lane) -> Driver:
+def _used(railway: ClosedLoop, run: PairRun, lane: Lane) -> Driver:
     first, second = run.first, run.second
     for r in (first, second):
         after = first if r is second else None
-        failure = yield from _opens(railway, lane, r, opening.steps(system, r, lane.lanes.dt_ms, after=after))
+        failure = yield from _opens(railway, lane, r, opening.steps(railway, r, lane.lanes.dt_ms, after=after))
         if failure is not None:
             return f"{r.id}: {failure}"
     yield NOTHING
@@ -135,12 +134,14 @@ def _used(system: System, railway: Railway, run: PairRun, lane: Lane) -> Driver:
     there = (second,) if run.how is How.ONWARD else run.trains
     keep = {*railway.layout.track.undetected, *_stays(railway, run, there)}
     left = [
-        s for s, locks in railway.symbols.sections.locked_by.items() if s not in keep and any(map(lane.is_on, locks))
+        s
+        for s, locks in railway.controller.symbols.sections.locked_by.items()
+        if s not in keep and any(map(lane.is_on, locks))
     ]
     return f"{', '.join(left)} stay locked in the end" if left else None
 
 
-def _driven(railway: Railway, run: PairRun, lane: Lane) -> Driver:
+def _driven(railway: ClosedLoop, run: PairRun, lane: Lane) -> Driver:
     first, second = run.first, run.second
     if run.how is How.TOGETHER:
         both = _merged([_travel(railway, lane, first), _travel(railway, lane, second)])
@@ -161,20 +162,20 @@ def _driven(railway: Railway, run: PairRun, lane: Lane) -> Driver:
         return failure
     given_back = {How.ALONE: [second], How.GIVEN_BACK: [first, second]}.get(run.how, [])
     for r in given_back:
-        yield Wish((), {railway.symbols.cancellation.cancel[r.entry]: 1})
+        yield Wish((), {railway.controller.symbols.cancellation.cancel[r.entry]: 1})
     there = (second,) if run.how is How.ONWARD else run.trains
     return (yield from _freed(railway, lane, (first, second), _stays(railway, run, there)))
 
 
-def settling(railway: Railway, routes: Sequence[RouteSymbols]) -> list[Wish]:
+def settling(railway: ClosedLoop, routes: Sequence[RouteSymbols]) -> list[Wish]:
     """Two scans in which an operator releases everything that is clear, and closes crossings under waiting trains."""
     closing = dict.fromkeys((x for r in routes for x in _closing(railway, _before(railway, r))), 1)
     return [Wish((), {names.RELEASE_ALL: 1, **closing})] * 2
 
 
-def _disturbed(railway: Railway, run: PairRun, driver: Driver) -> Driver:
+def _disturbed(railway: ClosedLoop, run: PairRun, driver: Driver) -> Driver:
     """A run in which sections are reported occupied by mistake."""
-    broken: dict[str, int] = {railway.symbols.sections.clear[s]: 0 for s in run.reported(railway).values()}
+    broken: dict[str, int] = {railway.controller.symbols.sections.clear[s]: 0 for s in run.reported(railway).values()}
     while True:
         try:
             wish = next(driver)
@@ -184,11 +185,15 @@ def _disturbed(railway: Railway, run: PairRun, driver: Driver) -> Driver:
         yield Wish(wish.events, {**wish.inputs, **broken})
 
 
-def _opens(railway: Railway, lane: Lane, r: RouteSymbols, steps: int) -> Driver:
+def _opens(railway: ClosedLoop, lane: Lane, r: RouteSymbols, steps: int) -> Driver:
     """Asked for, the route is set at once, and its signal opens within some scans."""
-    if not (yield from _until(lane, r.active, Wish((), {railway.symbols.requests.request: r.number}), opening.SET)):
+    if not (
+        yield from _until(
+            lane, r.active, Wish((), {railway.controller.symbols.requests.request: r.number}), opening.SET
+        )
+    ):
         return REFUSED + _not(lane, names.GRANTED(r.number))
-    token = railway.symbols.token.get(_exit(railway, r))
+    token = railway.controller.symbols.token.get(_exit(railway, r))
     if token is not None and not r.shunt and not lane.is_on(token.have):
         yield from _until(lane, token.have, Wish((), {token.manual: 1}), MAX_STEPS)
     if not (yield from _until(lane, r.proceed, NOTHING, steps - opening.SET)):
@@ -197,32 +202,32 @@ def _opens(railway: Railway, lane: Lane, r: RouteSymbols, steps: int) -> Driver:
     return None
 
 
-def _exit(railway: Railway, r: RouteSymbols) -> NodeId:
+def _exit(railway: ClosedLoop, r: RouteSymbols) -> NodeId:
     section, number = r.path.ways[-1]
     return railway.topo.traversals[section][number - 1].exit
 
 
-def opens_alone(system: System, railway: Railway, r: RouteSymbols, moved: int, lane: Lane) -> Driver:
+def opens_alone(railway: ClosedLoop, r: RouteSymbols, moved: int, lane: Lane) -> Driver:
     yield from settling(railway, [r])
-    return (yield from _opens(railway, lane, r, opening.steps(system, r, lane.lanes.dt_ms, moved)))
+    return (yield from _opens(railway, lane, r, opening.steps(railway, r, lane.lanes.dt_ms, moved)))
 
 
-def turned(system: System, r: RouteSymbols, standing: dict[str, int]) -> dict[str, int]:
+def turned(railway: ClosedLoop, r: RouteSymbols, standing: dict[str, int]) -> dict[str, int]:
     """Every machine of a route the other way, but for those on which its train stands."""
     return {
         name: value
-        for m, x in opening.demanded(system.symbols, r)
+        for m, x in opening.demanded(railway.controller.symbols, r)
         for name, value in ((names.LIES(m, x), 0), (names.LIES(m, x.other), 1))
         if name not in standing
     }
 
 
-def to_move(system: System, r: RouteSymbols, start: dict[str, int]) -> int:
+def to_move(railway: ClosedLoop, r: RouteSymbols, start: dict[str, int]) -> int:
     """The machines that a route has to move."""
     wrong = {
         m
-        for m, x in opening.demanded(system.symbols, r)
-        if not start.get(names.LIES(m, x), int(x is Position.NORMAL)) or m in opening.devices(system)
+        for m, x in opening.demanded(railway.controller.symbols, r)
+        if not start.get(names.LIES(m, x), int(x is Position.NORMAL)) or m in opening.devices(railway)
     }
     return len(wrong)
 
@@ -267,7 +272,7 @@ def _merged(runs: Sequence[Driver]) -> Driver:
         yield Wish(tuple(e for w in wishes for e in w.events), inputs)
 
 
-def _turn(railway: Railway, r: RouteSymbols) -> Generator[Wish, None, str | None]:
+def _turn(railway: ClosedLoop, r: RouteSymbols) -> Generator[Wish, None, str | None]:
     """The train that has come before a signal turns towards it, if it must."""
     place, node = _before(railway, r), railway.layout.signalling.signal[r.entry].node
     yield Wish(tuple(e for e in railway.plant.events if e.family is names.TURNS and e.at[:2] == (place, node)))
@@ -275,7 +280,7 @@ def _turn(railway: Railway, r: RouteSymbols) -> Generator[Wish, None, str | None
 
 
 def _stays(
-    railway: Railway, run: PairRun, there: Sequence[RouteSymbols], routes: Sequence[RouteSymbols] = ()
+    railway: ClosedLoop, run: PairRun, there: Sequence[RouteSymbols], routes: Sequence[RouteSymbols] = ()
 ) -> set[SectionId]:
     """Where sections stay locked: under the trains that are `there`, and from one on that is reported occupied; of both
     routes, or of some."""
@@ -284,9 +289,9 @@ def _stays(
     return set().union(*(_kept(railway, r, reported.get(r.id)) for r in of if r in there or r.id in reported))
 
 
-def _freed(railway: Railway, lane: Lane, routes: Sequence[RouteSymbols], keep: set[SectionId]) -> Driver:
+def _freed(railway: ClosedLoop, lane: Lane, routes: Sequence[RouteSymbols], keep: set[SectionId]) -> Driver:
     """What routes have locked is free again, but for some sections; calling on is given back by hand."""
-    sym = railway.symbols
+    sym = railway.controller.symbols
     inputs: dict[str, int] = {}
     for r in routes:
         if r.call_on:
