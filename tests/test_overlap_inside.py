@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from interlock.audit import audit
+from interlock.audit import overlaps as audit_overlaps
 from interlock.checker import specification
 from interlock.checker.check import agree
 from interlock.checker.lengths import Lengths
@@ -23,7 +24,7 @@ from interlock.frontend import load_text
 from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
 from interlock.logic.plant import assumed_of
-from interlock.model.elements import SignalId
+from interlock.model.elements import OverlapWay, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.measured import measured
 from interlock.model.overlap import entry_speed, overlap_paths
@@ -295,6 +296,51 @@ def test_where_two_ways_come_together_nobody_knows_how_many_metres_a_train_has_r
     assert load_text("beside.yaml", BESIDE, sink)[0] is None
     (shown,) = [d for d in sink.diagnostics if d.code == "IL2026"]
     assert "comes to its sections on another way" in shown.message
+
+
+TWO_WAYS = """
+interlock: 1
+name: two_ways
+profile: de
+principles: {flank_space: no}
+boundaries:
+  W: {approach: w0 1200, trains: in}
+  F: {approach: f0 1200, trains: in}
+  E: {approach: e0 1200, trains: out}
+tracks:
+  m: [W, a1 700]
+  long: [a2 80]
+  k: [a2 15]
+  o: [F, c1 700, c2 80]
+  n: [d1 300, E]
+points:
+  2: {section: a2, toe: m.end, normal: long.start, reverse: 3.reverse, legs: 8, fouling: 3}
+  3: {section: a2, toe: k.start, normal: long.end, legs: 8, fouling: 3}
+  1: {section: T, legs: 40, toe: n.start, normal: k.end, reverse: o.end}
+signals:
+  A: {from: W,  into: a1}
+  B: {from: F,  into: c1}
+  X: {from: a1, into: a2}
+  Z: {from: c1, into: c2}
+overlaps:
+  X: {length: 60, entry_speed: 40}
+  Z: {length: 60, entry_speed: 40}
+"""
+
+
+def test_where_two_ways_lead_through_its_section_a_train_may_have_run_fewer_metres() -> None:
+    """Over 2 and 3 reverse the end of a2 is 47 m from X: a train that needs 60 m runs on into T."""
+    text = TWO_WAYS.replace("X: {length: 60, entry_speed: 40}", f"X: {SHORT}")
+    sink = Sink()
+    assert load_text("two_ways.yaml", text, sink)[0] is None
+    (shown,) = [d for d in sink.diagnostics if d.code == "IL2026"]
+    assert "two ways lead through a2" in shown.message and "cut a2" in (shown.fix or "")
+    lengths = Lengths(Railway(loaded(text)))
+    assert lengths.short(lengths.r.signals["X"]) == {}
+    layout, _ = made(TWO_WAYS)
+    way = OverlapWay(SignalId("X"), (SectionId("T"),), 150.0, None)
+    layout = replace(layout, overlaps=replace(layout.overlaps, ways=(way,)))
+    assert audit_overlaps.short(layout, SignalId("X")) == {} and measured(layout).apart == {}
 
 
 def inside_at_random(seed: int) -> str:

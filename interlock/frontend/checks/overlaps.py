@@ -11,7 +11,7 @@ from dataclasses import replace
 from interlock.frontend.context import Context
 from interlock.model.elements import OverlapWay, SignalId
 from interlock.model.layout import Layout
-from interlock.model.overlap import covered, entry_speed, inside_others, overlap_paths, own_way
+from interlock.model.overlap import covered, entry_speed, inside_others, overlap_paths, own_way, two_ways
 from interlock.model.traversal import Traversal
 
 
@@ -93,6 +93,8 @@ def _not_apart(layout: Layout, g: SignalId, short: tuple[Traversal, ...]) -> str
         return "it has no `entry_speed`, by which drivers are told of it"
     if any(v <= kmh for v in _longer(layout, g, short)):
         return f"it is made for {kmh} km/h, the longer one for no more"
+    if through := two_ways(layout, short):
+        return f"two ways lead through {through[0]}, one of which may have fewer metres"
     return "another overlap of the signal comes to its sections on another way, which may have fewer metres"
 
 
@@ -102,6 +104,8 @@ def _to_have_both(layout: Layout, g: SignalId, short: tuple[Traversal, ...]) -> 
     if kmh is None or any(v <= kmh for v in speeds):
         below = f" below {min(speeds)}" if speeds else ""
         return f"give the short one an `entry_speed`{below}"
+    if through := two_ways(layout, short):
+        return f"cut {through[0]} so that each way has a section of its own"
     return "bar the other one (`not_over`)"
 
 
