@@ -186,6 +186,10 @@ def test_a_forgotten_entry_speed_is_killed_by_proof_and_by_trains_in_metres() ->
         ("length: 200", "length: 200\n    swing: yes", "IL1014", "does not swing"),
         ("length: 200", "length: 0", "IL1014", "no overlap of 0 m"),
         ("X2: {length: 0}", "X2: {length: 0, release: 60}", "IL1014", "no overlap of 0 m"),
+        ("length: 200", "length: 200\n    falling: 3", "IL1014", "`falling` counts only where the length follows"),
+        ("length: 60, entry_speed: 40", "length: 60, entry_speed: 40, falling: 3", "IL1014", "counts only where"),
+        ("length: 200", "successive: yes\n    falling: 3", "IL1014", "counts only where"),
+        ("entry_speed: 50, falling: 2", "speed: 40, entry_speed: 50", "IL1014", "are shown up to 50"),
         ("release_by_length: yes", "release_by_length: yes\n    release: 60", "IL1014", "two times"),
         ("release: 62", "release: 41", "IL3023", "42.0 s are needed"),
     ],
@@ -193,6 +197,17 @@ def test_a_forgotten_entry_speed_is_killed_by_proof_and_by_trains_in_metres() ->
 def test_what_cannot_be_is_said(old: str, new: str, code: str, words: str) -> None:
     found = refused(old, new)
     assert [c for c, _ in found] == [code] and words in found[0][1], found
+
+
+def test_a_gradient_that_counts_for_nothing_is_not_read_by_the_second_checker() -> None:
+    for old, new in (
+        ("length: 200", "length: 200\n    falling: 3"),
+        ("length: 200", "successive: yes\n    falling: 3"),
+        ("length: 60, entry_speed: 40", "length: 60, entry_speed: 40, falling: 3"),
+    ):
+        assert old in TEXT
+        with pytest.raises(Unread):
+            Railway(loaded(TEXT.replace(old, new)))
 
 
 def test_the_release_by_length_follows_section_and_speed() -> None:

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from pydantic_core import PydanticCustomError
 
+from interlock.diag import Span
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.ports import Wiring
@@ -88,6 +89,18 @@ def _metres(ctx: Context, name: str, spec: OverlapSpec) -> float | None:
     if metres == 0 and (spec.ways or spec.entry_speed or spec.release or spec.release_by_length):
         ctx.add("IL1014", f"overlaps.{name}: there is no overlap of 0 m", at, "give its length, or its `entry_speed`")
         return None
+    if spec.falling and (spec.length is not None or spec.successive):
+        _falls_beside(ctx, f"overlaps.{name}", at)
+        return None
+    shown = spec.entry_speed or 0
+    if spec.speed is not None and shown > spec.speed:
+        ctx.add(
+            "IL1014",
+            f"overlaps.{name}: the length follows from {spec.speed:g} km/h, and trains are shown up to {shown}",
+            at,
+            "remove `speed`: the length then follows from `entry_speed`; or state an `entry_speed` of no more",
+        )
+        return None
     if spec.swing and (spec.ways or spec.entry_speed):
         ctx.add(
             "IL1014",
@@ -101,6 +114,16 @@ def _metres(ctx: Context, name: str, spec: OverlapSpec) -> float | None:
         ctx.add("IL1014", f"overlaps.{name}: `release` and `release_by_length` are two times", at, "remove one of them")
         return None
     return metres
+
+
+def _falls_beside(ctx: Context, what: str, at: Span) -> None:
+    """Report a gradient beside a length that does not follow from it."""
+    ctx.add(
+        "IL1014",
+        f"{what}: `falling` counts only where the length follows from a speed",
+        at,
+        "remove it, or state the speed in place of the length: `speed`, or `entry_speed` alone",
+    )
 
 
 def _ways(ctx: Context, name: str, spec: OverlapSpec, wiring: Wiring) -> list[OverlapWay]:
@@ -131,6 +154,9 @@ def _way_metres(ctx: Context, name: str, i: int, way: OverlapWaySpec) -> float |
             at,
             "for instance `{over: [q7], length: 50, entry_speed: 40}`",
         )
+        return None
+    if way.falling and way.length is not None:
+        _falls_beside(ctx, f"overlaps.{name}.ways", at)
         return None
     return metres
 
