@@ -267,6 +267,45 @@ def test_what_is_told_apart_and_what_is_refused(
     assert [([t.section for t in w], entry_speed(layout, x, w)) for w in found if layout is not None] == held
 
 
+IN_T = "ways: [{over: [T], length: 150"
+
+
+@pytest.mark.parametrize(
+    ("overlap", "code", "words", "fix"),
+    [
+        (
+            f"{{successive: yes, entry_speed: 40, {IN_T}}}]}}",
+            "IL2027",
+            "the successive overlap of X would",
+            "length: 460",
+        ),
+        (f"{{length: 150, entry_speed: 40, {IN_T}, entry_speed: 60}}]}}", "IL2027", "for up to 40 km/h", "before T"),
+        (f"{{speed: 60, entry_speed: 40, {IN_T}}}]}}", "IL2027", "of 100 m for up to 40 km/h", "ends with a2"),
+        (
+            f"{{length: 60, entry_speed: 40, {IN_T}}}, {{over: [T, d1], length: 300}}]}}",
+            "IL1014",
+            "entry over T",
+            "first",
+        ),
+        (f"{{length: 60, entry_speed: 40, {IN_T}}}, {{over: [T], length: 300}}]}}", "IL1014", "entry over T", "first"),
+        ("{length: 60, entry_speed: 40, ways: [{over: [], length: 150}]}", "IL1012", "of at least one", "[one]"),
+    ],
+)
+def test_what_would_count_for_nothing_is_told_with_what_to_write(overlap: str, code: str, words: str, fix: str) -> None:
+    sink = Sink()
+    assert load_text("x.yaml", TEXT.replace(f"X: {SHORT}", f"X: {overlap}"), sink)[0] is None
+    (shown,) = [d for d in sink.diagnostics if d.severity is Severity.ERROR]
+    assert shown.code == code and words in shown.message and fix in shown.fix, (shown.message, shown.fix)
+    assert "inf" not in shown.message.split() and "inf" not in shown.fix
+
+
+def test_an_own_speed_that_a_way_repeats_is_not_lost() -> None:
+    text = TEXT.replace(
+        f"X: {SHORT}", "X: {length: 150, entry_speed: 60, ways: [{over: [T], length: 150, entry_speed: 60}]}"
+    )
+    assert load_text("x.yaml", text, Sink())[0] is not None
+
+
 BESIDE = """
 interlock: 1
 name: beside

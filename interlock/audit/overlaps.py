@@ -60,7 +60,8 @@ def short(layout: Layout, signal: SignalId) -> dict[tuple[Move, ...], int]:
 def _passages(layout: Layout, over: tuple[Move, ...], section: SectionId) -> int:
     """In how many ways a vehicle can run through a section, from where moves come into it to where they leave it."""
     inside = [m for m in over if layout.track.section_of(m.edge) == section]
-    todo, found = [(inside[0],)], 0
+    todo: list[tuple[Move, ...]] = [(inside[0],)]
+    found = 0
     while todo:
         moves = todo.pop()
         found += moves[-1].node == inside[-1].node
