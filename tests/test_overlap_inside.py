@@ -39,6 +39,7 @@ from interlock.proof.system.transition import System
 from interlock.simulate import simulate
 from interlock.simulate.world import World
 from interlock.table.columns import COLUMNS
+from interlock.table.matrix import beyond_matrix
 from interlock.table.printed import Printed
 from interlock.table.rows import InterlockingTable
 from interlock.verify import Rejected
@@ -74,6 +75,14 @@ def test_the_short_one_has_its_speed_its_end_and_its_points_and_the_long_one_oth
     assert cell["overlap"] == "o1: a2; o2: a2, T" and cell["overlap_points"] == "o2: 1 N" and cell["speed"] == "o1: 40"
     hostile = {r.id: {*r.locking.hostile.routes} for r in table.routes}
     assert "B-Z" not in hostile["A-X"] and {"B-Z.o2", "Z-E"} <= hostile["A-X.o2"] and "Z-E" not in hostile["A-X"]
+
+
+def test_hostile_pairs_beside_the_matrix_say_with_which_overlaps_they_are() -> None:
+    """`A-X` would mean both of its overlaps; with the short one it is hostile to nobody of the other line."""
+    _, table = made(TEXT)
+    assert {(x.a, x.b) for x in beyond_matrix(table)} == {("A-X.o2", "B-Z.o2"), ("A-X.o2", "Z-E"), ("B-Z.o2", "X-E")}
+    _, alone = made(TEXT.replace(SHORT, "{length: 150}"))
+    assert {(x.a, x.b) for x in beyond_matrix(alone)} == {("A-X", "B-Z"), ("A-X", "Z-E"), ("B-Z", "X-E")}
 
 
 def test_it_is_proved_and_the_second_checker_asks_for_the_same() -> None:
