@@ -42,6 +42,7 @@ from tests.written import told
 
 PATH = "tests/layouts_for_tests/entry_speeds.yaml"
 TEXT = Path(PATH).read_text("utf-8")
+SPEEDS = ("v Fahrweg (km/h)", "v D-Weg (km/h)")
 
 
 def made(text: str) -> tuple[Layout, InterlockingTable]:
@@ -76,8 +77,11 @@ def test_each_overlap_has_its_speed_its_points_and_its_end_in_one_printed_row() 
         ("X3", "D1", "", "200", "330", "330", "P2+, P3+", "q4, q5, q6", "q3", "500", "88", ""),
         ("X3", "D2", "40", "60", "100", "100", "P2−", "q4, q7", "q3", "500", "88", ""),
     )
-    # the lower of two speeds counts: the points permit 60 km/h, the overlap 50
+    # the lower of two speeds counts: the points permit 60 km/h, the overlap 50; the German form has a column for each
     assert {r.signal.speed.kmh for r in table.routes if r.exit == "X8"} == {50}
+    fields = [h.de for h in form["de_sslz"].headings]
+    speeds = {r[0]: tuple(r[fields.index(c)] for c in SPEEDS) for r in form["de_sslz"].rows}
+    assert speeds["X2/X8"] == ("60", "50") and speeds["X2/X3"] == ("", "D2: 40"), speeds
 
 
 def test_an_overlap_that_ends_within_a_section_holds_all_of_it() -> None:
