@@ -111,7 +111,7 @@ def entry_speed(layout: Layout, signal: SignalId, ways: Iterable[Traversal]) -> 
     return dict(layout.overlaps.entry_speeds).get(signal) if own is None else own.entry
 
 
-def route_speed(layout: Layout, ways: Iterable[Traversal], signal: str, overlap: Sequence[Traversal]) -> int | None:
+def route_speed(layout: Layout, ways: Collection[Traversal], signal: str, overlap: Sequence[Traversal]) -> int | None:
     """The highest speed (km/h) for a route to a signal: the lowest stated along its path, or for its overlap (R11)."""
     found = [path_speed(layout, ways), entry_speed(layout, SignalId(signal), overlap) if overlap else None]
     return min((v for v in found if v is not None), default=None)
