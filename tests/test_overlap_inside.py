@@ -40,6 +40,7 @@ from interlock.simulate import simulate
 from interlock.simulate.world import World
 from interlock.table.columns import COLUMNS
 from interlock.table.matrix import beyond_matrix
+from interlock.table.national import national_sheets
 from interlock.table.printed import Printed
 from interlock.table.rows import InterlockingTable
 from interlock.verify import Rejected
@@ -75,6 +76,17 @@ def test_the_short_one_has_its_speed_its_end_and_its_points_and_the_long_one_oth
     assert cell["overlap"] == "o1: a2; o2: a2, T" and cell["overlap_points"] == "o2: 1 N" and cell["speed"] == "o1: 40"
     hostile = {r.id: {*r.locking.hostile.routes} for r in table.routes}
     assert "B-Z" not in hostile["A-X"] and {"B-Z.o2", "Z-E"} <= hostile["A-X.o2"] and "Z-E" not in hostile["A-X"]
+
+
+def test_the_chinese_form_tells_each_overlap_though_it_has_no_column_for_them() -> None:
+    layout, table = made(TEXT.replace("profile: de", "profile: cn"))
+    (form,) = national_sheets(layout, table)
+    other = [h.zh for h in form.headings].index("其他联锁")
+    row = next(r for r in form.rows if "A" in r[5])
+    assert row[other] == "o1: 保护区段 a2，限速 40 km/h; o2: 保护区段 a2、T，道岔 1"
+    assert any("保护区段" in sign for sign, _ in form.legend)
+    plain = national_sheets(*made(TEXT.replace("profile: de", "profile: cn").replace(SHORT, "{length: 0}")))[0]
+    assert not any("保护区段" in x for r in plain.rows for x in r) and len(plain.legend) < len(form.legend)
 
 
 def test_hostile_pairs_beside_the_matrix_say_with_which_overlaps_they_are() -> None:
