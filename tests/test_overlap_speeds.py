@@ -74,8 +74,8 @@ def test_each_overlap_has_its_speed_its_points_and_its_end_in_one_printed_row() 
     assert sum(",X2,X3," in line for line in table_csv(table).splitlines()) == 1
     form = {s.key: s for s in national_sheets(layout, table)}
     assert form["de_ssld"].rows[:2] == (
-        ("X3", "D1", "", "200", "330", "330", "P2+, P3+", "q4, q5, q6", "q3", "500", "88", ""),
-        ("X3", "D2", "40", "60", "100", "100", "P2−", "q4, q7", "q3", "500", "88", ""),
+        ("X3", "D1", "", "200", "330", "330", "P2+, P3+", "q4, q5, q6", "q3", "500", "133", ""),
+        ("X3", "D2", "40", "60", "100", "100", "P2−", "q4, q7", "q3", "500", "133", ""),
     )
     # the lower of two speeds counts: the points permit 60 km/h, the overlap 50; the German form has a column for each
     assert {r.signal.speed.kmh for r in table.routes if r.exit == "X8"} == {50}
@@ -112,7 +112,7 @@ def test_it_is_proved_and_the_second_checker_asks_for_it() -> None:
         ("entry_speed: 40", "entry_speed: 30"),
         ("entry_speed: 50, falling: 2", "length: 120"),
         ("release: 62", "release: 70"),
-        ("release_by_length: yes", "release: 90"),
+        ("release_by_length: yes", "release: 140"),
     ):
         with pytest.raises(Rejected):
             agree(loaded(TEXT.replace(old, new)), *system[1:], specification.shipped())
@@ -215,11 +215,14 @@ def test_a_gradient_that_counts_for_nothing_is_not_read_by_the_second_checker() 
 
 
 def test_the_release_by_length_follows_section_and_speed() -> None:
-    """Through 500 m at half of 80 km/h, then 5 s and the braking of a train that has 80 km/h: 45 s and 42 s."""
+    """Through 500 m at half of the 40 km/h that the slowest train is shown, then 5 s and the braking of one that has
+    80 km/h: 90 s and 42 s; where no entry speed is stated, at half of 80 km/h: 45 s and 42 s."""
     layout, _ = made(TEXT)
-    assert dict(layout.overlaps.releases) == {"X3": 88.0, "X8": 62.0}
+    assert dict(layout.overlaps.releases) == {"X3": 133.0, "X8": 62.0}
     timers = {t.name: t.preset_ms for t in lower(layout, derive(layout, Sink())).timers}
-    assert timers["OT_X3"] == 88_000 and timers["OT_X8"] == 62_000
+    assert timers["OT_X3"] == 133_000 and timers["OT_X8"] == 62_000
+    whole, _ = made(TEXT.replace("length: 60, entry_speed: 40", "length: 60"))
+    assert dict(whole.overlaps.releases)["X3"] == 88.0
     slow, _ = made(TEXT + "sections:\n  q3: {speed: 40}\n")
     assert dict(slow.overlaps.releases)["X3"] == 114.0
 

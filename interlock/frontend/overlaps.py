@@ -174,9 +174,13 @@ def with_releases(ctx: Context, layout: Layout) -> Layout:
 
 
 def _by_length(layout: Layout, g: SignalId) -> float:
+    """Seconds; a train that was shown an entry speed takes longer through the section before the signal."""
     signal, topo = layout.signalling.signal[g], topology(layout)
     before = topo.beyond(layout.track.section_of(signal.into), signal.node)
     assert before is not None  # the signal stands inside the layout
     metres = max((t.length for t in topo.traversals[before] if t.exit == signal.node), default=0.0)
-    kmh = layout.track.section[before].speed or layout.principles.line_speed_kmh
+    there = layout.track.section[before].speed or layout.principles.line_speed_kmh
+    shown = [v for h, v in layout.overlaps.entry_speeds if h == g]
+    shown += [w.entry for w in layout.overlaps.ways if w.signal == g and w.entry is not None]
+    kmh = min([there, *shown])
     return stand_s(metres, kmh, needs(layout).stand[g])
