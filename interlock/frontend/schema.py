@@ -310,7 +310,7 @@ class OverlapSpec(_Part):
         None,
     )
     release_by_length: YesNo = key(
-        "released after the time to run through the section before the signal at half its (or entry) speed, and to stop",
+        "released after the time to run through the section before it at half its (or entry) speed, and to stop",
         False,
     )
     not_over: list[End] = key("sections, and legs of points (`P.reverse`), over none of which an alternative leads", [])
