@@ -193,6 +193,8 @@ def test_a_forgotten_entry_speed_is_killed_by_proof_and_by_trains_in_metres() ->
         ("length: 200", "length: 200\n    falling: 3", "IL1014", "`falling` counts only where the length follows"),
         ("length: 60, entry_speed: 40", "length: 60, entry_speed: 40, falling: 3", "IL1014", "counts only where"),
         ("length: 200", "successive: yes\n    falling: 3", "IL1014", "counts only where"),
+        ("entry_speed: 50, falling: 2, release: 62", "speed: 40, falling: -20", "IL1014", "nothing is left"),
+        ("entry_speed: 50, falling: 2", "entry_speed: 50, falling: -25", "IL1014", "nothing is left"),
         ("entry_speed: 50, falling: 2", "speed: 40, entry_speed: 50", "IL1014", "are shown up to 50"),
         ("release_by_length: yes", "release_by_length: yes\n    release: 60", "IL1014", "two times"),
         ("release: 62", "release: 41", "IL3023", "42.0 s are needed"),

@@ -86,6 +86,10 @@ def _metres(ctx: Context, name: str, spec: OverlapSpec) -> float | None:
             "for instance `{length: 180}`, `{speed: 60, falling: 5}` or `{successive: yes}`",
         )
         return None
+    if metres == 0 and spec.length is None:
+        rise = f"overlaps.{name}: for a rise of {-spec.falling:g} permille nothing is left of the length"
+        ctx.add("IL1014", rise, at, "state the `length`; for no overlap at all: `length: 0`")
+        return None
     if metres == 0 and (spec.ways or spec.entry_speed or spec.release or spec.release_by_length):
         ctx.add("IL1014", f"overlaps.{name}: there is no overlap of 0 m", at, "give its length, or its `entry_speed`")
         return None
