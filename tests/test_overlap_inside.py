@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from interlock.audit import audit
+from interlock.audit import overlaps as audit_overlaps
 from interlock.checker import specification
 from interlock.checker.check import agree
 from interlock.checker.lengths import Lengths
@@ -23,7 +24,7 @@ from interlock.frontend import load_text
 from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
 from interlock.logic.plant import assumed_of
-from interlock.model.elements import SignalId
+from interlock.model.elements import OverlapWay, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.measured import measured
 from interlock.model.overlap import entry_speed, overlap_paths
@@ -38,6 +39,8 @@ from interlock.proof.system.transition import System
 from interlock.simulate import simulate
 from interlock.simulate.world import World
 from interlock.table.columns import COLUMNS
+from interlock.table.matrix import beyond_matrix
+from interlock.table.national import national_sheets
 from interlock.table.printed import Printed
 from interlock.table.rows import InterlockingTable
 from interlock.verify import Rejected
@@ -73,6 +76,25 @@ def test_the_short_one_has_its_speed_its_end_and_its_points_and_the_long_one_oth
     assert cell["overlap"] == "o1: a2; o2: a2, T" and cell["overlap_points"] == "o2: 1 N" and cell["speed"] == "o1: 40"
     hostile = {r.id: {*r.locking.hostile.routes} for r in table.routes}
     assert "B-Z" not in hostile["A-X"] and {"B-Z.o2", "Z-E"} <= hostile["A-X.o2"] and "Z-E" not in hostile["A-X"]
+
+
+def test_the_chinese_form_tells_each_overlap_though_it_has_no_column_for_them() -> None:
+    layout, table = made(TEXT.replace("profile: de", "profile: cn"))
+    (form,) = national_sheets(layout, table)
+    other = [h.zh for h in form.headings].index("其他联锁")
+    row = next(r for r in form.rows if "A" in r[5])
+    assert row[other] == "o1: 保护区段 a2，限速 40 km/h; o2: 保护区段 a2、T，道岔 1"
+    assert any("保护区段" in sign for sign, _ in form.legend)
+    plain = national_sheets(*made(TEXT.replace("profile: de", "profile: cn").replace(SHORT, "{length: 0}")))[0]
+    assert not any("保护区段" in x for r in plain.rows for x in r) and len(plain.legend) < len(form.legend)
+
+
+def test_hostile_pairs_beside_the_matrix_say_with_which_overlaps_they_are() -> None:
+    """`A-X` would mean both of its overlaps; with the short one it is hostile to nobody of the other line."""
+    _, table = made(TEXT)
+    assert {(x.a, x.b) for x in beyond_matrix(table)} == {("A-X.o2", "B-Z.o2"), ("A-X.o2", "Z-E"), ("B-Z.o2", "X-E")}
+    _, alone = made(TEXT.replace(SHORT, "{length: 150}"))
+    assert {(x.a, x.b) for x in beyond_matrix(alone)} == {("A-X", "B-Z"), ("A-X", "Z-E"), ("B-Z", "X-E")}
 
 
 def test_it_is_proved_and_the_second_checker_asks_for_the_same() -> None:
@@ -266,6 +288,45 @@ def test_what_is_told_apart_and_what_is_refused(
     assert [([t.section for t in w], entry_speed(layout, x, w)) for w in found if layout is not None] == held
 
 
+IN_T = "ways: [{over: [T], length: 150"
+
+
+@pytest.mark.parametrize(
+    ("overlap", "code", "words", "fix"),
+    [
+        (
+            f"{{successive: yes, entry_speed: 40, {IN_T}}}]}}",
+            "IL2027",
+            "the successive overlap of X would",
+            "length: 460",
+        ),
+        (f"{{length: 150, entry_speed: 40, {IN_T}, entry_speed: 60}}]}}", "IL2027", "for up to 40 km/h", "before T"),
+        (f"{{speed: 60, entry_speed: 40, {IN_T}}}]}}", "IL2027", "of 100 m for up to 40 km/h", "ends with a2"),
+        (
+            f"{{length: 60, entry_speed: 40, {IN_T}}}, {{over: [T, d1], length: 300}}]}}",
+            "IL1014",
+            "entry over T",
+            "first",
+        ),
+        (f"{{length: 60, entry_speed: 40, {IN_T}}}, {{over: [T], length: 300}}]}}", "IL1014", "entry over T", "first"),
+        ("{length: 60, entry_speed: 40, ways: [{over: [], length: 150}]}", "IL1012", "of at least one", "[one]"),
+    ],
+)
+def test_what_would_count_for_nothing_is_told_with_what_to_write(overlap: str, code: str, words: str, fix: str) -> None:
+    sink = Sink()
+    assert load_text("x.yaml", TEXT.replace(f"X: {SHORT}", f"X: {overlap}"), sink)[0] is None
+    (shown,) = [d for d in sink.diagnostics if d.severity is Severity.ERROR]
+    assert shown.code == code and words in shown.message and fix in shown.fix, (shown.message, shown.fix)
+    assert "inf" not in shown.message.split() and "inf" not in shown.fix
+
+
+def test_an_own_speed_that_a_way_repeats_is_not_lost() -> None:
+    text = TEXT.replace(
+        f"X: {SHORT}", "X: {length: 150, entry_speed: 60, ways: [{over: [T], length: 150, entry_speed: 60}]}"
+    )
+    assert load_text("x.yaml", text, Sink())[0] is not None
+
+
 BESIDE = """
 interlock: 1
 name: beside
@@ -295,6 +356,51 @@ def test_where_two_ways_come_together_nobody_knows_how_many_metres_a_train_has_r
     assert load_text("beside.yaml", BESIDE, sink)[0] is None
     (shown,) = [d for d in sink.diagnostics if d.code == "IL2026"]
     assert "comes to its sections on another way" in shown.message
+
+
+TWO_WAYS = """
+interlock: 1
+name: two_ways
+profile: de
+principles: {flank_space: no}
+boundaries:
+  W: {approach: w0 1200, trains: in}
+  F: {approach: f0 1200, trains: in}
+  E: {approach: e0 1200, trains: out}
+tracks:
+  m: [W, a1 700]
+  long: [a2 80]
+  k: [a2 15]
+  o: [F, c1 700, c2 80]
+  n: [d1 300, E]
+points:
+  2: {section: a2, toe: m.end, normal: long.start, reverse: 3.reverse, legs: 8, fouling: 3}
+  3: {section: a2, toe: k.start, normal: long.end, legs: 8, fouling: 3}
+  1: {section: T, legs: 40, toe: n.start, normal: k.end, reverse: o.end}
+signals:
+  A: {from: W,  into: a1}
+  B: {from: F,  into: c1}
+  X: {from: a1, into: a2}
+  Z: {from: c1, into: c2}
+overlaps:
+  X: {length: 60, entry_speed: 40}
+  Z: {length: 60, entry_speed: 40}
+"""
+
+
+def test_where_two_ways_lead_through_its_section_a_train_may_have_run_fewer_metres() -> None:
+    """Over 2 and 3 reverse the end of a2 is 47 m from X: a train that needs 60 m runs on into T."""
+    text = TWO_WAYS.replace("X: {length: 60, entry_speed: 40}", f"X: {SHORT}")
+    sink = Sink()
+    assert load_text("two_ways.yaml", text, sink)[0] is None
+    (shown,) = [d for d in sink.diagnostics if d.code == "IL2026"]
+    assert "two ways lead through a2" in shown.message and "cut a2" in (shown.fix or "")
+    lengths = Lengths(Railway(loaded(text)))
+    assert lengths.short(lengths.r.signals["X"]) == {}
+    layout, _ = made(TWO_WAYS)
+    way = OverlapWay(SignalId("X"), (SectionId("T"),), 150.0, None)
+    layout = replace(layout, overlaps=replace(layout.overlaps, ways=(way,)))
+    assert audit_overlaps.short(layout, SignalId("X")) == {} and measured(layout).apart == {}
 
 
 def inside_at_random(seed: int) -> str:

@@ -42,6 +42,7 @@ from tests.written import told
 
 PATH = "tests/layouts_for_tests/entry_speeds.yaml"
 TEXT = Path(PATH).read_text("utf-8")
+SPEEDS = ("v Fahrweg (km/h)", "v D-Weg (km/h)")
 
 
 def made(text: str) -> tuple[Layout, InterlockingTable]:
@@ -73,11 +74,14 @@ def test_each_overlap_has_its_speed_its_points_and_its_end_in_one_printed_row() 
     assert sum(",X2,X3," in line for line in table_csv(table).splitlines()) == 1
     form = {s.key: s for s in national_sheets(layout, table)}
     assert form["de_ssld"].rows[:2] == (
-        ("X3", "D1", "", "200", "330", "330", "P2+, P3+", "q4, q5, q6", "q3", "500", "88", ""),
-        ("X3", "D2", "40", "60", "100", "100", "P2−", "q4, q7", "q3", "500", "88", ""),
+        ("X3", "D1", "", "200", "330", "330", "P2+, P3+", "q4, q5, q6", "q3", "500", "133", ""),
+        ("X3", "D2", "40", "60", "100", "100", "P2−", "q4, q7", "q3", "500", "133", ""),
     )
-    # the lower of two speeds counts: the points permit 60 km/h, the overlap 50
+    # the lower of two speeds counts: the points permit 60 km/h, the overlap 50; the German form has a column for each
     assert {r.signal.speed.kmh for r in table.routes if r.exit == "X8"} == {50}
+    fields = [h.de for h in form["de_sslz"].headings]
+    speeds = {r[0]: tuple(r[fields.index(c)] for c in SPEEDS) for r in form["de_sslz"].rows}
+    assert speeds["X2/X8"] == ("60", "50") and speeds["X2/X3"] == ("", "D2: 40"), speeds
 
 
 def test_an_overlap_that_ends_within_a_section_holds_all_of_it() -> None:
@@ -108,7 +112,7 @@ def test_it_is_proved_and_the_second_checker_asks_for_it() -> None:
         ("entry_speed: 40", "entry_speed: 30"),
         ("entry_speed: 50, falling: 2", "length: 120"),
         ("release: 62", "release: 70"),
-        ("release_by_length: yes", "release: 90"),
+        ("release_by_length: yes", "release: 140"),
     ):
         with pytest.raises(Rejected):
             agree(loaded(TEXT.replace(old, new)), *system[1:], specification.shipped())
@@ -186,10 +190,16 @@ def test_a_forgotten_entry_speed_is_killed_by_proof_and_by_trains_in_metres() ->
         ("length: 200", "length: 200\n    swing: yes", "IL1014", "does not swing"),
         ("length: 200", "length: 0", "IL1014", "no overlap of 0 m"),
         ("X2: {length: 0}", "X2: {length: 0, release: 60}", "IL1014", "no overlap of 0 m"),
+        ("length: 200", "length: 200\n    falling: 3", "IL1014", "`falling` counts only where the length follows"),
+        ("length: 60, entry_speed: 40", "length: 60, entry_speed: 40, falling: 3", "IL1014", "counts only where"),
+        ("length: 200", "successive: yes\n    falling: 3", "IL1014", "counts only where"),
+        ("entry_speed: 50, falling: 2, release: 62", "speed: 40, falling: -20", "IL1014", "nothing is left"),
+        ("entry_speed: 50, falling: 2", "entry_speed: 50, falling: -25", "IL1014", "nothing is left"),
+        ("entry_speed: 50, falling: 2", "speed: 40, entry_speed: 50", "IL1014", "are shown up to 50"),
         ("release_by_length: yes", "release_by_length: yes\n    release: 60", "IL1014", "two times"),
         ("release: 62", "release: 41", "IL3023", "42.0 s are needed"),
         ("length: 200", "speed: 60\n    falling: -1000.5", "IL1014", "no gradient"),
-        ("X2: {length: 0}", "X2: {speed: 60, falling: -20}", "IL1014", "rises by 20 permille"),
+        ("X2: {length: 0}", "X2: {speed: 60, falling: -20}", "IL1014", "rise of 20 permille"),
     ],
 )
 def test_what_cannot_be_is_said(old: str, new: str, code: str, words: str) -> None:
@@ -209,12 +219,26 @@ def test_no_overlap_is_lost_by_a_gradient(falling: str) -> None:
         )
 
 
+def test_a_gradient_that_counts_for_nothing_is_not_read_by_the_second_checker() -> None:
+    for old, new in (
+        ("length: 200", "length: 200\n    falling: 3"),
+        ("length: 200", "successive: yes\n    falling: 3"),
+        ("length: 60, entry_speed: 40", "length: 60, entry_speed: 40, falling: 3"),
+    ):
+        assert old in TEXT
+        with pytest.raises(Unread):
+            Railway(loaded(TEXT.replace(old, new)))
+
+
 def test_the_release_by_length_follows_section_and_speed() -> None:
-    """Through 500 m at half of 80 km/h, then 5 s and the braking of a train that has 80 km/h: 45 s and 42 s."""
+    """Through 500 m at half of the 40 km/h that the slowest train is shown, then 5 s and the braking of one that has
+    80 km/h: 90 s and 42 s; where no entry speed is stated, at half of 80 km/h: 45 s and 42 s."""
     layout, _ = made(TEXT)
-    assert dict(layout.overlaps.releases) == {"X3": 88.0, "X8": 62.0}
+    assert dict(layout.overlaps.releases) == {"X3": 133.0, "X8": 62.0}
     timers = {t.name: t.preset_ms for t in lower(layout, derive(layout, Sink())).timers}
-    assert timers["OT_X3"] == 88_000 and timers["OT_X8"] == 62_000
+    assert timers["OT_X3"] == 133_000 and timers["OT_X8"] == 62_000
+    whole, _ = made(TEXT.replace("length: 60, entry_speed: 40", "length: 60"))
+    assert dict(whole.overlaps.releases)["X3"] == 88.0
     slow, _ = made(TEXT + "sections:\n  q3: {speed: 40}\n")
     assert dict(slow.overlaps.releases)["X3"] == 114.0
 

@@ -9,6 +9,7 @@ from itertools import pairwise
 from interlock.audit.walk import Frozen, Move, Trip, signal_distance, signal_facing, steps
 from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId
 from interlock.model.layout import Layout, of_layout
+from interlock.table.rows import RouteRow
 
 
 @dataclass(frozen=True)
@@ -48,6 +49,35 @@ def unused_places(layout: Layout, trip: Trip) -> list[Place]:
                         for e in arm
                     ]
     return out
+
+
+def requester(place: Place) -> str:
+    """A place as the table names it: the leg of a point, or the end of a crossing or slip."""
+    if place.leg is not None:
+        return f"{place.point}.{'normal' if place.leg is Position.NORMAL else 'reverse'}"
+    return place.edge.removesuffix("x")
+
+
+def comes_in(layout: Layout, place: Place, frozen: Frozen, told: Collection[str]) -> bool:
+    """Whether a vehicle can come to a place from outside, as frozen points lie, past none of the signals told of."""
+    todo, seen = [Move(place.edge, place.node)], set[Move]()
+    while todo:
+        here = todo.pop()
+        e = layout.track.edge[here.edge]
+        if here in seen or (e.one_way and here.node != e.b):
+            continue
+        seen.add(here)
+        rear = layout.track.far(here.edge, here.node)
+        g = signal_facing(layout, rear, here.edge)
+        if g is not None and g.id in told and _stops(layout, rear, here.edge, place):
+            continue
+        boundary = layout.track.boundary_at.get(rear)
+        if boundary is not None and boundary.kind is not BoundaryKind.OUT:
+            return True
+        if boundary is None and rear != place.node and rear not in layout.track.buffer_at:
+            before = (Move(x.id, rear) for x in layout.track.edges_at[rear] if x.id != here.edge)
+            todo += [m for m in before if any(x == here for x, _ in steps(layout, m, frozen))]
+    return False
 
 
 def open_flanks(layout: Layout, trip: Trip, frozen: Frozen) -> list[Place]:
@@ -191,3 +221,39 @@ def _stops(layout: Layout, node: NodeId, onto: EdgeId, place: Place) -> bool:
     if g is None:
         return False
     return signal_distance(layout, place.node, place.edge, g, place.clear_of) is None
+
+
+def flank(layout: Layout, r: RouteRow, trip: Trip, movements: Movements) -> Iterator[tuple[str, str]]:
+    """What the audit sees otherwise in the flank protection of a route: the column, and what is wrong."""
+    frozen = {p.machine: p.position for p in r.locking.points}
+    waived = {(w.point, w.leg) for w in layout.declared.waivers}
+    for place in open_flanks(layout, trip, frozen):
+        if (place.point, place.leg) not in waived:
+            yield ("flank", f"a vehicle can reach {place.name}")
+    for m in sorted(crossovers_to_lie_normal(layout, trip)):
+        if frozen.get(m) is not Position.NORMAL:
+            yield ("flank", f"the crossover {m} of a scissors does not lie normal")
+    yield from _cells(layout, r, trip, frozen)
+    needed_clear, possible = flank_space(layout, trip, frozen, waived, movements)
+    asked = {(c.name, c.lamp) for c in r.clear.space}
+    if not needed_clear <= asked <= possible:
+        odd = sorted(name for name, _ in (needed_clear - asked) | (asked - possible))
+        yield ("space", f"differs in {', '.join(odd)}")
+
+
+def _cells(layout: Layout, r: RouteRow, trip: Trip, frozen: Frozen) -> Iterator[tuple[str, str]]:
+    """What is said of each place: a cell for each; its points are locked so, and its signals suffice."""
+    places = {requester(p): p for p in unused_places(layout, trip)}
+    cells = {c.requester: c.providers for c in r.locking.flank}
+    waived = {(w.point, w.leg) for w in layout.declared.waivers}
+    if places.keys() != cells.keys() or len(cells) < len(r.locking.flank):
+        yield ("flank", f"places to protect are {', '.join(sorted(places)) or 'none'}")
+    for name in sorted(places.keys() & cells.keys()):
+        place = places[name]
+        given_up = any(p.kind == "waived" for p in cells[name])
+        if any(p.kind == "point" and frozen.get(MachineId(p.name)) != p.position for p in cells[name]):
+            yield ("flank", f"a point that is told to protect {name} is not locked so")
+        if given_up and (place.point, place.leg) not in waived:
+            yield ("flank", f"nobody gives up the protection of {name}")
+        if not given_up and comes_in(layout, place, frozen, {p.name for p in cells[name] if p.kind == "signal"}):
+            yield ("flank", f"what is told to protect {name} does not suffice")

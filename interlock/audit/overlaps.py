@@ -51,8 +51,22 @@ def short(layout: Layout, signal: SignalId) -> dict[tuple[Move, ...], int]:
         if kmh is None or not longer or any(v is not None and v <= kmh for v in others):
             continue
         first = _first_moves(layout, a)
-        if all(_along(a, b, first, _first_moves(layout, b)) for b in plain):
+        along = all(_along(a, b, first, _first_moves(layout, b)) for b in plain)
+        if along and all(_passages(layout, a.over, s) == 1 for s in first):
             found[a.over] = kmh
+    return found
+
+
+def _passages(layout: Layout, over: tuple[Move, ...], section: SectionId) -> int:
+    """In how many ways a vehicle can run through a section, from where moves come into it to where they leave it."""
+    inside = [m for m in over if layout.track.section_of(m.edge) == section]
+    todo: list[tuple[Move, ...]] = [(inside[0],)]
+    found = 0
+    while todo:
+        moves = todo.pop()
+        found += moves[-1].node == inside[-1].node
+        onward = (m for m, _ in steps(layout, moves[-1]) if layout.track.section_of(m.edge) == section)
+        todo += [(*moves, m) for m in onward if all(m.edge != x.edge for x in moves)]
     return found
 
 

@@ -14,7 +14,7 @@ from itertools import pairwise, product
 from interlock.audit.added import added, chosen, declared
 from interlock.audit.approach import approach_sections
 from interlock.audit.aspect import aspect
-from interlock.audit.flank import Movements, crossovers_to_lie_normal, flank_space, open_flanks
+from interlock.audit.flank import flank
 from interlock.audit.foul import Foul, foul_neighbours
 from interlock.audit.overlaps import overlap_speed, overruns, without_speed
 from interlock.audit.own_train import own_train_in_the_way
@@ -24,6 +24,9 @@ from interlock.model.elements import MachineId, NodeId, Position, RouteId, Secti
 from interlock.model.layout import Layout
 from interlock.table.cells import Role
 from interlock.table.rows import InterlockingTable, RouteRow
+
+TENTH_MM = 1e-4
+"""Lengths that differ by less are one length (metres)."""
 
 
 @dataclass(frozen=True)
@@ -84,7 +87,7 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
     for r in table.routes:
         if r.id in matched:
             found += _row(layout, r, matched[r.id], approaches[r.entry])
-            found += _flank(layout, r, matched[r.id], movements)
+            found += (Finding(r.id, *x) for x in flank(layout, r, matched[r.id], movements))
             if r.kind != "identifier":  # set with a route to its signal, and asked about with that one
                 found += [Finding(r.id, "route", why) for why in own_train_in_the_way(layout, r, matched[r.id])]
     found += _driven(layout, table, matched)
@@ -166,6 +169,9 @@ def _row(layout: Layout, r: RouteRow, trip: Trip, come: frozenset[SectionId] | N
         wanted = tuple(s for s in trip.sections if s == trip.sections[0] or standing_place(layout, s))
     if tuple(c.section for c in r.clear.sections) != wanted:
         yield Finding(r.id, "sections", f"the path lies over {', '.join(trip.sections)}")
+    for what, moves, stated in _lengths(r, trip):
+        if abs((metres := sum(layout.track.edge[m.edge].length for m in moves)) - stated) > TENTH_MM:
+            yield Finding(r.id, "length", f"the {what} is {metres:g} m long, not {stated:g}")
     if tuple(s.section for s in r.locking.release) != trip.sections:
         yield Finding(r.id, "release", "the order is not that of the path")
     boundary = layout.track.boundary_at.get(r.path.entry_node)
@@ -213,20 +219,11 @@ def _row(layout: Layout, r: RouteRow, trip: Trip, come: frozenset[SectionId] | N
         yield Finding(r.id, "conditions", f"required are {', '.join(sorted(needed)) or 'none'}")
 
 
-def _flank(layout: Layout, r: RouteRow, trip: Trip, movements: Movements) -> Iterator[Finding]:
-    frozen = {p.machine: p.position for p in r.locking.points}
-    waived = {(w.point, w.leg) for w in layout.declared.waivers}
-    for place in open_flanks(layout, trip, frozen):
-        if (place.point, place.leg) not in waived:
-            yield Finding(r.id, "flank", f"a vehicle can reach {place.name}")
-    for m in sorted(crossovers_to_lie_normal(layout, trip)):
-        if frozen.get(m) is not Position.NORMAL:
-            yield Finding(r.id, "flank", f"the crossover {m} of a scissors does not lie normal")
-    needed_clear, possible = flank_space(layout, trip, frozen, waived, movements)
-    asked = {(c.name, c.lamp) for c in r.clear.space}
-    if not needed_clear <= asked <= possible:
-        odd = sorted(name for name, _ in (needed_clear - asked) | (asked - possible))
-        yield Finding(r.id, "space", f"differs in {', '.join(odd)}")
+def _lengths(r: RouteRow, trip: Trip) -> Iterator[tuple[str, tuple[Move, ...], float]]:
+    """What is stated in metres, over what it leads, and how long it is told to be."""
+    yield "path", trip.run.moves, r.path.length
+    if r.locking.overlap is not None:
+        yield "overlap", trip.over, r.locking.overlap.metres
 
 
 def _driven(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) -> Iterator[Finding]:

@@ -54,9 +54,11 @@ class Lengths(Overlaps):
         if told.get("release_by_length") in ("yes", "true"):
             before = self.before(g)
             kmh = self.kmh(before)
+            shown = [x["entry_speed"] for x in (told, *(told.get("ways") or ())) if "entry_speed" in x]
+            slowest = min([kmh, *map(float, shown)])  # a train that was shown no more takes longer
             ways = self.r.track.ways[before] if before else []
             longest = max((w.length for w in ways if w.exit == g.node), default=0.0)
-            return 1000 * -(-(round(1000 * longest / (kmh / 3.6 / 2)) + self.halt(kmh)) // 1000)
+            return 1000 * -(-(round(1000 * longest / (slowest / 3.6 / 2)) + self.halt(kmh)) // 1000)
         return round(1000 * self._d.rule("overlap_release_s"))
 
     # --- foul joints ---

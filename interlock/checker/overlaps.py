@@ -51,7 +51,8 @@ class Overlaps:
         return {Path(ways): v for ways, v in self._short(g, self._those(g, self._wanted(g))).items()}
 
     def _short(self, g: Signal, plain: list[tuple[Way, ...]]) -> dict[tuple[Way, ...], float]:
-        """A short one is for less than every longer one, and whoever comes to its sections has come along it."""
+        """A short one is for less than every longer one, and whoever comes to its sections has come along it, as
+        through each of them one way alone leads to where it leaves them."""
         found = {}
         for a in plain:
             kmh = self.entry_kmh(g, Path(a))
@@ -59,6 +60,9 @@ class Overlaps:
             mine = {w.section: n for n, w in enumerate(a)}
             elsewhere = any(
                 w.section in mine and (n != mine[w.section] or b[:n] != a[:n]) for b in plain for n, w in enumerate(b)
+            )
+            elsewhere |= any(
+                len([x for x in self.r.track.from_end(w.section, w.entry) if x.exit == w.exit]) > 1 for w in a
             )
             if kmh is not None and longer and not elsewhere and not any(v is not None and v <= kmh for v in longer):
                 found[a] = kmh

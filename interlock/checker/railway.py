@@ -170,7 +170,9 @@ class Railway:
         for g, v in (self.body.get("overlaps") or {}).items():
             known = {"length", "speed", "falling", "successive", "swing", "entry_speed", "release", "release_by_length"}
             own = [set(x) - {"over", "length", "falling", "entry_speed"} for x in v.get("ways") or ()]
-            if set(v) - {*known, "ways", "not_over"} or any(own):
+            falls = [x for x in (v, *(v.get("ways") or ())) if float(x.get("falling", 0))]
+            passed_over = any("length" in x or x.get("successive") in ("yes", "true") for x in falls)
+            if set(v) - {*known, "ways", "not_over"} or any(own) or passed_over:
                 raise Unread(f"something of the overlap of {g}")
         for s, v in (self.body.get("sections") or {}).items():
             if set(v) - {"lane", "one_way", "speed", "detected", "berth"}:

@@ -128,12 +128,16 @@ class Options:
             if allowed(r.partner, Position.NORMAL):
                 yield (Provider(ProviderKind.POINT, r.partner, Position.NORMAL),)
             return
-        found = _outward(self._layout, r, allowed, r.edge, r.node, 0.0, frozenset({r.node}))
+        found = _outward(self._layout, r, allowed, r.edge, r.node, 0.0, frozenset())
         yield from (option for option in found if point_demands(option) is not None)
 
 
+Outward = tuple[EdgeId, NodeId]
+"""An edge, run over outward from a node."""
+
+
 def _outward(
-    layout: Layout, r: Requester, allowed: Allowed, edge: EdgeId, node: NodeId, gone: float, seen: frozenset[NodeId]
+    layout: Layout, r: Requester, allowed: Allowed, edge: EdgeId, node: NodeId, gone: float, seen: frozenset[Outward]
 ) -> Iterator[tuple[Provider, ...]]:
     e = layout.track.edge[edge]
     if e.one_way and e.a == node:
@@ -141,10 +145,10 @@ def _outward(
         return
     far = layout.track.far(edge, node)
     gone += e.length
-    if far in seen:
-        yield ()  # a closed ring: nothing comes from outside
+    if far == r.node or (edge, node) in seen:
+        yield ()  # a closed ring: nothing comes from outside; or over the path itself, which is no flank
         return
-    seen = seen | {far}
+    seen = seen | {(edge, node)}  # round a balloon loop it comes back the other way, as a vehicle could
     if far in layout.track.buffer_at:
         yield (Provider(ProviderKind.BUFFER, far),)
         return

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from pydantic_core import PydanticCustomError
 
+from interlock.diag import Span
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.ports import Wiring
@@ -86,11 +87,23 @@ def _metres(ctx: Context, name: str, spec: OverlapSpec) -> float | None:
         )
         return None
     if metres == 0 and spec.length is None:
-        rise = f"overlaps.{name}: nothing is left of the overlap where the track rises by {-spec.falling:g} permille"
-        ctx.add("IL1014", rise, at, "give its length; `{length: 0}` says that there is none")
+        rise = f"overlaps.{name}: for a rise of {-spec.falling:g} permille nothing is left of the length"
+        ctx.add("IL1014", rise, at, "state the `length`; for no overlap at all: `length: 0`")
         return None
     if metres == 0 and (spec.ways or spec.entry_speed or spec.release or spec.release_by_length):
         ctx.add("IL1014", f"overlaps.{name}: there is no overlap of 0 m", at, "give its length, or its `entry_speed`")
+        return None
+    if spec.falling and (spec.length is not None or spec.successive):
+        _falls_beside(ctx, f"overlaps.{name}", at)
+        return None
+    shown = spec.entry_speed or 0
+    if spec.speed is not None and shown > spec.speed:
+        ctx.add(
+            "IL1014",
+            f"overlaps.{name}: the length follows from {spec.speed:g} km/h, and trains are shown up to {shown}",
+            at,
+            "remove `speed`: the length then follows from `entry_speed`; or state an `entry_speed` of no more",
+        )
         return None
     if spec.swing and (spec.ways or spec.entry_speed):
         ctx.add(
@@ -105,6 +118,16 @@ def _metres(ctx: Context, name: str, spec: OverlapSpec) -> float | None:
         ctx.add("IL1014", f"overlaps.{name}: `release` and `release_by_length` are two times", at, "remove one of them")
         return None
     return metres
+
+
+def _falls_beside(ctx: Context, what: str, at: Span) -> None:
+    """Report a gradient beside a length that does not follow from it."""
+    ctx.add(
+        "IL1014",
+        f"{what}: `falling` counts only where the length follows from a speed",
+        at,
+        "remove it, or state the speed in place of the length: `speed`, or `entry_speed` alone",
+    )
 
 
 def _ways(ctx: Context, name: str, spec: OverlapSpec, wiring: Wiring) -> list[OverlapWay]:
@@ -136,6 +159,9 @@ def _way_metres(ctx: Context, name: str, i: int, way: OverlapWaySpec) -> float |
             "for instance `{over: [q7], length: 50, entry_speed: 40}`",
         )
         return None
+    if way.falling and way.length is not None:
+        _falls_beside(ctx, f"overlaps.{name}.ways", at)
+        return None
     return metres
 
 
@@ -152,9 +178,13 @@ def with_releases(ctx: Context, layout: Layout) -> Layout:
 
 
 def _by_length(layout: Layout, g: SignalId) -> float:
+    """Seconds; a train that was shown an entry speed takes longer through the section before the signal."""
     signal, topo = layout.signalling.signal[g], topology(layout)
     before = topo.beyond(layout.track.section_of(signal.into), signal.node)
     assert before is not None  # the signal stands inside the layout
     metres = max((t.length for t in topo.traversals[before] if t.exit == signal.node), default=0.0)
-    kmh = layout.track.section[before].speed or layout.principles.line_speed_kmh
+    there = layout.track.section[before].speed or layout.principles.line_speed_kmh
+    shown = [v for h, v in layout.overlaps.entry_speeds if h == g]
+    shown += [w.entry for w in layout.overlaps.ways if w.signal == g and w.entry is not None]
+    kmh = min([there, *shown])
     return stand_s(metres, kmh, needs(layout).stand[g])

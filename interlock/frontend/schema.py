@@ -260,7 +260,7 @@ class OverlapWaySpec(Part):
 
     over: list[Name] = key("all of these sections; of several entries that fit, the first counts", least=1)
     length: Metres | None = key("their length in metres; without it, what `entry_speed` and `falling` say", None)
-    falling: Permille = key("permille by which the track falls towards the signal; negative when it rises", 0.0)
+    falling: Permille = key("permille by which the track falls to the signal, or rises (-); not beside `length`", 0.0)
     entry_speed: Speed | None = key(
         "km/h: no train is shown more while one of them is held for it; without it, their length limits no speed", None
     )
@@ -277,7 +277,7 @@ class OverlapSpec(Part):
     speed: Length | None = key(
         "km/h towards the signal, from which the length follows; without it, what `length` or `successive` says", None
     )
-    falling: Permille = key("permille by which the track falls towards the signal; negative when it rises", 0.0)
+    falling: Permille = key("permille by which the track falls to the signal, or rises (-); not beside `length`", 0.0)
     successive: YesNo = key(
         "a successive route (延续进路): as far as the next main signal, a boundary or the end", False
     )
@@ -297,7 +297,7 @@ class OverlapSpec(Part):
         None,
     )
     release_by_length: YesNo = key(
-        "released after the time to run through the section before the signal at half the speed there, and to stop",
+        "released after the time to run through the section before it at half its (or entry) speed, and to stop",
         False,
     )
     not_over: list[End] = key("sections, and legs of points (`P.reverse`), over none of which an alternative leads", [])

@@ -173,7 +173,7 @@ def _value(root: Node, kind: str, path: Loc, on_key: bool, text: str, ctx: Map[s
     """Report a value (or key) that has the wrong shape, or cannot be."""
     code, where = _CODES.get(kind, "IL1012"), ".".join(map(str, path))
     if code == "IL1012":
-        want = _WANT.get(kind, "another shape")
+        want = "a list of at least one" if ctx.get("min_length") == 1 else _WANT.get(kind, "another shape")
         node = node_at(root, path)
         fix = _shape_fix(path, want, node)
         said = f"{where}: {want} is expected here, not {_told(node)}"
@@ -204,6 +204,8 @@ def _shape_fix(path: Loc, want: str, node: Node) -> str:
     in_list = bool(path) and isinstance(path[-1], int)
     if want == "a list of two":
         return f"write two: `{key}: [one, other]`"
+    if want == "a list of at least one":
+        return f"write `{key}: [one]`, or several with commas"
     if want == "a text" and isinstance(node, Sequence) and node.items and isinstance(node.items[0], Scalar):
         one = node.items[0].text
         only = "" if len(node.items) == 1 else "; only one can stand here"

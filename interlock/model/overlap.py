@@ -74,17 +74,23 @@ def told_apart(layout: Layout, signal: SignalId) -> dict[Ways, int]:
     """Alternatives of a signal's overlap that lie inside longer ones and are held alone for trains that were called at
     no more than a speed (km/h): by how a train was called it is known how far it may run on.
 
-    Each longer one is for a higher speed, and no other alternative comes to the sections of the short one on another
-    way, over which fewer metres might lead to its end.
+    Each longer one is for a higher speed; no other alternative comes to the sections of the short one on another way,
+    nor does a second way lead through one of them to its end: over such a way fewer metres might lead there.
     """
     plain = _found(layout, signal) if layout.overlaps.length.get(signal, 0.0) > 0 else []
     found = {}
     for a, longer in ((a, [b for x, b in inside_others(layout, signal) if x == a]) for a in plain):
         kmh, others = entry_speed(layout, signal, a), [entry_speed(layout, signal, b) for b in longer]
         slowest = kmh is not None and longer and all(v is None or v > kmh for v in others)
-        if kmh is not None and slowest and all(_apart_or_along(a, b) for b in plain):
+        if kmh is not None and slowest and all(_apart_or_along(a, b) for b in plain) and not two_ways(layout, a):
             found[a] = kmh
     return found
+
+
+def two_ways(layout: Layout, ways: Ways) -> tuple[SectionId, ...]:
+    """The sections of an overlap through which a second way leads, from the same end to the same end."""
+    topo = topology(layout)
+    return tuple(t.section for t in ways if sum(u.exit == t.exit for u in topo.through(t.section, t.entry)) > 1)
 
 
 def _apart_or_along(a: Ways, b: Ways) -> bool:
@@ -105,7 +111,7 @@ def entry_speed(layout: Layout, signal: SignalId, ways: Iterable[Traversal]) -> 
     return dict(layout.overlaps.entry_speeds).get(signal) if own is None else own.entry
 
 
-def route_speed(layout: Layout, ways: Iterable[Traversal], signal: str, overlap: Sequence[Traversal]) -> int | None:
+def route_speed(layout: Layout, ways: Collection[Traversal], signal: str, overlap: Sequence[Traversal]) -> int | None:
     """The highest speed (km/h) for a route to a signal: the lowest stated along its path, or for its overlap (R11)."""
     found = [path_speed(layout, ways), entry_speed(layout, SignalId(signal), overlap) if overlap else None]
     return min((v for v in found if v is not None), default=None)

@@ -7,7 +7,7 @@ and the strengthening invariants all speak of traversals; the audit walks the ed
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 
 from interlock.model.elements import (
@@ -208,7 +208,7 @@ def topology(layout: Layout) -> Topology:
     return Topology(layout)
 
 
-def path_speed(layout: Layout, ways: Iterable[Traversal]) -> int | None:
+def path_speed(layout: Layout, ways: Collection[Traversal]) -> int | None:
     """The lowest speed in km/h that the layout states along a path; None where it states none (R11)."""
     found = [layout.track.section[t.section].speed for t in ways]
     found += [layout.pointwork.point[p].speed for t in ways for p, x in t.points if x is Position.REVERSE]

@@ -6,10 +6,12 @@ the diagonal of M^T.M counts the routes over a section.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from interlock.model.elements import SectionId
-from interlock.table.printed import Printed
+from interlock.model.elements import RouteId, SectionId
+from interlock.table.cells import Hostile
+from interlock.table.printed import Printed, PrintedRoute, grouped
 from interlock.table.rows import InterlockingTable
 from interlock.table.runs import natural
 
@@ -56,7 +58,7 @@ def matrix(table: InterlockingTable, named_only: bool = False) -> Matrix:
 
 @dataclass(frozen=True)
 class Beyond:
-    """A hostile pair for which M.M^T is 0, with any of their overlaps."""
+    """A hostile pair for which M.M^T is 0: ways with all of their overlaps, or each with one (`A-B.o1`)."""
 
     a: str
     b: str
@@ -66,12 +68,27 @@ class Beyond:
 
 def beyond_matrix(table: InterlockingTable) -> tuple[Beyond, ...]:
     """Hostile pairs that share no section, so that M.M^T does not show them."""
-    found: dict[tuple[str, str, str], Beyond] = {}
+    found: dict[tuple[RouteId, RouteId, str], dict[RouteId, list[Hostile]]] = {}
     ways = Printed(table).ways
     over = {r.id: frozenset(r.path.section_ids) for r in table.routes}
     for r in table.routes:
         for h in r.locking.hostile:
-            if r.number < table.route[h.route].number and not over[r.id] & over[h.route]:
-                pair = (ways[r.id].id, ways[h.route].id, str(h.kind))
-                found.setdefault(pair, Beyond(*pair, h.witness))
-    return tuple(found.values())
+            a, b = ways[r.id].rows[0], ways[h.route].rows[0]
+            if a.number < b.number and over[a.id].isdisjoint(over[b.id]):
+                found.setdefault((a.id, b.id, str(h.kind)), {}).setdefault(r.id, []).append(h)
+    return tuple(x for (way, _, kind), those in found.items() for x in _named(ways, ways[way], kind, those))
+
+
+def _named(
+    ways: Mapping[RouteId, PrintedRoute], way: PrintedRoute, kind: str, those: Mapping[RouteId, list[Hostile]]
+) -> Iterator[Beyond]:
+    """The pairs of two ways, hostile in one manner: as few names as say of which overlaps that is so."""
+    alike: dict[tuple[RouteId, ...], list[RouteId]] = {}
+    for route, hostile in those.items():
+        alike.setdefault(tuple(h.route for h in hostile), []).append(route)
+    for routes in alike.values():
+        others = grouped([(h.route, kind) for h in those[routes[0]]], ways)
+        for one in grouped([(r, kind) for r in routes], ways):
+            for other in others:
+                why = next(h.witness for h in those[one.route] if h.route == other.route)
+                yield Beyond(one.name(), other.name(), kind, why)

@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from math import isfinite
 
 from interlock.frontend.context import Context
 from interlock.model.elements import OverlapWay, SignalId
 from interlock.model.layout import Layout
-from interlock.model.overlap import covered, entry_speed, inside_others, overlap_paths, own_way
+from interlock.model.overlap import covered, entry_speed, inside_others, overlap_paths, own_way, two_ways
 from interlock.model.traversal import Traversal
 
 
@@ -25,12 +26,7 @@ def check_overlaps(ctx: Context, layout: Layout) -> None:
             _covered(ctx, layout, SignalId(g))
         for i, way in enumerate(own):
             if not any(way is x for x in used) and i not in inside:
-                ctx.add(
-                    "IL1014",
-                    f"no overlap of {g} of {way.length:g} m, to the next joint, leads over {', '.join(way.over)}",
-                    ctx.at("overlaps", g, "ways", i),
-                    "name sections that tell this way from the others, as near to the signal as possible",
-                )
+                _unused(ctx, layout, own, i)
     for g in ctx.file.overlaps:
         _bars(ctx, layout, SignalId(g))
 
@@ -62,22 +58,57 @@ def _inside(ctx: Context, layout: Layout, g: SignalId, own: Sequence[OverlapWay]
     return found
 
 
+def _unused(ctx: Context, layout: Layout, own: Sequence[OverlapWay], i: int) -> None:
+    """Report an entry of `ways` that counts for no alternative: an earlier one fits all of them, or there is none."""
+    way = own[i]
+    at = ctx.at("overlaps", way.signal, "ways", i)
+    said = f"no overlap of {way.signal} of {way.length:g} m, to the next joint, leads over {', '.join(way.over)}"
+    before = next((x for x in own[:i] if set(x.over) <= set(way.over)), None)
+    if before is None:
+        fix = "name sections that tell this way from the others, as near to the signal as possible"
+    else:
+        said = f"{said} alone: the entry over {', '.join(before.over)} stands before it and fits, too"
+        fix = "of several entries that fit the first counts: state this one first, or leave one of them"
+    ctx.add("IL1014", said, at, fix)
+
+
 def _covered(ctx: Context, layout: Layout, g: SignalId) -> None:
-    """Report a length of an overlap for which nothing is left, since a shorter entry of `ways` counts (IL2027)."""
+    """Report a length of an overlap, or a speed, for which nothing is left, since entries of `ways` count (IL2027)."""
+    own, kmh = layout.overlaps.length[g], dict(layout.overlaps.entry_speeds).get(g)
+    what = f"the overlap of {g} of {own:g} m" if isfinite(own) else f"the successive overlap of {g}"
     for long, short in covered(layout, g)[:1]:
         way = own_way(layout, g, short)
         assert way is not None
-        onward = long[len(short)].section
-        own = layout.overlaps.length[g]
+        onward = long[len(short)].section if isfinite(own) else long[-1].section
+        metres = min(own, sum(t.length for t in long), 2000.0) if not isfinite(own) else own
         ctx.add(
             "IL2027",
-            f"the overlap of {g} of {own:g} m would never be held: {way.length:g} m count wherever it "
-            f"leads over {', '.join(way.over)}",
+            f"{what} would never be held: {way.length:g} m count wherever it leads over {', '.join(way.over)}",
             ctx.at_key("overlaps", g),
             "to have a short one inside a long one, state the long one in `ways`, over the section into which it goes "
-            f"on, `ways: [{{over: [{onward}], length: {own:g}}}]`, and the short one as length and "
+            f"on, `ways: [{{over: [{onward}], length: {metres:g}}}]`, and the short one as length and "
             f"`entry_speed` of {g}",
         )
+        return
+    if kmh is not None:
+        _own_speed(ctx, layout, g, kmh, f"{what} for up to {kmh} km/h")
+
+
+def _own_speed(ctx: Context, layout: Layout, g: SignalId, kmh: int, what: str) -> None:
+    """Report an `entry_speed` of an overlap that counts for no alternative, since entries of `ways` fit all of them."""
+    paths = overlap_paths(layout, g)
+    counts = [w for p in paths if (w := own_way(layout, g, p)) is not None]
+    if not paths or len(counts) < len(paths) or any(w.entry == kmh for w in counts):
+        return
+    last = max(i for i, t in enumerate(paths[0]) if t.section in counts[0].over)
+    ends = f"to have a short one inside, give {g} a `length` that ends with {paths[0][last - 1].section}, before "
+    ends = f"{ends}{paths[0][last].section}; otherwise " if last else ""
+    ctx.add(
+        "IL2027",
+        f"{what} would never be held: every way of it leads over sections of which `ways` says something else",
+        ctx.at_key("overlaps", g),
+        f"{ends}remove its `entry_speed`",
+    )
 
 
 def _longer(layout: Layout, g: SignalId, short: tuple[Traversal, ...]) -> list[int]:
@@ -93,6 +124,8 @@ def _not_apart(layout: Layout, g: SignalId, short: tuple[Traversal, ...]) -> str
         return "it has no `entry_speed`, by which drivers are told of it"
     if any(v <= kmh for v in _longer(layout, g, short)):
         return f"it is made for {kmh} km/h, the longer one for no more"
+    if through := two_ways(layout, short):
+        return f"two ways lead through {through[0]}, one of which may have fewer metres"
     return "another overlap of the signal comes to its sections on another way, which may have fewer metres"
 
 
@@ -102,6 +135,8 @@ def _to_have_both(layout: Layout, g: SignalId, short: tuple[Traversal, ...]) -> 
     if kmh is None or any(v <= kmh for v in speeds):
         below = f" below {min(speeds)}" if speeds else ""
         return f"give the short one an `entry_speed`{below}"
+    if through := two_ways(layout, short):
+        return f"cut {through[0]} so that each way has a section of its own"
     return "bar the other one (`not_over`)"
 
 

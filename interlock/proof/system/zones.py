@@ -1,8 +1,8 @@
 """How many trains a zone holds: the claim's own count, which shares nothing with the controller's.
 
-**Theorem.**  After i of the things to be counted, the k-th bit says that at least k of them are so: by induction over i,
-since at least k of them are so if at least k of those before are, or at least k - 1 and the i-th.  (Sequential counter:
-Sinz, *Towards an Optimal CNF Encoding of Boolean Cardinality Constraints*, 2005.)
+**Theorem.**  After i of the things to be counted, the k-th bit says that at least k of them are so: by induction over
+i, since at least k are so if at least k of those before are, or at least k - 1 of them and the i-th.  (Sequential
+counter: Sinz, *Towards an Optimal CNF Encoding of Boolean Cardinality Constraints*, 2005.)
 """
 
 from __future__ import annotations

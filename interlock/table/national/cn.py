@@ -16,7 +16,6 @@ Input: layout and table.  Everything comes from topology, geometry and the table
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -32,30 +31,13 @@ from interlock.model.elements import (
 )
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology, Traversal, topology
-from interlock.table.cells import ExitKind, Role, RouteKind
+from interlock.table.cells import ExitKind, OverlapCell, Role, RouteKind
+from interlock.table.national.cn_notation import HEADINGS, LEGEND, OVERLAP, lying, order
 from interlock.table.national.reading import Reading
 from interlock.table.national.sheet import Cell, Heading, Sheet, route_rows
 from interlock.table.printed import Printed, PrintedRoute
 from interlock.table.rows import InterlockingTable, RouteRow
 
-HEADINGS = (
-    Heading("Direction", "方向", "Richtung"),
-    Heading("Route", "进路", "Fahrstraße"),
-    Heading("Alternative", "进路方式", "Variante"),
-    Heading("Buttons", "排列进路按下的按钮", "Tasten"),
-    Heading("Deciding points", "确定运行方向道岔", "Entscheidungsweichen"),
-    Heading("Signal", "信号机名称", "Signal"),
-    Heading("Aspect", "信号机显示", "Signalbegriff"),
-    Heading("Indicator", "表示器", "Richtungsanzeiger"),
-    Heading("Points", "道岔", "Weichen"),
-    Heading("Hostile signals", "敌对信号", "Feindliche Signale"),
-    Heading("Track sections", "轨道区段", "Gleisabschnitte"),
-    Heading("Facing train routes", "迎面进路 列车", "Gegenfahrten Zug"),
-    Heading("Facing shunt routes", "迎面进路 调车", "Gegenfahrten Rangieren"),
-    Heading("Other", "其他联锁", "Sonstiges"),
-    Heading("No.", "进路号码", "Nr."),
-)
-_ROMAN = {"I": 1, "II": 2, "III": 3, "IV": 4, "V": 5, "VI": 6, "VII": 7, "VIII": 8, "IX": 9, "X": 10}
 Need = tuple[MachineId, Position]
 
 
@@ -74,19 +56,8 @@ def chinese_table(layout: Layout, table: InterlockingTable) -> Sheet:
         (*rows[:trains], *form.through(number), *rows[trains:]),
         True,
         "after the printed form of Chinese textbooks (联锁表, fifteen columns); no standard was read",
-        legend=LEGEND,
+        legend=(*LEGEND, *([OVERLAP] if any(r.locking.overlap is not None for r in table.routes) else [])),
     )
-
-
-LEGEND = (
-    ("1/3、(1/3)", "道岔定位、反位"),
-    ("[1/3]、{1/3}", "防护道岔（检查）、带动道岔（不检查）"),
-    ("S5、S5L、S5D", "敌对信号：列车和调车、仅列车、仅调车"),
-    ("<1>D1", "1 号道岔定位时敌对；条件管到下一个条件为止"),
-    ("<25>25DG", "25 号道岔定位时检查侵限区段"),
-    ("17/9", "通过进路：接车进路 17 和发车进路 9 的全部条件"),
-    ("BA", "变更按钮；名称由本程序给出"),
-)
 
 
 @dataclass(frozen=True)
@@ -165,8 +136,8 @@ class _Form:
         if r.kind is RouteKind.MAIN:
             line = self._direction(r)
             track = self._track_name(self._end(r)) if self._receiving(r) else self._target(r)[1:].removesuffix("股道")
-            return (0, line[:-2], not self._receiving(r), _order(r.entry), _order(track), r.path.variant)
-        return (1, "", False, _order(r.entry), _order(self._target(r)[1:].removesuffix("股道")), r.path.variant)
+            return (0, line[:-2], not self._receiving(r), order(r.entry), order(track), r.path.variant)
+        return (1, "", False, order(r.entry), order(self._target(r)[1:].removesuffix("股道")), r.path.variant)
 
     def _end(self, r: RouteRow) -> SectionId:
         return r.path.traversals[-1][0]
@@ -299,7 +270,7 @@ class _Form:
         out = []
         for m, x in self._path(r).items():
             if any(self._path(o).get(m, x) is not x for o in others):
-                out.append(_lying(m, x))
+                out.append(lying(m, x))
                 others = [o for o in others if self._path(o).get(m, x) is x]
         return "、".join(out)
 
@@ -379,13 +350,13 @@ class _Form:
         for key in r.path.traversals:
             for q, _ in self._way(key).points:
                 m = self.layout.pointwork.point[q].machine
-                out.setdefault(m, _lying(m, on_path[m]))
+                out.setdefault(m, lying(m, on_path[m]))
             for p in flank:
                 if p.section == key[0]:
-                    out.setdefault(p.machine, f"[{_lying(p.machine, p.position)}]")
+                    out.setdefault(p.machine, f"[{lying(p.machine, p.position)}]")
             for p in r.locking.driven:
                 if p.section == key[0]:
-                    out.setdefault(p.machine, f"{{{_lying(p.machine, p.position)}}}")
+                    out.setdefault(p.machine, f"{{{lying(p.machine, p.position)}}}")
         return list(out.values())
 
     def _sections(self, r: RouteRow) -> list[str]:
@@ -400,7 +371,7 @@ class _Form:
                 if f.when is None:
                     out.append(f.section)
                 elif f.when[0] not in named:
-                    out.append(f"<{_lying(self._end_in(f.section, f.when[0]), f.when[1])}>{f.section}")
+                    out.append(f"<{lying(self._end_in(f.section, f.when[0]), f.when[1])}>{f.section}")
         out += [c.name for c in r.clear.space if not c.lamp]
         out += [c.section for c in r.clear.demanded or ()]
         return list(dict.fromkeys(out))
@@ -434,14 +405,29 @@ class _Form:
         return bool(self._facing(r)[t.kind is not RouteKind.MAIN]) and self._meet(r, t)
 
     def _other(self, r: RouteRow) -> str:
-        """The block of the line on which a train departs (BS: 闭塞)."""
+        """The block of the line on which a train departs (BS: 闭塞), and the overlap, which has no column."""
         block = (
             self.layout.track.boundary_at[self._way(r.path.traversals[-1]).exit].block
             if self._departing(r)
             else BlockKind.NONE
         )
         parts = ["BS"] if block is BlockKind.SEMI_AUTOMATIC else []
-        return "、".join([*parts, *(c for c in r.requirements if not self._is_block(c))])
+        overlap = [self._overlap(r, r.locking.overlap)] if r.locking.overlap is not None else []
+        return "、".join([*parts, *(c for c in r.requirements if not self._is_block(c)), *overlap])
+
+    def _overlap(self, r: RouteRow, over: OverlapCell) -> str:
+        """An overlap's sections, its points, those that protect it, and the speed for which it is made."""
+        inside = {s for s, _ in over.ways}
+        own = [lying(p.machine, p.position) for p in r.locking.points if p.role is Role.OVERLAP]
+        own += [
+            f"[{lying(p.machine, p.position)}]"
+            for p in r.locking.points
+            if p.role is Role.FLANK and p.section in inside
+        ]
+        kmh = self._reading.entry_kmh(r)
+        said = [f"保护区段 {'、'.join(dict.fromkeys(s for s, _ in over.ways))}"]
+        said += [f"道岔 {'、'.join(dict.fromkeys(own))}"] * bool(own) + [f"限速 {kmh} km/h"] * bool(kmh)
+        return "，".join(said)
 
     def _is_block(self, condition: str) -> bool:
         """Whether a condition is the block beyond a boundary, which is printed as BS or not at all."""
@@ -452,7 +438,7 @@ class _Form:
     def _hostile(self, r: RouteRow) -> list[str]:
         """Hostile signals; first those without condition, then each condition with its signals."""
         found: dict[str, list[tuple[SignalId, str]]] = {}
-        for g in sorted(self.layout.signalling.signals, key=lambda s: _order(s.id)):
+        for g in sorted(self.layout.signalling.signals, key=lambda s: order(s.id)):
             functions: dict[str, str] = {}
             for kind, mark in ((RouteKind.MAIN, "L"), (RouteKind.SHUNT, "D")):
                 if g.id == r.entry and kind is r.kind:
@@ -507,7 +493,7 @@ class _Form:
         machine, position = need
         passed = [p for key in t.path.traversals for p, _ in self._way(key).points]
         ends = [*(p for p, _ in self._reading.machines.facing_ends(t)), *passed]
-        return _lying(next((p for p in ends if self.layout.pointwork.point[p].machine == machine), machine), position)
+        return lying(next((p for p in ends if self.layout.pointwork.point[p].machine == machine), machine), position)
 
     def _end_in(self, section: SectionId, machine: MachineId) -> PointId | MachineId:
         """The end of a machine that lies in a section; the machine, where none does."""
@@ -531,25 +517,3 @@ class _Form:
     @staticmethod
     def _against(x: Traversal, y: Traversal) -> bool:
         return x.entry == y.exit or x.exit == y.entry
-
-
-def _lying(m: PointId | MachineId, x: Position) -> str:
-    return m if x is Position.NORMAL else f"({m})"
-
-
-def _order(name: str) -> tuple[object, ...]:
-    """Signals as they stand from top to bottom: by letter; odd tracks descending, then even tracks ascending."""
-    head = name.rstrip("0123456789")
-    tail: Iterable[str] | str = name[len(head) :]
-    if not tail:
-        for k in range(1, len(name)):
-            if name[k:] in _ROMAN:
-                head, tail = name[:k], str(_ROMAN[name[k:]])
-                break
-    n = int(str(tail)) if tail else 0
-    if name in _ROMAN or name.isdigit():
-        n = _ROMAN.get(name, 0) or int(name)
-        return ("Z", -n if n % 2 else n)
-    if head == "D":
-        return (head, n)
-    return (head, -n if n % 2 else n)

@@ -169,7 +169,7 @@ def train_routes(layout: Layout, table: InterlockingTable) -> Sheet:
         ),
         Field(
             heading("Q", "v Fahrweg (km/h)", "Speed of the path (km/h)", "进路速度 (km/h)"),
-            lambda r: "" if r.signal.speed.kmh is None else str(r.signal.speed.kmh),
+            x.path_kmh,
         ),
         Field(
             heading("R", "v D-Weg (km/h)", "Speed of the overlap (km/h)", "保护区段速度 (km/h)"),

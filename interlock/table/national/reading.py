@@ -10,7 +10,7 @@ from interlock.model.elements import Hand, MachineId, NodeId, PointId, Position,
 from interlock.model.layout import Layout
 from interlock.model.overlap import entry_speed
 from interlock.model.times import overlap_release_s
-from interlock.model.traversal import Topology, Traversal, topology
+from interlock.model.traversal import Topology, Traversal, path_speed, topology
 from interlock.table.cells import Hostile, HostileClass, OverlapCell, PointDemand, ProviderKind, Role
 from interlock.table.printed import Printed, PrintedRoute, grouped
 from interlock.table.rows import InterlockingTable, RouteRow
@@ -195,6 +195,11 @@ class Reading:
     def overlap_ways(self, o: OverlapCell) -> list[Traversal]:
         """The ways over which an overlap lies."""
         return [self.way(key) for key in o.ways]
+
+    def path_kmh(self, r: RouteRow) -> str:
+        """The lowest speed stated along a route, and past the signals that it passes, whatever its overlap permits."""
+        kmh = path_speed(self.layout, [self.way(key) for part in self.table.parts(r) for key in part.path.traversals])
+        return "" if kmh is None else str(kmh)
 
     def entry_kmh(self, r: RouteRow) -> str:
         """The speed for which the overlap of a route is made, where one is stated."""
