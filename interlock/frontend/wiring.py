@@ -9,21 +9,23 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from functools import partial
 
 from interlock.diag import Span
 from interlock.diag.called import called
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.kilometres import Kilometres, Measured, Stretch, has_positions, is_section, measured
+from interlock.frontend.mistaken import for_an_end
 from interlock.frontend.parts import build_derailer, build_slip
 from interlock.frontend.ports import Port, Wiring
 from interlock.frontend.scalars import (
     NAME,
     item_parts,
+    length_behind,
     name_fix,
     no_name,
     number_fix,
-    number_text,
     slip_of,
 )
 from interlock.frontend.spaces import section_and_length, spoken_of, sure, sure_approach
@@ -50,6 +52,12 @@ from interlock.model.principles import Principles
 def _after_comma(items: Sequence[str], i: int) -> bool:
     """Whether an item is what follows the decimal comma of the length before it: `[q3 600,5]` are two items."""
     return i > 0 and items[i].strip().isdigit() and re.fullmatch(r".*\S\s+\d+", items[i - 1].strip()) is not None
+
+
+def _as_section_or_end(name: str) -> str:
+    """How a name that stands alone in a track is written as a section, and where it is declared as an end."""
+    end = f"declare {name} under `boundaries`, or under `buffers` if the track ends there"
+    return f"write `{name} 100`, or {end}" if NAME.fullmatch(name) else f"write a section as `q1 100`; or {end}"
 
 
 class Wirer:
@@ -181,16 +189,16 @@ class Wirer:
         if "." in name and (first or last) and name.partition(".")[0] in self._joinable:
             return self.resolve(name, span)
         if name not in ends:
-            joined = [s for s in self._read_into if name.startswith(s) and number_text(name[len(s) :])]
+            joined = [s for s in self._read_into if length_behind(name, s)]
             if joined:
                 said = f"{name}: a space is missing between the section and its length"
-                self.ctx.add("IL2005", said, span, f"write `{joined[0]} {name[len(joined[0]) :]}`")
+                self.ctx.add("IL2005", said, span, f"write `{joined[0]} {length_behind(name, joined[0])}`")
                 return None
             self.ctx.add(
                 "IL2005",
                 f"{name} is neither a boundary nor a buffer, and a section needs a length",
                 span,
-                did_you_mean(name, ends, f"write `{name} 100`, or declare {name} under boundaries"),
+                did_you_mean(name, ends, _as_section_or_end(name)),
             )
             return None
         if not (first or last):
@@ -303,7 +311,7 @@ class Wirer:
         if not NAME.fullmatch(name):
             self.ctx.add("IL1016", no_name(name), span, name_fix(name))
             return None
-        hint = did_you_mean(name, self._joinable)
+        hint = did_you_mean(name, self._joinable, of_another_kind=partial(for_an_end, f))
         self.ctx.add("IL2001", f"there is no track, point, boundary or buffer {name}", span, hint)
         return None
 
