@@ -166,11 +166,16 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
                     fits[i] += 1
         _tell_dropped(layout, g.id, dropped, reached, sink)
         if not reached and g.id not in layout.signalling.boards:
+            whys = list(dict.fromkeys(d.why for d in dropped))
+            why = f": {'; '.join(whys)}" if whys else ""
+            fix = "check its direction (`from`, `into`) and where the track goes"
+            if whys:
+                fix = "check its direction; the notes name each way left out, `interlock explain IL4005` what to do"
             sink.add(
                 "IL4003",
-                f"no route leads from {called('signal', g.id)}",
+                f"no route leads from {called('signal', g.id)}{why}",
                 None,
-                "check its direction (`from`, `into`) and where the track goes",
+                fix,
                 about=Element("signals", g.id),
             )
     past = _past(layout, found, ahead, fits, sink)
