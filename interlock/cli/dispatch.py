@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from pathlib import Path
 
@@ -29,6 +30,8 @@ from interlock.dispatch.language import beside
 from interlock.dispatch.plan.search import Verdict
 from interlock.dispatch.policy import Policy
 
+_CUT = re.compile(r"[^:>]+:[^:>]+")
+"""A command whose destination the shell has taken for the name of a file: `12:W>E` without quotes arrives as `12:W`."""
 POLICIES = [str(p) for p in Policy]
 
 
@@ -79,7 +82,15 @@ def command(
 
     A COMMAND is the name of a voyage, or a number with origin and destinations: 12:W>E, 12:W>E+q4 (over q4),
     12:W>s8_xc3>OUT (there and back), 12:q9/X6>W (from where it stands before X6).
+
+    Put a COMMAND in quotes, '12:W>E': a shell takes > for itself, and writes what is shown into a file E.
     """
+    cut = next((c for c in commands if _CUT.fullmatch(c)), None)
+    if cut is not None:
+        raise click.UsageError(
+            f"{cut} names no destination.  Put the command in quotes, '{cut}>...': a shell takes > for itself, and has "
+            "written this run's results into a file with the destination's name"
+        )
     if replay is not None:
         sys.exit(_replay(layout, replay, form))
     if (failing or occupied) and (timings or exploring):
