@@ -17,10 +17,14 @@ import click
 import pytest
 from click.testing import CliRunner, Result
 
+from interlock.app.explain import explain
 from interlock.app.init import STARTER, yard
 from interlock.cli import common
 from interlock.cli.main import VERBS, cli
+from interlock.diag import Sink
 from interlock.diag.codes import CODES
+from interlock.frontend import load_text
+from interlock.frontend.schema import LayoutFile
 from interlock.logic.plant import ASSUMPTIONS
 from interlock.model.principles import KNOBS
 from interlock.proof.claims import CLAIMS
@@ -281,6 +285,27 @@ def test_explain_knows_diagnostics_rules_claims_assumptions_and_principles() -> 
         body = json.loads(run("explain", code, "--format", "json").output)[0]
         assert body["page"] == done.output and body["kind"] in ("rule", "claim", "assumption", "principle")
     assert "did you mean A-SCAN?" in run("explain", "A-SCANN").output
+
+
+def test_explain_knows_every_key_of_the_layout_with_an_example_that_can_be_read() -> None:
+    keys = set(LayoutFile.model_fields)
+    listed = {line.split()[0] for line in run("explain").output.splitlines() if line.split()[1] == "key"}
+    assert listed == keys
+    for key in sorted(keys):
+        page = explain(key)
+        assert page is not None
+        shown = page.split("For instance `")[1].split("`.")[0]
+        sink = Sink()
+        text = {"interlock": "interlock: 1", "name": "name: x"} | {key: shown}
+        load_text("example.yaml", "\n".join((*text.values(), *([] if key == "tracks" else ["tracks: {}"]))), sink)
+        assert not [d for d in sink.diagnostics if d.code.startswith("IL1")], (key, shown)
+    assert (
+        "| `not_over` |" in run("explain", "overlaps").output
+        and "## `overlaps.ways`" in run("explain", "overlaps").output
+    )
+    assert "`legs` is a key of `points`, `crossings`" in run("explain", "legs").output
+    assert "did you mean overlaps?" in run("explain", "overlap").output
+    assert "document D" in run("explain", "rules").output
 
 
 @pytest.fixture(scope="module")

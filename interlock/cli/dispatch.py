@@ -20,6 +20,7 @@ from interlock.cli.common import (
     force_option,
     format_option,
     look_ahead_option,
+    number_of,
     put_json,
     show,
     told,
@@ -194,7 +195,7 @@ def _print(found: Dispatched, form: str) -> None:
         click.echo(f"order {d.name}: {d.trains} trains from {d.order.from_} to {d.order.to}, {ways} places on the way")
     said = str(found.answer.verdict) if found.answer else ""
     if found.plan is not None and found.replayed is not None:
-        click.echo(f"{click.style(said, fg='green')}  {len(found.plan.moves)} routes:")
+        click.echo(f"{click.style(said, fg='green')}  {number_of(len(found.plan.moves), 'route')}:")
         for train, route in found.plan.moves:
             click.echo(f"  {train:10} {route}")
         r = found.replayed
