@@ -56,8 +56,11 @@ def example_at(path: Sequence[str | int]) -> str:
     deep = f"{room}.{inner}"
     if deep in EXAMPLES:
         return EXAMPLES[deep] if isinstance(path[-1], int) else f"{inner}: {EXAMPLES[deep]}"
-    if room in LISTS and len(path) == 2:
+    named = room in EXAMPLES and room not in LISTS | WHOLE
+    if len(path) == 1 and named:
+        return f"{room}: {{NAME: {EXAMPLES[room]}}}"
+    if len(path) == 2 and room in LISTS:
         return EXAMPLES[room]
-    if (room in WHOLE and len(path) == 1) or (room in EXAMPLES and room not in LISTS | WHOLE and len(path) == 2):
+    if (len(path) == 1 and room in WHOLE) or (len(path) == 2 and named):
         return f"{inner}: {EXAMPLES[room]}"
     return ""

@@ -148,7 +148,7 @@ def _unknown_key(
     return None if elsewhere else nearest(key, known)
 
 
-SAME = {"type": "kind", "entry": "from", "exit": "to", "comment": "reason", "description": "text"}
+SAME = {"type": "kind", "entry": "from", "exit": "to", "comment": "reason", "description": "text", "position": "lies"}
 """Words of other languages of layouts, and ours."""
 
 
@@ -169,7 +169,7 @@ def _elsewhere(path: Loc, keys: Map[str, tuple[str, ...]]) -> str:
     if key in keys["principles"]:
         return f"`{key}` is a principle of the whole layout: write it under `principles`"
     rooms = [f"`{room}`" for room, known in keys.items() if room and key in known]
-    where = "the file" if key in keys[""] else f"an entry of {' or '.join(rooms)}" if rooms else ""
+    where = "the file" if key in keys[""] else f"an entry of {' or '.join(rooms)}" if 0 < len(rooms) <= 3 else ""
     return f"{_known_keys(path, keys.get(str(path[0]), ()))}; `{key}` belongs to {where}" if where else ""
 
 
@@ -215,13 +215,21 @@ def _value(root: Node, kind: str, path: Loc, on_key: bool, text: str, ctx: Map[s
     value = str(ctx.get("v", ""))
     advice: str | Suggestion = ctx.get("fix", _FIX.get(code, ""))
     if code == "IL1017":
-        advice = did_you_mean(value, ctx.get("known", ()))
+        advice = _one_of(value, ctx.get("known", ()))
     elif code == "IL2009":
         advice = _REASON.get(str(path[0]), advice)
     cause = ctx.get("cause", "")
     if code in ("IL1016", "IL1017") and value:  # one name or word that cannot be, wherever it is used
         cause = f"{text} {value}"
     sink.add(code, f"{where}: {text}", span_of(root, path, key=on_key), advice, cause=cause, note=f"{where}: {value}")
+
+
+def _one_of(value: str, known: tuple[str, ...]) -> str | Suggestion:
+    """Which word is meant; all of them where there are few, and none is the very one in other letters."""
+    meant = nearest(value, known)
+    if meant is None or meant.lower() == value.strip().lower() or len(known) > 8:
+        return did_you_mean(value, known)
+    return f"did you mean {meant}?  Known here: {', '.join(sorted(known))}"
 
 
 def _shown(root: Node, path: Loc, node: Node) -> Span:

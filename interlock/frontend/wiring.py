@@ -54,6 +54,10 @@ def _after_comma(items: Sequence[str], i: int) -> bool:
     return i > 0 and items[i].strip().isdigit() and re.fullmatch(r".*\S\s+\d+", items[i - 1].strip()) is not None
 
 
+_DECIMAL_KM = re.compile(r"\d{1,4}[.,]\d{3}")
+"""A position along the line as others write it: `12.345`."""
+
+
 def _as_section_or_end(name: str) -> str:
     """How a name that stands alone in a track is written as a section, and where it is declared as an end."""
     end = f"declare {name} under `boundaries`, or under `buffers` if the track ends there"
@@ -134,7 +138,7 @@ class Wirer:
                 if self._alone(item.strip(), ends):
                     if self._decimals(items, i, span):
                         continue
-                    port = self._terminal(item.strip(), ends, span, first=i == 0, last=i == len(items) - 1)
+                    port = self._terminal(name, item.strip(), ends, span, first=i == 0, last=i == len(items) - 1)
                     if port is None:
                         continue
                     if i == 0:
@@ -184,7 +188,7 @@ class Wirer:
         )
         return True
 
-    def _terminal(self, name: str, ends: set[str], span: Span, *, first: bool, last: bool) -> Port | None:
+    def _terminal(self, track: str, name: str, ends: set[str], span: Span, *, first: bool, last: bool) -> Port | None:
         """What a track begins or ends with: a boundary, a buffer, or an end of something else (`west.end`)."""
         if "." in name and (first or last) and name.partition(".")[0] in self._joinable:
             return self.resolve(name, span)
@@ -194,6 +198,13 @@ class Wirer:
                 said = f"{name}: a space is missing between the section and its length"
                 self.ctx.add("IL2005", said, span, f"write `{joined[0]} {length_behind(name, joined[0])}`")
                 return None
+            if _DECIMAL_KM.fullmatch(name):
+                fix = f"write `{re.sub('[.,]', '+', name)}`: kilometres, a plus, and three digits of metres"
+                said = f"{name} is no position along the line"
+                self.ctx.add("IL2005", said, span, fix, cause="decimal kilometres", note=name)
+                return None
+            if any(_DECIMAL_KM.fullmatch(x.strip()) for x in self.ctx.file.tracks[track]) and NAME.fullmatch(name):
+                return None  # its length follows from positions, which are reported
             self.ctx.add(
                 "IL2005",
                 f"{name} is neither a boundary nor a buffer, and a section needs a length",
