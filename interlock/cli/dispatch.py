@@ -86,12 +86,7 @@ def command(
 
     Put a COMMAND in quotes, '12:W>E': a shell takes > for itself, and writes what is shown into a file E.
     """
-    cut = next((c for c in commands if _CUT.fullmatch(c)), None)
-    if cut is not None:
-        raise click.UsageError(
-            f"{cut} names no destination.  Put the command in quotes, '{cut}>...': a shell takes > for itself, and has "
-            "written this run's results into a file with the destination's name"
-        )
+    _refuse_cut(commands)
     if replay is not None:
         sys.exit(_replay(layout, replay, form))
     if (failing or occupied) and (timings or exploring):
@@ -111,24 +106,37 @@ def command(
         occupied=occupied,
     )
     if plan is not None and found.plan is not None:
-        target = Path(plan)
-        read = [Path(layout), Path(orders or beside(layout))]
-        try:
-            if target.exists() and any(f.exists() and target.samefile(f) for f in read):
-                failed(f"{plan} is what is read: choose another file with --plan", form)
-                sys.exit(FINDINGS)
-            if target.exists() and not force and not _is_plan(target):
-                failed(f"{plan} exists and is no completion plan; --force overwrites it", form)
-                sys.exit(FINDINGS)
-            write_whole(target, to_text(found.plan).encode())
-        except OSError as error:
-            failed(told(error, target), form)
-            sys.exit(FINDINGS)
+        _write_plan(to_text(found.plan), Path(plan), [Path(layout), Path(orders or beside(layout))], force, form)
     if form == "json":
         put_json(_body(found))
     else:
         _print(found, form)
     sys.exit(_code(found))
+
+
+def _refuse_cut(commands: tuple[str, ...]) -> None:
+    """A command without a destination is told on the standard error: what goes to the other one is in that file."""
+    cut = next((c for c in commands if _CUT.fullmatch(c)), None)
+    if cut is not None:
+        raise click.UsageError(
+            f"{cut} names no destination.  Put the command in quotes, '{cut}>...': a shell takes > for itself, and has "
+            "written this run's results into a file with the destination's name"
+        )
+
+
+def _write_plan(text: str, target: Path, read: list[Path], force: bool, form: str) -> None:
+    """The plan into its file, which is none of those that were read, and no other one's."""
+    try:
+        if target.exists() and any(f.exists() and target.samefile(f) for f in read):
+            failed(f"{target} is what is read: choose another file with --plan", form)
+            sys.exit(FINDINGS)
+        if target.exists() and not force and not _is_plan(target):
+            failed(f"{target} exists and is no completion plan; --force overwrites it", form)
+            sys.exit(FINDINGS)
+        write_whole(target, text.encode())
+    except OSError as error:
+        failed(told(error, target), form)
+        sys.exit(FINDINGS)
 
 
 def _is_plan(file: Path) -> bool:
