@@ -227,6 +227,9 @@ def test_check_asks_for_the_texts_that_are_there_and_compile_says_which_are_gone
     done = run(*args)
     assert done.exit_code == 0 and "IL5012" in done.output and "scl300" in done.output
     assert not (tmp_path / "fig2_2/st/scl300").exists() and "IL5012" not in run(*args).output
+    run(*args, "--dialect", "iec", "--dialect", "awl")
+    said = " ".join(run(*args).output.split())
+    assert "the text for awl and io/xref_iec.csv are not written any more" in said, "the text for iec always is"
 
 
 def test_two_layouts_of_one_name_do_not_overwrite_each_other(tmp_path: Path) -> None:
