@@ -219,6 +219,15 @@ def test_a_file_where_the_folder_should_be_is_told(tmp_path: Path) -> None:
     assert done.exit_code == 1 and "IL5004" in done.output and (tmp_path / "fig2_2").read_text() == "a note"
 
 
+def test_compile_says_what_to_open(tmp_path: Path) -> None:
+    said = run("compile", "layouts/fig2_2.yaml", "-o", str(tmp_path)).output
+    page = Path(said.split("open in a browser: ")[1].split("\n")[0])
+    assert page == tmp_path / "fig2_2" / "index.html" and page.is_file()
+    assert "open in a browser" not in run("compile", "layouts/fig2_2.yaml", "-o", str(tmp_path), "--check").output
+    readme = Path("README.md").read_text("utf-8")
+    assert "open in a browser: generated/mine11/index.html" in readme
+
+
 def test_check_asks_for_the_texts_that_are_there_and_compile_says_which_are_gone(tmp_path: Path) -> None:
     args = ("compile", "layouts/fig2_2.yaml", "-o", str(tmp_path))
     assert run(*args, "--dialect", "scl300").exit_code == 0

@@ -17,6 +17,7 @@ from interlock.cli.common import (
     format_option,
     jobs_option,
     layouts_argument,
+    number_of,
     proof_body,
     put_json,
     show,
@@ -76,5 +77,7 @@ def command(
             show_proof(r, form, verbose)
             if r.green and r.checked.layout is not None:
                 where = out / r.checked.layout.name
-                click.echo(f"  {'current' if check else 'written'}: {where} ({len(r.files)} files)")
+                click.echo(f"  {'current' if check else 'written'}: {where} ({number_of(len(r.files), 'file')})")
+                if not check:
+                    click.echo(f"  open in a browser: {where / 'index.html'}")
     sys.exit(exit_code(results))
