@@ -23,6 +23,7 @@ from interlock.cli.common import (
     show,
     show_proof,
 )
+from interlock.diag.extras import install
 from interlock.proof.engines.limits import Limits
 from interlock.st.dialects import DIALECTS
 
@@ -63,7 +64,7 @@ def command(
     """Derive the tables, prove the controller, and write all outputs."""
     tools = (*dialects, *(d.name for d in DIALECTS)) if "all" in dialects else dialects
     if C99 in dialects and find_spec("pycparser") is None:
-        raise click.UsageError("c99 needs the extra `c99`: pip install 'interlock[c99]'")
+        raise click.UsageError(f"c99 needs the extra `c99`: {install('c99')}")
     clashes = names_twice(layouts) if len(layouts) > 1 else ()
     if clashes:
         show(clashes, {}, form)
