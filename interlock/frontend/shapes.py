@@ -163,10 +163,10 @@ def _elsewhere(path: Loc, keys: Map[str, tuple[str, ...]]) -> str:
             entry = f"{{{path[1] if len(path) > 2 else 'NAME'}: {EXAMPLES[part]}}}"
         return f"`{part}` is a key of the file: write it there, for instance `{part}: {entry}`"
     if len(path) == 1:
-        if key in keys["principles"]:
+        if key in keys.get("principles", ()):
             return f"write it under `principles`, for instance `principles: {{{key}: ...}}`"
         return ""
-    if key in keys["principles"]:
+    if key in keys.get("principles", ()):
         return f"`{key}` is a principle of the whole layout: write it under `principles`"
     rooms = [f"`{room}`" for room, known in keys.items() if room and key in known]
     where = "the file" if key in keys[""] else f"an entry of {' or '.join(rooms)}" if 0 < len(rooms) <= 3 else ""
