@@ -15,7 +15,7 @@ from interlock.diag import Sink, Span
 from interlock.diag.suggest import Suggestion, did_you_mean, nearest
 from interlock.frontend.examples import EXAMPLES, LISTS, WHOLE, example_at
 from interlock.frontend.scalars import NAME, number_fix, number_text
-from interlock.frontend.yaml_tree import Mapping, Node, Scalar, Sequence
+from interlock.frontend.yaml_tree import Mapping, Node, Scalar, Sequence, stands_beside
 
 Loc = tuple[str | int, ...]
 
@@ -74,8 +74,10 @@ def span_of(root: Node, path: Loc, *, key: bool = False) -> Span:
 
 def report_shape(root: Node, error: ValidationError, keys: Map[str, tuple[str, ...]], sink: Sink) -> None:
     """Every error of shape as a diagnostic at its place; `keys`: the known keys of each room, "" for the file's."""
+    beside = _beside(root, keys, sink)
     errors = error.errors(include_url=False, include_input=False)
     paths = [(e, tuple(p for p in e["loc"] if not _inner(p))) for e in errors]
+    paths = [(e, path) for e, path in paths if path[:2] not in beside]
     misspelt: set[Loc] = set()
     for e, path in paths:
         if e["type"] == "extra_forbidden":
@@ -89,6 +91,23 @@ def report_shape(root: Node, error: ValidationError, keys: Map[str, tuple[str, .
                 _missing(root, path, sink)
         elif e["type"] != "extra_forbidden":
             _value(root, e["type"], path, "[key]" in e["loc"], e["msg"], e.get("ctx", {}), sink)
+
+
+def _beside(root: Node, keys: Map[str, tuple[str, ...]], sink: Sink) -> set[Loc]:
+    """Report keys of entries that stand beside the name of theirs instead of below it; those places, and the names'."""
+    found: set[Loc] = set()
+    rooms = root.items.items() if isinstance(root, Mapping) else ()
+    for room, (_, part) in rooms:
+        name = ""
+        for key, (at, value) in part.items.items() if isinstance(part, Mapping) else ():
+            if isinstance(value, Scalar) and not value.text:
+                name = key
+            elif name and key in keys.get(room, ()) and not isinstance(value, Mapping):
+                stands_beside(at, name, sink)
+                found |= {(room, name), (room, key)}
+            else:
+                name = ""
+    return found
 
 
 def _inner(part: str | int) -> bool:

@@ -357,11 +357,16 @@ class Wirer:
                         "IL3002",
                         f"{x} is joined to {other} already (line {where.line})",
                         span,
-                        "exactly two ends meet in one place",
+                        "exactly two ends meet in one place" + self._other_end(x),
                     )
                 return
         self.mate[a] = (b, span)
         self.mate[b] = (a, span)
+
+    def _other_end(self, taken: Port) -> str:
+        """Of a track with an end that is taken: whether the other one is meant, if nothing is joined there yet."""
+        other = Port("track", taken.name, "start" if taken.end == "end" else "end")
+        return f": is {other} meant?" if taken.kind == "track" and other not in self.mate else ""
 
     def _check_complete(self) -> None:
         f = self.ctx.file

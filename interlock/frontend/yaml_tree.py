@@ -153,6 +153,13 @@ def _close(node: Node, end: Span) -> None:
         node.span = node.span._replace(width=end.column + end.width - node.span.column)
 
 
+def stands_beside(key: Scalar, name: str, sink: Sink) -> None:
+    """Report a key that is indented as the name above, to which it belongs, and so is no part of it."""
+    said = f"`{key.text}` stands beside `{name}`, and not below it"
+    fix = f"indent what belongs to `{name}` by two more spaces"
+    sink.add("IL1005", said, key.span, fix, cause="beside", note=f"{key.text} beside {name}")
+
+
 def _attach(stack: list[tuple[Node, Scalar | None]], node: Node, sink: Sink) -> bool:
     """Put a node into its container; False when the document cannot be followed further."""
     if not stack:
@@ -170,12 +177,17 @@ def _attach(stack: list[tuple[Node, Scalar | None]], node: Node, sink: Sink) -> 
         return True
     if key.text in container.items:
         first = container.items[key.text][0].span
-        sink.add(
-            "IL1005",
-            f"{key.text} is given twice (first in line {first.line})",
-            key.span,
-            "keep one of them, or rename one",
-        )
+        name, (above, value) = next(reversed(container.items.items()))
+        before = ""
+        if isinstance(value, Scalar) and not value.text and above.span.column == key.span.column:
+            for n, (k, v) in container.items.items():  # the one that came first stands so, too
+                if k.text == key.text and before:
+                    stands_beside(k, before, sink)
+                before = n if isinstance(v, Scalar) and not v.text else before
+            stands_beside(key, name, sink)
+        else:
+            said = f"{key.text} is given twice (first in line {first.line})"
+            sink.add("IL1005", said, key.span, "keep one of them, or rename one")
     else:
         container.items[key.text] = (key, node)
     stack[-1] = (container, None)
