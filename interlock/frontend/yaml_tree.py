@@ -7,6 +7,7 @@ The tree is built from parser events without recursion, so that no input can exh
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from itertools import islice
 from pathlib import PurePath
 
 import yaml
@@ -153,6 +154,10 @@ def _close(node: Node, end: Span) -> None:
         node.span = node.span._replace(width=end.column + end.width - node.span.column)
 
 
+_FIRST = 100
+"""Entries among which the first of several keys is looked for that stand beside their names."""
+
+
 def stands_beside(key: Scalar, name: str, sink: Sink) -> None:
     """Report a key that is indented as the name above, to which it belongs, and so is no part of it."""
     said = f"`{key.text}` stands beside `{name}`, and not below it"
@@ -180,7 +185,7 @@ def _attach(stack: list[tuple[Node, Scalar | None]], node: Node, sink: Sink) -> 
         name, (above, value) = next(reversed(container.items.items()))
         before = ""
         if isinstance(value, Scalar) and not value.text and above.span.column == key.span.column:
-            for n, (k, v) in container.items.items():  # the one that came first stands so, too
+            for n, (k, v) in islice(container.items.items(), _FIRST):  # the one that came first stands so, too
                 if k.text == key.text and before:
                     stands_beside(k, before, sink)
                 before = n if isinstance(v, Scalar) and not v.text else before
