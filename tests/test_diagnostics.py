@@ -217,6 +217,14 @@ def test_the_example_of_an_entry_that_messages_show_can_be_written(part: str) ->
     assert EXAMPLES[part] in Path("interlock/docs/codes/IL1012.md").read_text("utf-8")
 
 
+def test_the_layout_that_an_empty_file_is_shown_is_silent(tmp_path: Path) -> None:
+    page = explain("IL1007")
+    assert page is not None and "interlock init -o" in page, "no folder of layouts is where a wheel is installed"
+    path = tmp_path / "smallest.yaml"
+    path.write_text(page.split("```yaml\n")[1].split("```")[0], "utf-8")
+    assert check_file(str(path)).diagnostics == ()
+
+
 def test_every_part_of_the_language_with_entries_has_an_example() -> None:
     keyed = {n for n, f in LayoutFile.model_fields.items() if "Spec" in str(f.annotation)}
     assert keyed == {x for x in EXAMPLES if "." not in x}
