@@ -318,6 +318,7 @@ def test_explain_knows_every_key_of_the_layout_with_an_example_that_can_be_read(
     assert "`legs` is a key of `points`, `crossings`" in run("explain", "legs").output
     assert "did you mean overlaps?" in run("explain", "overlap").output
     assert "document D" in run("explain", "rules").output
+    assert "interlock explain language" in run("--help").output and "`interlock explain signals`" in STARTER
 
 
 @pytest.fixture(scope="module")
