@@ -31,6 +31,7 @@ from interlock.proof.claims import CLAIMS
 from interlock.proof.induction.verdict import Witness
 from interlock.proof.system.transition import System
 from interlock.proof.witnesses.routes import witnesses
+from tests.layouts import built
 
 
 def run(*args: str) -> Result:
@@ -252,6 +253,17 @@ def test_several_layouts_on_two_processes(tmp_path: Path) -> None:
     done = process("compile", "layouts/fig2_2.yaml", "layouts/fig2_3_whole.yaml", "-o", str(tmp_path), "-j", "2")
     assert done.returncode == 0, done.stdout + done.stderr
     assert sorted(p.name for p in tmp_path.iterdir()) == ["fig2_2", "fig2_3_whole"]
+
+
+def test_why_without_a_route_lists_those_that_there_are() -> None:
+    done = run("why", "layouts/junction.yaml")
+    listed = {line.split()[0]: line for line in done.output.splitlines() if " over " in line}
+    table = built("junction")[1]
+    assert done.exit_code == 0 and listed.keys() == {r.id for r in table.routes}
+    assert all(c.section in listed[r.id] for r in table.routes for c in r.clear.sections)
+    found = json.loads(run("why", "layouts/junction.yaml", "--format", "json").output)
+    assert [r["route"] for r in found["routes"]] == [r.id for r in table.routes]
+    assert run("why", "tests/diagnostics/IL4003.yaml").exit_code == 1
 
 
 def test_why_names_rule_and_reason() -> None:
