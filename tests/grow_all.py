@@ -319,7 +319,7 @@ def with_lights(rng: random.Random, text: str, table: InterlockingTable) -> str:
 
 def without_idle(text: str, sink: Sink) -> str:
     """A text without the signals from which no route leads."""
-    idle = {d.message.split(" signal ")[1] for d in sink.diagnostics if d.code == "IL4003"}
+    idle = {str(d.about.name) for d in sink.diagnostics if d.code == "IL4003" and d.about}
     dropped = tuple(x for g in idle for x in (f"  {g}:", f"  V{g}:"))
     return "".join(x for x in text.splitlines(keepends=True) if not x.startswith(dropped)) if dropped else text
 

@@ -200,6 +200,15 @@ def test_the_report_works_on_a_phone(chromium: Any, reports: Path) -> None:
 
 
 @pytest.mark.external
+def test_a_table_that_fits_on_the_screen_is_not_cut_in_a_window_of_its_own(chromium: Any, reports: Path) -> None:
+    with shown(chromium, reports / "heishan" / "index.html") as page:
+        for height, whole in ((1800, True), (300, False)):
+            page.set_viewport_size({"width": 1280, "height": height})
+            box = "document.querySelector('#table .scroll')"
+            assert (page.evaluate(f"{box}.scrollHeight - {box}.clientHeight") <= 1) == whole
+
+
+@pytest.mark.external
 def test_the_report_prints_on_a3(chromium: Any, reports: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
     with shown(chromium, reports / "heishan" / "index.html") as page:
         data = page.pdf(prefer_css_page_size=True)

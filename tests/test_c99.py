@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import random
 import re
+import shlex
+import sys
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
@@ -79,7 +81,8 @@ def test_it_is_written_when_it_is_asked_for() -> None:
 def test_without_its_parser_it_is_refused_with_advice(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("interlock.cli.compile.find_spec", lambda _: None)
     done = CliRunner().invoke(cli, ["compile", "layouts/fig2_2.yaml", "--dialect", "c99"])
-    assert done.exit_code == 2 and "pip install 'interlock[c99]'" in done.output
+    said = " ".join(done.output.split())
+    assert done.exit_code == 2 and f"{shlex.quote(sys.executable)} -m pip install 'interlock[c99]'" in said
 
 
 CHANGES: list[tuple[str, str | Callable[[re.Match[str]], str]]] = [

@@ -17,16 +17,21 @@ import click
 import pytest
 from click.testing import CliRunner, Result
 
+from interlock.app.explain import explain
 from interlock.app.init import STARTER, yard
 from interlock.cli import common
 from interlock.cli.main import VERBS, cli
+from interlock.diag import Sink
 from interlock.diag.codes import CODES
+from interlock.frontend import load_text
+from interlock.frontend.schema import LayoutFile
 from interlock.logic.plant import ASSUMPTIONS
 from interlock.model.principles import KNOBS
 from interlock.proof.claims import CLAIMS
 from interlock.proof.induction.verdict import Witness
 from interlock.proof.system.transition import System
 from interlock.proof.witnesses.routes import witnesses
+from tests.layouts import built
 
 
 def run(*args: str) -> Result:
@@ -215,6 +220,15 @@ def test_a_file_where_the_folder_should_be_is_told(tmp_path: Path) -> None:
     assert done.exit_code == 1 and "IL5004" in done.output and (tmp_path / "fig2_2").read_text() == "a note"
 
 
+def test_compile_says_what_to_open(tmp_path: Path) -> None:
+    said = run("compile", "layouts/fig2_2.yaml", "-o", str(tmp_path)).output
+    page = Path(said.split("open in a browser: ")[1].split("\n")[0])
+    assert page == tmp_path / "fig2_2" / "index.html" and page.is_file()
+    assert "open in a browser" not in run("compile", "layouts/fig2_2.yaml", "-o", str(tmp_path), "--check").output
+    readme = Path("README.md").read_text("utf-8")
+    assert "open in a browser: generated/mine11/index.html" in readme
+
+
 def test_check_asks_for_the_texts_that_are_there_and_compile_says_which_are_gone(tmp_path: Path) -> None:
     args = ("compile", "layouts/fig2_2.yaml", "-o", str(tmp_path))
     assert run(*args, "--dialect", "scl300").exit_code == 0
@@ -223,6 +237,9 @@ def test_check_asks_for_the_texts_that_are_there_and_compile_says_which_are_gone
     done = run(*args)
     assert done.exit_code == 0 and "IL5012" in done.output and "scl300" in done.output
     assert not (tmp_path / "fig2_2/st/scl300").exists() and "IL5012" not in run(*args).output
+    run(*args, "--dialect", "iec", "--dialect", "awl")
+    said = " ".join(run(*args).output.split())
+    assert "the text for awl and io/xref_iec.csv are not written any more" in said, "the text for iec always is"
 
 
 def test_two_layouts_of_one_name_do_not_overwrite_each_other(tmp_path: Path) -> None:
@@ -236,6 +253,17 @@ def test_several_layouts_on_two_processes(tmp_path: Path) -> None:
     done = process("compile", "layouts/fig2_2.yaml", "layouts/fig2_3_whole.yaml", "-o", str(tmp_path), "-j", "2")
     assert done.returncode == 0, done.stdout + done.stderr
     assert sorted(p.name for p in tmp_path.iterdir()) == ["fig2_2", "fig2_3_whole"]
+
+
+def test_why_without_a_route_lists_those_that_there_are() -> None:
+    done = run("why", "layouts/junction.yaml")
+    listed = {line.split()[0]: line for line in done.output.splitlines() if " over " in line}
+    table = built("junction")[1]
+    assert done.exit_code == 0 and listed.keys() == {r.id for r in table.routes}
+    assert all(c.section in listed[r.id] for r in table.routes for c in r.clear.sections)
+    found = json.loads(run("why", "layouts/junction.yaml", "--format", "json").output)
+    assert [r["route"] for r in found["routes"]] == [r.id for r in table.routes]
+    assert run("why", "tests/diagnostics/IL4003.yaml").exit_code == 1
 
 
 def test_why_names_rule_and_reason() -> None:
@@ -281,6 +309,28 @@ def test_explain_knows_diagnostics_rules_claims_assumptions_and_principles() -> 
         body = json.loads(run("explain", code, "--format", "json").output)[0]
         assert body["page"] == done.output and body["kind"] in ("rule", "claim", "assumption", "principle")
     assert "did you mean A-SCAN?" in run("explain", "A-SCANN").output
+
+
+def test_explain_knows_every_key_of_the_layout_with_an_example_that_can_be_read() -> None:
+    keys = set(LayoutFile.model_fields)
+    listed = {line.split()[0] for line in run("explain").output.splitlines() if line.split()[1] == "key"}
+    assert listed == keys
+    for key in sorted(keys):
+        page = explain(key)
+        assert page is not None
+        shown = page.split("For instance `")[1].split("`.")[0]
+        sink = Sink()
+        text = {"interlock": "interlock: 1", "name": "name: x"} | {key: shown}
+        load_text("example.yaml", "\n".join((*text.values(), *([] if key == "tracks" else ["tracks: {}"]))), sink)
+        assert not [d for d in sink.diagnostics if d.code.startswith("IL1")], (key, shown)
+    assert (
+        "| `not_over` |" in run("explain", "overlaps").output
+        and "## `overlaps.ways`" in run("explain", "overlaps").output
+    )
+    assert "`legs` is a key of `points`, `crossings`" in run("explain", "legs").output
+    assert "did you mean overlaps?" in run("explain", "overlap").output
+    assert "document D" in run("explain", "rules").output
+    assert "interlock explain language" in run("--help").output and "`interlock explain signals`" in STARTER
 
 
 @pytest.fixture(scope="module")

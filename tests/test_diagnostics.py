@@ -18,6 +18,8 @@ from interlock.app.explain import explain
 from interlock.diag import Severity, Sink, render
 from interlock.diag.codes import CODES
 from interlock.frontend import load, load_text
+from interlock.frontend.examples import EXAMPLES, LISTS, WHOLE
+from interlock.frontend.schema import LayoutFile
 from tests.screens import FOLDER, MISTAKES, screen
 
 TRIGGERS = sorted(p.stem for p in FOLDER.glob("*.yaml"))
@@ -203,6 +205,29 @@ def test_a_mistake_has_a_screen_with_place_line_caret_and_fix(name: str) -> None
         )
         assert re.search(r"^  fix: \S.+$", problem, re.MULTILINE)
     assert len(problems) == 1, "one mistake is said once"
+
+
+@pytest.mark.parametrize("part", sorted({x.partition(".")[0] for x in EXAMPLES}))
+def test_the_example_of_an_entry_that_messages_show_can_be_written(part: str) -> None:
+    entry = EXAMPLES[part] if part in WHOLE else f"[{EXAMPLES[part]}]"
+    entry = entry if part in WHOLE | LISTS else f"{{A: {EXAMPLES[part]}}}"
+    sink = Sink()
+    load_text("example.yaml", f"interlock: 1\nname: x\ntracks: {{}}\n{part}: {entry}\n", sink)
+    assert not [d for d in sink.diagnostics if d.code.startswith("IL1")], "the shape is right"
+    assert EXAMPLES[part] in Path("interlock/docs/codes/IL1012.md").read_text("utf-8")
+
+
+def test_the_layout_that_an_empty_file_is_shown_is_silent(tmp_path: Path) -> None:
+    page = explain("IL1007")
+    assert page is not None and "interlock init -o" in page, "no folder of layouts is where a wheel is installed"
+    path = tmp_path / "smallest.yaml"
+    path.write_text(page.split("```yaml\n")[1].split("```")[0], "utf-8")
+    assert check_file(str(path)).diagnostics == ()
+
+
+def test_every_part_of_the_language_with_entries_has_an_example() -> None:
+    keyed = {n for n, f in LayoutFile.model_fields.items() if "Spec" in str(f.annotation)}
+    assert keyed == {x for x in EXAMPLES if "." not in x}
 
 
 def test_the_same_information_as_json(tmp_path: Path) -> None:

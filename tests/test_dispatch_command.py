@@ -54,12 +54,19 @@ def test_a_train_that_is_too_long_for_its_overlaps_is_told_so() -> None:
         (("1:W>E>W",), "1:W>E>W: 1 leaves at E, and does not come back in the same command"),
         (("1:W>E+q4+q3",), "1:W>E+q4+q3: no chain of routes takes 1 from W over q3, q4 to E"),
         (("1:q4/X5>W",), "routes lead from q4 to E; name another place"),
+        (("7 W E",), "7 W E: '7 W E' is neither a voyage nor"),
         (("1:W>q7",), "routes lead from W to E, X1, X3, X5; name another place"),
     ],
 )
 def test_what_cannot_be_commanded_is_told_with_its_reason(arguments: tuple[str, ...], told: str) -> None:
     code, text = run("layouts/mine11.yaml", *arguments)
     assert code == 1 and told in text, text
+
+
+def test_a_command_that_a_shell_has_cut_is_told_where_a_terminal_shows_it() -> None:
+    done = CliRunner().invoke(command, ["layouts/mine11.yaml", "12:W"])
+    assert done.exit_code == 2 and done.stdout == "", "what is shown there lies in a file by now"
+    assert "12:W names no destination. Put the command in quotes" in " ".join(done.stderr.split())
 
 
 def test_the_shortest_deadlock_is_told_and_shown_on_the_controller() -> None:

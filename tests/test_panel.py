@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import html
 import json
 import os
 import signal
@@ -458,6 +459,8 @@ def test_a_shift_is_recorded_printed_and_played(ready: Ready, tmp_path: Path, mo
         assert done.exit_code == 0 and (tmp_path / file).stat().st_size > 1000, done.output
     played = (tmp_path / "shift.html").read_text("utf-8")
     assert "reported occupied" in played and "a train</span>" not in played, "what is reported is no train yet"
+    assert "the panel's record, 20" in html.unescape(played) and '<p class="mark"' not in played, "nothing is violated"
+    assert all(len(s["#meta"]["text"].split("  ", 1)[1]) > 2 for s in states[:-1]), "every step says what it is"
     for more in (["--from", "tea"], ["--from", "2001-01-01", "--to", "2001-01-02"]):
         assert CliRunner().invoke(cli, ["play", str(path), *more, "-o", str(tmp_path / "x.html")]).exit_code == 1
     shift(ready, path)  # the same file: the count of releases goes on

@@ -145,6 +145,10 @@ def server(tmp_path: Path) -> Iterator[Server]:
 def test_from_request_to_release_by_mouse_alone(chromium: Any, server: Server) -> None:
     with closing_pages(chromium) as b:
         page, wrong = opened(b, server.url)
+        for simulated, told in ((True, "let time run faster"), (False, "come to a stand.")):
+            delay = "{power: 1, valid: 1, restart: ['s2'], delay: 586, lost: []}"
+            steps = f"async s => (await import('/acts.js')).steps({{simulated: s}}, {{'s:s2': [0]}}, {delay})"
+            assert told in page.evaluate(steps, simulated)[2][1].rpartition("Trains")[2]
         press(page, "Release all clear sections")
         page.wait_for_selector("#restart", state="hidden")
         fresh(page)

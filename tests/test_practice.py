@@ -317,3 +317,26 @@ def test_a_dwarf_signal_against_the_trains_is_told_the_way_out(tmp_path: Path) -
     text = PASSED.replace("  Y1: {from: m1, into: p1}", "  Y1: {from: m1, into: p1, kind: shunt}")
     (found,) = (d for d in checked(tmp_path, text + "sections: {m1: {one_way: forward}}\n").diagnostics)
     assert found.code == "IL3019" and "`exclude` train routes" in str(found.fix)
+
+
+@pytest.mark.parametrize(
+    ("stated", "told"),
+    [
+        ("overlaps: {X3: {length: 300}, X4: {length: 0}}", ["X3 is held for 240 of 300 m, as far as the boundary E"]),
+        ("overlaps: {X3: {length: 240}, X4: {successive: yes}}", []),
+        (
+            "principles: {overlap_m: 241}\noverlaps: {X3: {length: 0}, X2: {length: 0}, Y2: {length: 0}}",
+            ["X4", "Y3", "Y4"],
+        ),
+        ("overlaps: {X3: {length: 300}}\nallow: [{lint: IL7012, at: [X3], reason: the block keeps 60 m clear}]", []),
+    ],
+)
+def test_an_overlap_that_the_layout_does_not_hold_in_full_is_told(tmp_path: Path, stated: str, told: list[str]) -> None:
+    text = Path("tests/diagnostics/IL7012.yaml").read_text("utf-8").partition("overlaps:")[0]
+    done = checked(tmp_path, f"{text}{stated}\n")
+    found = [d.message for d in done.diagnostics if d.code == "IL7012"]
+    assert len(found) == len(told) and all(what in said for what, said in zip(told, found, strict=True))
+    assert done.table is not None
+    overlap = done.table.route["X2-X3"].locking.overlap
+    short = "length: 300" in stated
+    assert short == (overlap is not None and "240 m to E, where the layout ends, of 300 m" in overlap.because.text)

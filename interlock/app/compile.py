@@ -196,7 +196,12 @@ def compile_file(
         notes += _delivered(target, files, span)
         gone = [d for d in there if d not in tools]
         if gone and (proved.green or unproved) and notes == list(proved.notes):
-            text = f"{target}: the text for {', '.join(gone)} that was there is not written any more"
+            tools_gone = [
+                d for d in gone if d != "iec"
+            ]  # that text is always written, its cross-reference if asked for
+            what = [f"the text for {', '.join(tools_gone)}"] if tools_gone else []
+            what += ["io/xref_iec.csv"] if "iec" in gone else []
+            text = f"{target}: {' and '.join(what)} {'is' if len(what) == 1 else 'are'} not written any more"
             fix = f"`{' '.join(f'--dialect {d}' for d in gone)}` writes it"
             notes.append(Diagnostic("IL5012", Severity.INFO, text, span, fix))
     if not proved.green and not unproved and not check:

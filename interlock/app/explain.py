@@ -1,4 +1,5 @@
-"""What a code means: of a diagnostic, a rule, a claim, an assumption, or a principle; and the pages by their names."""
+"""What a code means: of a diagnostic, a rule, a claim, an assumption, or a principle; the keys of the language, and the
+pages by their names."""
 
 from __future__ import annotations
 
@@ -7,6 +8,8 @@ from dataclasses import dataclass
 from importlib import resources
 
 from interlock.diag.codes import CODES
+from interlock.frontend.published import WITHOUT, language_keys
+from interlock.frontend.schema import LayoutFile
 from interlock.logic.plant import ASSUMPTIONS
 from interlock.model.principles import MEANING, PROFILES
 from interlock.proof.claims import CLAIMS
@@ -42,6 +45,8 @@ def topics() -> tuple[Topic, ...]:
         *(Topic(code, "claim", sentence) for code, sentence in CLAIMS.items()),
         *(Topic(code, "assumption", sentence) for code, sentence in ASSUMPTIONS.items()),
         *(Topic(code, "principle", told) for code, told in MEANING.items()),
+        *(Topic(key, "key", told) for key, told in _keys().items()),
+        Topic("rules", "page", _docs("rules/README.md").read_text("utf-8").split("\n")[0].removeprefix("# ")),
         *(Topic(p.name[:-3], "page", p.read_text("utf-8").split("\n")[0].removeprefix("# ")) for p in _pages()),
     )
 
@@ -70,14 +75,50 @@ def explain(code: str) -> str | None:
     if found.kind == "rule":
         return _docs(f"rules/{found.code}.md").read_text("utf-8")
     if found.kind == "page":
-        return _docs(f"{found.code}.md").read_text("utf-8")
+        return _docs("rules/README.md" if found.code == "rules" else f"{found.code}.md").read_text("utf-8")
     return f"# {found.code}, {_ARTICLE[found.kind]} {found.kind}\n\n{_page(found)}"
 
 
-_ARTICLE = {"claim": "a", "assumption": "an", "principle": "a"}
+_ARTICLE = {"claim": "a", "assumption": "an", "principle": "a", "key": "a"}
+
+
+def _keys() -> dict[str, str]:
+    """Every key of a layout, with its meaning."""
+    return {n: str(x.description).partition(WITHOUT)[0] for n, x in LayoutFile.model_fields.items()}
+
+
+def key_of(word: str) -> str:
+    """Of which keys of a layout a word is a key, in a sentence; empty where it is none of theirs."""
+    tables = _tables()
+    found = [key for key in _keys() if any(f"| `{word}` |" in x for x in tables.get(key, ()))]
+    told = ", ".join(f"`{key}`" for key in found)
+    return f"`{word}` is a key of {told}: `interlock explain {found[0]}`" if found else ""
+
+
+def _tables() -> dict[str, list[str]]:
+    """By key of a layout the tables of what stands in it: `overlaps` with `overlaps.ways`."""
+    found: dict[str, list[str]] = {}
+    for part in language_keys().split("### ")[1:]:
+        for key in dict.fromkeys(re.findall(r"`(\w+)(?:\.\w+)?`", part.partition("\n")[0])):
+            found.setdefault(key, []).append(part.strip())
+    return found
+
+
+def _key_page(found: Topic) -> str:
+    """What a key of a layout means, an example, and the tables of what stands in it."""
+    page = _docs("language.md").read_text("utf-8")
+    shown = re.search(rf"^\| `{found.code}` \| `(.+)` \|$", page, re.MULTILINE)
+    entry = shown[1] if shown else ""
+    if re.match(r"[^\[{:]+: ", entry):  # entries with names, which the table shows without braces
+        entry = f"{{{entry}}}"
+    parts = [f"{found.title[0].upper()}{found.title[1:]}.", f"For instance `{found.code}: {entry}`." if entry else ""]
+    parts += [f"## {x}" for x in _tables().get(found.code, ())]
+    return "\n\n".join([*(p for p in parts if p), "`interlock explain language` has the whole language."]) + "\n"
 
 
 def _page(found: Topic) -> str:
+    if found.kind == "key":
+        return _key_page(found)
     if found.kind == "claim":
         return (
             f"{found.title}\n\n{LEVELS[found.code[0]]}, for every state that the controller and the trains can reach "

@@ -8,7 +8,8 @@ A *line*: a single line with crossing loops, signals wherever trains wait.  8 ro
 from __future__ import annotations
 
 STARTER = """\
-# A crossing loop on a single line.  Change it step by step, and run `interlock check` after each step.
+# A crossing loop on a single line.  Change it step by step, and run `interlock check` after each step;
+# `interlock explain language` has every key, `interlock explain signals` those of signals.
 interlock: 1
 name: starter
 

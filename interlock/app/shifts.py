@@ -12,6 +12,7 @@ from statistics import NormalDist, fmean, stdev
 from interlock.app.setting import prepared
 from interlock.app.shift import Shift
 from interlock.app.worked import Options, Worked
+from interlock.diag.extras import install
 from interlock.proof.engines.pool import processes
 
 
@@ -62,7 +63,7 @@ def executing(jobs: int, dask: str | None) -> Iterator[Executor | None]:
     try:
         from distributed import Client
     except ImportError:
-        raise NoCluster("a Dask cluster needs the extra: pip install 'interlock[cluster]'") from None
+        raise NoCluster(f"a Dask cluster needs the extra `cluster`: {install('cluster')}") from None
     try:
         client = Client(dask, timeout=5)  # type: ignore[no-untyped-call]
     except (OSError, ValueError) as error:

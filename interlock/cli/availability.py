@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 
 from interlock.app.availability import try_file, write_stories
-from interlock.cli.common import FINDINGS, OK, format_option, progress, put_json, show
+from interlock.cli.common import FINDINGS, OK, format_option, number_of, progress, put_json, show
 from interlock.proof.witnesses.availability import Availability
 
 
@@ -56,8 +56,9 @@ def command(layout: str, traces: Path, form: str) -> None:
     )
     verdict = click.style("SHOWN", fg="green") if found.shown else click.style("NOT AVAILABLE", fg="red")
     click.echo(
-        f"{layout}: {verdict}  {len(found.routes)} routes; of {len(found.pairs) + found.hostile} pairs {found.hostile} "
-        f"hostile, {len(found.pairs)} used together in {found.runs} runs ({manners or 'none'}), {len(failed)} failed"
+        f"{layout}: {verdict}  {number_of(len(found.routes), 'route')}; of {len(found.pairs) + found.hostile} pairs "
+        f"{found.hostile} hostile, {len(found.pairs)} used together in {found.runs} runs ({manners or 'none'}), "
+        f"{len(failed)} failed"
     )
     for page in pages:
         click.echo(f"  to play it: {page}")

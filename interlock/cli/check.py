@@ -8,7 +8,17 @@ import time
 import click
 
 from interlock.app.check import check_file
-from interlock.cli.common import FINDINGS, OK, format_option, layouts_argument, progress, put_json, show, took
+from interlock.cli.common import (
+    FINDINGS,
+    OK,
+    format_option,
+    layouts_argument,
+    number_of,
+    progress,
+    put_json,
+    show,
+    took,
+)
 from interlock.diag import render
 
 
@@ -38,6 +48,6 @@ def command(layouts: tuple[str, ...], form: str) -> None:
     else:
         for r, time_taken in results:
             show(r.diagnostics, r.source.texts, form)
-            count = f", {len(r.table.routes)} routes" if r.ok and r.table else ""
+            count = f", {number_of(len(r.table.routes), 'route')}" if r.ok and r.table else ""
             click.echo(f"{r.path}: {render.summary(r.diagnostics) or 'no problems'}{count}, {time_taken}")
     sys.exit(OK if all(r.ok for r, _ in results) else FINDINGS)

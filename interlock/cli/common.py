@@ -263,7 +263,7 @@ def show_proof(p: Proved, form: str, verbose: bool) -> None:
     if verbose or not (p.proof.proved and p.text_equal):
         for c in p.proof.claims:
             mark = click.style(f"{c.verdict:8}", fg=_COLOURS[c.verdict])
-            count = _number(c.places, "place") if c.places else "nothing to claim"
+            count = number_of(c.places, "place") if c.places else "nothing to claim"
             click.echo(f"  {mark if c.places else ' ' * 8} {c.id:15} {count:>16}  {c.sentence}")
         for t in p.texts:
             same = "PROVED  " if t.equal else "REFUTED "
@@ -282,9 +282,9 @@ def show_proof(p: Proved, form: str, verbose: bool) -> None:
         verdict = click.style("CANNOT BE DRIVEN", fg="red")
     else:
         verdict = click.style("NOT SAFE", fg="red")
-    routes = len(p.proof.witnesses)
+    routes = number_of(len(p.proof.witnesses), "route")
     click.echo(
-        f"{p.checked.path}: {verdict}  {_claimed(p.proof.claims)}; {routes} routes, {ok} driven by a witness, "
+        f"{p.checked.path}: {verdict}  {_claimed(p.proof.claims)}; {routes}, {ok} driven by a witness, "
         f"text {'=' if p.text_equal else 'differs from'} controller, "
         f"{'as an earlier run has proved it, ' if p.proof.kept else ''}{p.seconds:.1f} s"
     )
@@ -296,13 +296,14 @@ def _claimed(claims: Sequence[ClaimResult]) -> str:
     proved = sum(c.verdict == "PROVED" for c in said)
     places, silent = sum(c.places for c in said), len(claims) - len(said)
     found = "all proved" if proved == len(said) else f"{proved} of them proved everywhere"
-    counted = f"{_number(len(said), 'claim')} at {_number(places, 'place')}, {found}"
+    counted = f"{number_of(len(said), 'claim')} at {number_of(places, 'place')}, {found}"
     return (
-        f"{counted}; {_number(silent, 'claim')} {'has' if silent == 1 else 'have'} nothing to claim here"
+        f"{counted}; {number_of(silent, 'claim')} {'has' if silent == 1 else 'have'} nothing to claim here"
         if silent
         else counted
     )
 
 
-def _number(n: int, of: str) -> str:
+def number_of(n: int, of: str) -> str:
+    """`1 route`, `2 routes`."""
     return f"{n} {of}" if n == 1 else f"{n} {of}s"

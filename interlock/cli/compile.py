@@ -18,11 +18,13 @@ from interlock.cli.common import (
     format_option,
     jobs_option,
     layouts_argument,
+    number_of,
     proof_body,
     put_json,
     show,
     show_proof,
 )
+from interlock.diag.extras import install
 from interlock.proof.engines.limits import Limits
 from interlock.st.dialects import DIALECTS
 
@@ -63,7 +65,7 @@ def command(
     """Derive the tables, prove the controller, and write all outputs."""
     tools = (*dialects, *(d.name for d in DIALECTS)) if "all" in dialects else dialects
     if C99 in dialects and find_spec("pycparser") is None:
-        raise click.UsageError("c99 needs the extra `c99`: pip install 'interlock[c99]'")
+        raise click.UsageError(f"c99 needs the extra `c99`: {install('c99')}")
     clashes = names_twice(layouts) if len(layouts) > 1 else ()
     if clashes:
         show(clashes, {}, form)
@@ -76,7 +78,10 @@ def command(
         for r in results:
             show_proof(r, form, verbose)
             if r.green and r.checked.layout is not None:
-                click.echo(f"  {'current' if check else 'written'}: {_folder(r, out)} ({len(r.files)} files)")
+                where = _folder(r, out)
+                click.echo(f"  {'current' if check else 'written'}: {where} ({number_of(len(r.files), 'file')})")
+                if not check:
+                    click.echo(f"  open in a browser: {where / 'index.html'}")
     sys.exit(exit_code(results))
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from pathlib import Path
 
@@ -19,6 +20,7 @@ from interlock.cli.common import (
     force_option,
     format_option,
     look_ahead_option,
+    number_of,
     progress,
     put_json,
     show,
@@ -30,6 +32,8 @@ from interlock.dispatch.language import beside
 from interlock.dispatch.plan.search import Verdict
 from interlock.dispatch.policy import Policy
 
+_CUT = re.compile(r"[^:>]+:[^:>]+")
+"""A command whose destination the shell has taken for the name of a file: `12:W>E` without quotes arrives as `12:W`."""
 POLICIES = [str(p) for p in Policy]
 
 
@@ -80,7 +84,10 @@ def command(
 
     A COMMAND is the name of a voyage, or a number with origin and destinations: 12:W>E, 12:W>E+q4 (over q4),
     12:W>s8_xc3>OUT (there and back), 12:q9/X6>W (from where it stands before X6).
+
+    Put a COMMAND in quotes, '12:W>E': a shell takes > for itself, and writes what is shown into a file E.
     """
+    _refuse_cut(commands)
     if replay is not None:
         sys.exit(_replay(layout, replay, form))
     if (failing or occupied) and (timings or exploring):
@@ -102,7 +109,7 @@ def command(
             occupied=occupied,
         )
     if plan is not None and found.plan is not None:
-        _write(Path(plan), to_text(found.plan), [Path(layout), Path(orders or beside(layout))], force, form)
+        _write_plan(to_text(found.plan), Path(plan), [Path(layout), Path(orders or beside(layout))], force, form)
     if form == "json":
         put_json(_body(found))
     else:
@@ -110,8 +117,18 @@ def command(
     sys.exit(_code(found))
 
 
-def _write(target: Path, plan: str, read: list[Path], force: bool, form: str) -> None:
-    """Write a completion plan; ends the command where it would overwrite what is read, or something else."""
+def _refuse_cut(commands: tuple[str, ...]) -> None:
+    """A command without a destination is told on the standard error: what goes to the other one is in that file."""
+    cut = next((c for c in commands if _CUT.fullmatch(c)), None)
+    if cut is not None:
+        raise click.UsageError(
+            f"{cut} names no destination.  Put the command in quotes, '{cut}>...': a shell takes > for itself, and has "
+            "written this run's results into a file with the destination's name"
+        )
+
+
+def _write_plan(text: str, target: Path, read: list[Path], force: bool, form: str) -> None:
+    """The plan into its file, which is none of those that were read, and no other one's."""
     try:
         if target.exists() and any(f.exists() and target.samefile(f) for f in read):
             failed(f"{target} is what is read: choose another file with --plan", form)
@@ -119,7 +136,7 @@ def _write(target: Path, plan: str, read: list[Path], force: bool, form: str) ->
         if target.exists() and not force and not _is_plan(target):
             failed(f"{target} exists and is no completion plan; --force overwrites it", form)
             sys.exit(FINDINGS)
-        write_whole(target, plan.encode())
+        write_whole(target, text.encode())
     except OSError as error:
         failed(told(error, target), form)
         sys.exit(FINDINGS)
@@ -202,7 +219,7 @@ def _print(found: Dispatched, form: str) -> None:
         click.echo(f"order {d.name}: {d.trains} trains from {d.order.from_} to {d.order.to}, {ways} places on the way")
     said = str(found.answer.verdict) if found.answer else ""
     if found.plan is not None and found.replayed is not None:
-        click.echo(f"{click.style(said, fg='green')}  {len(found.plan.moves)} routes:")
+        click.echo(f"{click.style(said, fg='green')}  {number_of(len(found.plan.moves), 'route')}:")
         for train, route in found.plan.moves:
             click.echo(f"  {train:10} {route}")
         r = found.replayed

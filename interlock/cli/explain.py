@@ -6,7 +6,7 @@ import sys
 
 import click
 
-from interlock.app.explain import explain, topic, topics
+from interlock.app.explain import explain, key_of, topic, topics
 from interlock.cli.common import FINDINGS, OK, failed, format_option, put_json
 from interlock.diag.suggest import did_you_mean
 
@@ -15,8 +15,9 @@ from interlock.diag.suggest import did_you_mean
 @click.argument("code", required=False)
 @format_option
 def command(code: str | None, form: str) -> None:
-    """Explain a diagnostic (IL4001), a rule (R5), a claim (T-COLLISION), an assumption (A-SCAN) or a principle
-    (release_delay_s), or show a page of the documents (panel); without a code, list all of them.
+    """Explain a diagnostic (IL4001), a rule (R5), a claim (T-COLLISION), an assumption (A-SCAN), a principle
+    (release_delay_s) or a key of the layout (overlaps), or show a page of the documents (panel); without a code, list
+    all of them.
     """
     if code is None:
         found = topics()
@@ -29,7 +30,7 @@ def command(code: str | None, form: str) -> None:
     one, page = topic(code), explain(code)
     if one is None or page is None:
         fix = did_you_mean(code, [t.code for t in topics()], "`interlock explain` lists all of them")
-        failed(f"there is no code {code}", form, code="IL5005", fix=str(fix))
+        failed(f"there is no code {code}", form, code="IL5005", fix=key_of(code) or str(fix))
         sys.exit(FINDINGS)
     if form == "json":
         put_json([{"code": one.code, "kind": one.kind, "severity": one.severity, "title": one.title, "page": page}])

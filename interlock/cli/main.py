@@ -84,6 +84,8 @@ def cli(ctx: click.Context) -> None:
     """From a track layout to a proved interlocking table, Structured Text and a Python runtime.
 
     Start with: interlock init -o NAME.yaml
+
+    Its language: interlock explain language, or of one key: interlock explain overlaps
     """
     if os.environ.get("NO_COLOR"):
         ctx.color = False

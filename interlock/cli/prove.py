@@ -21,6 +21,7 @@ from interlock.cli.common import (
     put_json,
     show_proof,
 )
+from interlock.diag.extras import install
 from interlock.proof.engines import ENGINES
 from interlock.proof.engines.cache import Cache
 from interlock.proof.engines.limits import Limits
@@ -79,7 +80,7 @@ def command(
     movement that the named assumptions allow.
     """
     if engine == "cvc5" and find_spec("cvc5") is None:
-        raise click.UsageError("cvc5 needs the extra `recheck`: pip install 'interlock[recheck]'")
+        raise click.UsageError(f"cvc5 needs the extra `recheck`: {install('recheck')}")
     limits = Limits(
         search_depth=search_depth,
         search_s=search_seconds,

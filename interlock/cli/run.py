@@ -22,6 +22,7 @@ from interlock.app.alarms import TRAIN, Watch
 from interlock.app.run import BadCommand, Operator, Ready, prepare, refused, run
 from interlock.cli.common import exit_code, format_option, progress, proof_body, show_proof
 from interlock.cli.operator_place import answering, parsed
+from interlock.diag.extras import install
 from interlock.dispatch.arbiter import Full
 from interlock.field.alone import InUse, hold
 from interlock.field.modbus import ModbusLink
@@ -62,7 +63,7 @@ def _links(ready: Ready, given: tuple[str, ...]) -> dict[str, Link]:
 def _needs(module: str, what: str, extra: str) -> None:
     """An extra that has to be installed."""
     if importlib.util.find_spec(module) is None:
-        raise click.UsageError(f"{what} needs the extra `{extra}`: pip install 'interlock[{extra}]'")
+        raise click.UsageError(f"{what} needs the extra `{extra}`: {install(extra)}")
 
 
 def _end(number: int, frame: object) -> None:

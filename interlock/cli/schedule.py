@@ -20,6 +20,7 @@ from interlock.cli.common import (
     progress,
     put_json,
 )
+from interlock.diag.extras import install
 from interlock.planning.displib import BadFile, read, write
 from interlock.planning.planner import Planned, schedule
 from interlock.planning.solver import installed
@@ -93,6 +94,6 @@ def _told(problem: Path, found: Planned, form: str) -> None:
         click.echo(f"{problem}: {said}")
     else:
         if not installed():
-            click.echo("without the extra (pip install 'interlock[plan]') nothing is shown of better plans", err=True)
+            click.echo(f"without the extra `plan` ({install('plan')}) nothing is shown of better plans", err=True)
         said = "no plan costs less" if found.best else f"no plan costs less than {found.bound}"
         click.echo(f"{problem}: a plan that costs {plan.cost} ({found.by}); {said}; {found.seconds:.1f} s")

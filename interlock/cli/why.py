@@ -6,6 +6,7 @@ import sys
 
 import click
 
+from interlock.app.check import check_file
 from interlock.app.why import why
 from interlock.cli.common import FINDINGS, OK, format_option, put_json, show
 from interlock.diag import render
@@ -14,11 +15,13 @@ from interlock.table.columns import COLUMNS
 
 @click.command("why")
 @click.argument("layout")
-@click.argument("route")
+@click.argument("route", required=False)
 @click.argument("column", required=False)
 @format_option
-def command(layout: str, route: str, column: str | None, form: str) -> None:
-    """Print the reason for each cell of a route's row (all columns, or one)."""
+def command(layout: str, route: str | None, column: str | None, form: str) -> None:
+    """Print the reason for each cell of a route's row (all columns, or one); without a route, the routes."""
+    if route is None:
+        sys.exit(_routes(layout, form))
     checked, reasons, problems = why(layout, route, column)
     failed = bool(problems) or not checked.ok
     if form == "json":
@@ -47,3 +50,22 @@ def command(layout: str, route: str, column: str | None, form: str) -> None:
             last = r.column
         click.echo(f"  {r.item:32} {r.rule:6} {r.text}")
     sys.exit(OK)
+
+
+def _routes(layout: str, form: str) -> int:
+    """The routes that can be named, each with the sections over which it leads; the exit code."""
+    checked = check_file(layout)
+    rows = checked.table.routes if checked.table is not None else ()
+    named = [(r.id, ", ".join((str(r.kind), *r.names)), ", ".join(c.section for c in r.clear.sections)) for r in rows]
+    if form == "json":
+        put_json(
+            {
+                "routes": [{"route": n, "kind": kind, "clear": clear} for n, kind, clear in named],
+                "diagnostics": render.as_json(checked.diagnostics, checked.source.texts),
+            }
+        )
+    elif not checked.ok:
+        show(checked.diagnostics, checked.source.texts, form)
+    for n, kind, clear in named if form != "json" and checked.ok else ():
+        click.echo(f"{n:22} {kind:16} over {clear}" if clear else f"{n:22} {kind}")
+    return OK if checked.ok else FINDINGS

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from itertools import product
 
-from interlock.derivation.routes import Path
+from interlock.derivation.routes import Path, where_routes_lead
 from interlock.diag import Element, Sink
 from interlock.model.elements import Choice, Demanded, Position, RouteId, SectionId
 from interlock.model.layout import Layout
@@ -35,6 +35,10 @@ def chosen(choice: Choice, paths: Sequence[Path]) -> list[Path]:
     ]
 
 
+def _led(choice: Choice, paths: Sequence[Path]) -> str:
+    return where_routes_lead(choice.entry, choice.exit, ((p.entry, p.exit) for p in paths))
+
+
 def derive_barred(layout: Layout, paths: Sequence[Path], sink: Sink) -> Barred:
     """For each route those that are declared hostile to it, in order of number."""
     found: dict[RouteId, dict[int, BarredCell]] = {}
@@ -43,7 +47,11 @@ def derive_barred(layout: Layout, paths: Sequence[Path], sink: Sink) -> Barred:
         pairs = [(p, q) for p, q in product(chosen(b.one, paths), chosen(b.other, paths)) if p is not q]
         if not pairs:
             text = f"no two routes are declared hostile ({b.reason})"
-            fix = "`one` and `other` each choose routes by `from`, `to`, `via` and `kind`: correct them"
+            sides = [("one", b.one), ("other", b.other)]
+            empty = [f"`{side}`{_led(x, paths)}" for side, x in sides if not chosen(x, paths)]
+            fix = "`one` and `other` each choose routes by `from`, `to`, `via` and `kind`: correct " + (
+                ", and ".join(empty) or "them, since both choose one and the same route"
+            )
             sink.add("IL2019", text, None, fix, about=Element("hostile", i))
         for p, q in pairs:
             found.setdefault(p.id, {}).setdefault(q.number, BarredCell(q.id, why))
@@ -69,7 +77,7 @@ def with_added(layout: Layout, paths: Sequence[Path], derived: Demands, sink: Si
                 _contradicts(layout, d, p, lies, i, sink)
         if not those:
             text = f"no route demands {d.machine} {d.position} ({d.reason})"
-            fix = "`routes` chooses them by `from`, `to`, `via` and `kind`: correct it"
+            fix = f"`routes` chooses them by `from`, `to`, `via` and `kind`: correct it{_led(d.routes, paths)}"
             sink.add("IL2019", text, None, fix, about=Element("demand", i))
         elif len(idle) == len(those):
             those_ids = ", ".join(p.id for p in idle)
@@ -93,7 +101,7 @@ def demanded_clear(layout: Layout, paths: Sequence[Path], sink: Sink) -> Mapping
             found.setdefault(p.id, {}).setdefault(d.section, cell)
         if not those:
             text = f"no route demands {d.section} clear ({d.reason})"
-            fix = "`routes` chooses them by `from`, `to`, `via` and `kind`: correct it"
+            fix = f"`routes` chooses them by `from`, `to`, `via` and `kind`: correct it{_led(d.routes, paths)}"
             sink.add("IL2019", text, None, fix, about=about)
     return {r: tuple(cells.values()) for r, cells in found.items()}
 

@@ -34,7 +34,7 @@ from interlock.diag import Element, Sink
 from interlock.diag.called import called
 from interlock.model.elements import BufferKind, RouteId, SignalId
 from interlock.model.layout import Layout
-from interlock.model.overlap import entry_speed
+from interlock.model.overlap import ends_short, entry_speed, wanted_m
 from interlock.model.traversal import topology
 from interlock.table.cells import Because, ClearCell, FoulCell, OverlapCell, RouteKind, TraversalKey
 from interlock.table.rows import (
@@ -220,7 +220,10 @@ def _overlap(layout: Layout, path: Path, swinging: Mapping[SignalId, tuple[int, 
     over = ", ".join(t.section for t in path.overlap)
     kmh = entry_speed(layout, SignalId(path.exit), path.overlap)
     made = "" if kmh is None else f", made for {kmh} km/h"
-    why = Because("R4", f"a train may overrun {path.exit} over {over}: {metres:g} m to the next joint{made}")
+    short = ends_short(layout, SignalId(path.exit), path.overlap)
+    wanted = wanted_m(layout, SignalId(path.exit), path.overlap)
+    to = "the next joint" if short is None else f"{short}, where the layout ends, of {wanted:g} m that are stated"
+    why = Because("R4", f"a train may overrun {path.exit} over {over}: {metres:g} m to {to}{made}")
     if isinf(layout.overlaps.length[SignalId(path.exit)]):
         why = Because("R2", f"successive route: a train that does not stop before {path.exit} runs on over {over}")
     swings = tuple(k for k in swinging.get(SignalId(path.exit), ()) if k != path.option)

@@ -12,7 +12,7 @@ A path that meets itself, or that needs one machine in two positions, cannot be 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from interlock.diag import Element, Sink
@@ -138,6 +138,7 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
     topo = topology(layout)
     found: list[_Found] = []
     ahead: list[_Found] = []  # to signals that can be passed, whether or not a route may end there
+    led: list[tuple[str, str]] = []  # from signals to where paths end, those that are excluded too
     fits = [0] * len(layout.declared.excluded)
     for g in layout.signalling.signals:
         reached: set[str] = set()
@@ -158,6 +159,7 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
                 path = _Found(g, kind, name, exit_kind, ways)
                 out = [i for i, x in enumerate(layout.declared.excluded) if _excludes(x, path)]
                 reached.add(name)
+                led.append((g.id, name))
                 if kind in (RouteKind.MAIN, RouteKind.IDENTIFIER) and name in layout.signalling.identifiers:
                     ahead.append(path)
                 if not out:
@@ -166,20 +168,37 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
                     fits[i] += 1
         _tell_dropped(layout, g.id, dropped, reached, sink)
         if not reached and g.id not in layout.signalling.boards:
-            sink.add(
-                "IL4003",
-                f"no route leads from {called('signal', g.id)}",
-                None,
-                "check its direction (`from`, `into`) and where the track goes",
-                about=Element("signals", g.id),
-            )
+            _tell_none(g.id, dropped, sink)
     past = _past(layout, found, ahead, fits, sink)
     found = [f for f in found if f.kind is not RouteKind.IDENTIFIER] + past
     for i, (x, n) in enumerate(zip(layout.declared.excluded, fits, strict=True)):
         if not n:
-            fix = "remove it, or correct its ends"
+            fix = "remove it, or correct its ends" + where_routes_lead(x.entry, x.exit, led)
             sink.add("IL2012", f"the exclusion ({x.reason}) fits no route", None, fix, about=Element("exclude", i))
     return _numbered(layout, found, sink)
+
+
+def _tell_none(g: SignalId, dropped: Sequence[_Dropped], sink: Sink) -> None:
+    """IL4003 of a signal from which no route leads, with what kept those that there would be."""
+    whys = list(dict.fromkeys(d.why for d in dropped))
+    fix = "check its direction (`from`, `into`) and where the track goes"
+    if whys:
+        fix = "check its direction; the notes name each way left out, `interlock explain IL4005` what to do"
+    why = f": {'; '.join(whys)}" if whys else ""
+    text = f"no route leads from {called('signal', g)}{why}"
+    sink.add("IL4003", text, None, fix, about=Element("signals", g))
+
+
+def where_routes_lead(entry: str | None, exit_: str | None, led: Iterable[tuple[str, str]]) -> str:
+    """Of a choice of routes that fits none: where those from its signal lead, or from where those to its end come."""
+    led = list(led)
+    if entry is not None:
+        ends = ", ".join(sorted({there for here, there in led if here == entry}))
+        return f": from {entry} routes lead to {ends}" if ends else f": no route begins at {entry}"
+    if exit_ is not None:
+        starts = ", ".join(sorted({here for here, there in led if there == exit_}))
+        return f": to {exit_} routes lead from {starts}" if starts else f": no route ends at {exit_}"
+    return ""
 
 
 @dataclass(frozen=True)

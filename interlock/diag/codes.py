@@ -157,6 +157,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL7007": (_W, "a signal directly behind points"),
     "IL7010": (_W, "two names that look alike"),
     "IL7011": (_W, "a point that another route may keep from moving"),
+    "IL7012": (_W, "an overlap that the end of the layout cuts short"),
 }
 
 LINTS: tuple[str, ...] = ("IL3012", "IL4017", "IL4020", *(code for code in CODES if code.startswith("IL7")))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -19,8 +19,12 @@ class Suggestion:
     name: str
     known: Collection[str]
     otherwise: str = ""
+    of_another_kind: Callable[[str], str] | None = None
+    """What to write where something else bears the very name; empty where nothing does."""
 
     def __str__(self) -> str:
+        if self.of_another_kind is not None and (said := self.of_another_kind(self.name)):
+            return said
         found = nearest(self.name, self.known)
         if found is not None:
             return f"did you mean {found}?"
@@ -31,9 +35,12 @@ class Suggestion:
         return f"known here: {', '.join(names[:_FEW])}{more}" if names else "nothing of the kind is known here"
 
 
-def did_you_mean(name: str, known: Collection[str], otherwise: str = "") -> Suggestion:
-    """A sentence that proposes the nearest known name; else what to do `otherwise`, else the known ones."""
-    return Suggestion(name, known, otherwise)
+def did_you_mean(
+    name: str, known: Collection[str], otherwise: str = "", of_another_kind: Callable[[str], str] | None = None
+) -> Suggestion:
+    """A sentence that says what bears the name if that is something else; else proposes the nearest known name; else
+    what to do `otherwise`, else the known ones."""
+    return Suggestion(name, known, otherwise, of_another_kind)
 
 
 def nearest(name: str, known: Collection[str]) -> str | None:

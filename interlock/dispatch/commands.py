@@ -22,6 +22,7 @@ from interlock.table.rows import VoyageRow
 
 _COMMAND = re.compile(r"(?P<train>[^:>]+):(?P<start>[^:>]+)(?P<legs>(>[^:>]+)+)")
 
+_SIGNS = frozenset(":>+/")
 _SIGN = re.compile(r"\s*([:>+/])\s*")
 
 
@@ -65,6 +66,9 @@ def _written(command: str) -> str:
     plain = "".join(unicodedata.normalize("NFKC", command).split())
     if plain != command and _COMMAND.fullmatch(plain):
         return f"write {plain}"
+    train, *places = command.split()
+    if len(places) == 2 and not _SIGNS & set(command):
+        return f"write {train}:{places[0]}>{places[1]}"
     return f"write the locomotive's number before it: 12:{command}" if _COMMAND.fullmatch(f"12:{command}") else ""
 
 

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 
 from pydantic_core import PydanticCustomError
 
 from interlock.diag import Span
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
+from interlock.frontend.mistaken import for_a_section, for_an_end_or_section
 from interlock.frontend.ports import Wiring
 from interlock.frontend.schema import OverlapSpec, OverlapWaySpec
 from interlock.model.elements import EdgeId, Overlap, OverlapWay, SectionId, Signal, SignalId
@@ -63,9 +65,8 @@ def _bars(ctx: Context, g: SignalId, wiring: Wiring) -> Iterator[tuple[SignalId,
         else:
             known = {*ends, *wiring.sections}
             what = f"{x} is no section, and no end of a point, slip, crossing or derailer"
-            ctx.add(
-                "IL2003" if "." in x else "IL2004", what, ctx.at("overlaps", g, "not_over", i), did_you_mean(x, known)
-            )
+            hint = did_you_mean(x, known, of_another_kind=partial(for_an_end_or_section, ctx.file))
+            ctx.add("IL2003" if "." in x else "IL2004", what, ctx.at("overlaps", g, "not_over", i), hint)
 
 
 def _metres(ctx: Context, name: str, spec: OverlapSpec) -> float | None:
@@ -74,10 +75,15 @@ def _metres(ctx: Context, name: str, spec: OverlapSpec) -> float | None:
     try:
         metres = spec.metres()
     except PydanticCustomError as error:
-        ctx.add("IL1013", f"overlaps.{name}: {error.message()}", at, "write metres")
+        _no_number(ctx, ("overlaps", name, "length"), error)
         return None
     said = [spec.length is not None, spec.speed is not None, spec.successive]
     follows = spec.entry_speed is not None and not any(said)
+    if sum(said) > 1:
+        those = " and ".join(f"`{k}`" for k, x in zip(("length", "speed", "successive"), said, strict=True) if x)
+        text = f"overlaps.{name}: {those} each say how far the overlap goes"
+        ctx.add("IL1014", text, at, "leave one of them, and remove the rest")
+        return None
     if (sum(said) != 1 and not follows) or not (spec.successive or 0 <= metres <= 2000):
         ctx.add(
             "IL1014",
@@ -130,13 +136,22 @@ def _falls_beside(ctx: Context, what: str, at: Span) -> None:
     )
 
 
+def _no_number(ctx: Context, path: tuple[str | int, ...], error: PydanticCustomError) -> None:
+    """Report a length that cannot be read, with what was meant where that is plain."""
+    said = error.context or {}
+    fix = said.get("fix", "write metres as a plain decimal number, for instance 180")
+    where = ".".join(map(str, path))
+    ctx.add("IL1013", f"{where}: {error.message()}", ctx.at(*path), fix, cause=said.get("cause", ""), note=where)
+
+
 def _ways(ctx: Context, name: str, spec: OverlapSpec, wiring: Wiring) -> list[OverlapWay]:
     out = []
     for i, way in enumerate(spec.ways):
         for k, s in enumerate(way.over):
             if s not in wiring.sections:
                 at = ctx.at("overlaps", name, "ways", i, "over", k)
-                ctx.add("IL2004", f"there is no section {s}", at, did_you_mean(s, wiring.sections))
+                hint = did_you_mean(s, wiring.sections, of_another_kind=partial(for_a_section, ctx.file))
+                ctx.add("IL2004", f"there is no section {s}", at, hint)
         metres = _way_metres(ctx, name, i, way)
         if metres is not None:
             over = tuple(sorted(map(SectionId, way.over)))
@@ -149,7 +164,7 @@ def _way_metres(ctx: Context, name: str, i: int, way: OverlapWaySpec) -> float |
     try:
         metres = way.metres()
     except PydanticCustomError as error:
-        ctx.add("IL1013", f"overlaps.{name}.ways: {error.message()}", at, "write metres")
+        _no_number(ctx, ("overlaps", name, "ways", i, "length"), error)
         return None
     if (way.length is None and way.entry_speed is None) or not 0 < metres <= 2000:
         ctx.add(

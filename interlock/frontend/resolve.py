@@ -6,14 +6,16 @@ Output: diagnostics IL2004, IL2006, IL3005-IL3007, IL2008 (malformed), and the e
 from __future__ import annotations
 
 from collections.abc import Collection
+from functools import partial
 
 from interlock.diag import Span
 from interlock.diag.called import called
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
+from interlock.frontend.mistaken import ends_of_layout, for_a_section
 from interlock.frontend.parts import points_of
 from interlock.frontend.ports import Wiring
-from interlock.frontend.scalars import item_parts, number_text
+from interlock.frontend.scalars import item_parts, length_behind
 from interlock.frontend.schema import ChoiceSpec, RouteSpec, SignalSpec
 from interlock.model.elements import (
     Choice,
@@ -59,21 +61,22 @@ def check_signal_names(ctx: Context, wiring: Wiring) -> None:
         for key, value, names in (("from", spec.from_, known), ("into", spec.into, sections)):
             if value not in names:
                 span = ctx.at("signals", name, key)
-                if any(item.startswith(value) and number_text(item[len(value) :]) for item in unread):
+                if any(length_behind(item, value) for item in unread):
                     continue  # the item is reported: a space is missing in it
                 if value in wiring.approaches:
                     hint = "an entry signal stands at the boundary: write the boundary's name after `from`"
                     ctx.add("IL2004", f"{called('signal', name)}: {value} is the approach section, outside", span, hint)
                 else:
                     kind = "section or boundary" if key == "from" else "section"
-                    _unknown(ctx, kind, value, span, names, called("signal", name))
+                    _unknown(ctx, kind, value, span, names, called("signal", name), of_a_signal=True)
 
 
 def _meant(ctx: Context, wiring: Wiring) -> set[str]:
     """What may be the name of a section in an item of a track that cannot be read, which is reported."""
-    items = [item for those in ctx.file.tracks.values() for item in those if item.strip()]
+    ends = ends_of_layout(ctx.file)
+    items = [x for those in ctx.file.tracks.values() for x in those if x.strip() and " ".join(x.split()) not in ends]
     unclear = [item.split() for item in items if item_parts(item)[0] not in wiring.sections]
-    return {" ".join(words[:k]) for words in unclear for k in range(1, max(2, len(words)))}
+    return {" ".join(words[:k]) for words in unclear for k in range(1, max(2, len(words)))} - ends
 
 
 def no_section(ctx: Context, wiring: Wiring, name: str, span: Span, what: str) -> None:
@@ -352,11 +355,16 @@ def _is_end(ctx: Context, wiring: Wiring, name: str) -> bool:
     return name in _ends(ctx, wiring) or name in _meant(ctx, wiring)
 
 
-def _unknown(ctx: Context, kind: str, name: str, span: Span, known: Collection[str], what: str) -> None:
-    """Report a name that `what` refers to and nothing bears; one that is misspelt everywhere is one mistake."""
-    code = "IL2004" if kind.startswith("section") else "IL2006"
+def _unknown(
+    ctx: Context, kind: str, name: str, span: Span, known: Collection[str], what: str, *, of_a_signal: bool = False
+) -> None:
+    """Report a name that `what` refers to and nothing of the kind bears; one that is misspelt everywhere is one
+    mistake."""
+    section = kind.startswith("section")
     message = f"{what}: there is no {kind} {name}" if what else f"there is no {kind} {name}"
-    ctx.add(code, message, span, did_you_mean(name, known), cause=name, note=what)
+    other = partial(for_a_section, ctx.file, of_a_signal=of_a_signal) if section else None
+    hint = did_you_mean(name, known, of_another_kind=other)
+    ctx.add("IL2004" if section else "IL2006", message, span, hint, cause=name, note=what)
 
 
 def resolve_choice(ctx: Context, wiring: Wiring, spec: ChoiceSpec, at: tuple[str | int, ...], what: str) -> Choice:

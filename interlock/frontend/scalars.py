@@ -80,6 +80,12 @@ def item_parts(text: str) -> tuple[str, str]:
     return (name, length[0]) if length and number_text(length[0]) else (text.strip(), "")
 
 
+def length_behind(text: str, name: str) -> str:
+    """The length that follows a name without a space between, `q1400`, `q1(400)`, `q1:400`; empty where none does."""
+    rest = text[len(name) :].strip("()[]:=@ ") if text.startswith(name) and text != name else ""
+    return rest if number_text(rest) else ""
+
+
 def number(text: str) -> float:
     """A finite number in plain decimal notation; raises PydanticCustomError otherwise."""
     if not _NUMBER.fullmatch(text):
@@ -189,7 +195,8 @@ def _coordinate(value: object) -> object:
 def _seconds(value: object) -> object:
     x = _amount(value)
     if x == 0:
-        raise PydanticCustomError("range", "{v} is out of range (0 to 86400)", {"v": value})
+        fix = "write a number above 0"
+        raise PydanticCustomError("range", "{v} is out of range (above 0, to 86400)", {"v": value, "fix": fix})
     return x
 
 
@@ -198,7 +205,8 @@ def _amount(value: object) -> float:
         raise PydanticCustomError("number", "a number is expected")
     x = number(value)
     if not math.isfinite(x) or not 0 <= x <= 86_400:
-        raise PydanticCustomError("range", "{v} is out of range (0 to 86400)", {"v": value})
+        fix = "write a number from 0 to 86400; times are in seconds, and a day has so many"
+        raise PydanticCustomError("range", "{v} is out of range (0 to 86400)", {"v": value, "fix": fix})
     return x
 
 
@@ -215,10 +223,23 @@ def _permille(value: object) -> float:
 def _speed(value: object) -> int:
     if not isinstance(value, str):
         raise PydanticCustomError("number", "a number is expected")
+    kmh = _kmh(value)
+    fix = "write whole km/h, from 5 to 400" + (f": {math.floor(kmh)}" if kmh else "")
+    if slip_of(value) and kmh != math.floor(kmh):
+        raise PydanticCustomError("number", "'{v}' is not a number", {"v": value, "cause": slip_of(value), "fix": fix})
     x = number(value)
     if x != round(x) or not 5 <= x <= 400:
-        raise PydanticCustomError("range", "{v} is no speed (whole km/h, 5 to 400)", {"v": value})
+        raise PydanticCustomError("range", "{v} is no speed (whole km/h, 5 to 400)", {"v": value, "fix": fix})
     return round(x)
+
+
+def _kmh(text: str) -> float:
+    """The km/h that a text means with decimals or a unit of speed, if they are a speed that can be stated; else 0."""
+    found = _WITH_UNIT.fullmatch(text)
+    factor, what = _UNITS.get(found[2].lower(), (1.0, "")) if found is not None else (1.0, "speeds are km/h")
+    amount = found[1].replace(",", ".") if found is not None else text
+    kmh = round(float(amount) * factor, 6) if number_text(amount) and what == "speeds are km/h" else 0.0
+    return kmh if 5 <= kmh <= 400 else 0.0
 
 
 def _text(value: object) -> object:

@@ -13,8 +13,9 @@ from pydantic import ValidationError
 
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import Suggestion, did_you_mean, nearest
-from interlock.frontend.scalars import number_fix, number_text
-from interlock.frontend.yaml_tree import Mapping, Node, Scalar, Sequence
+from interlock.frontend.examples import EXAMPLES, LISTS, WHOLE, example_at
+from interlock.frontend.scalars import NAME, number_fix, number_text
+from interlock.frontend.yaml_tree import Mapping, Node, Scalar, Sequence, stands_beside
 
 Loc = tuple[str | int, ...]
 
@@ -73,13 +74,15 @@ def span_of(root: Node, path: Loc, *, key: bool = False) -> Span:
 
 def report_shape(root: Node, error: ValidationError, keys: Map[str, tuple[str, ...]], sink: Sink) -> None:
     """Every error of shape as a diagnostic at its place; `keys`: the known keys of each room, "" for the file's."""
+    beside = _beside(root, keys, sink)
     errors = error.errors(include_url=False, include_input=False)
     paths = [(e, tuple(p for p in e["loc"] if not _inner(p))) for e in errors]
+    paths = [(e, path) for e, path in paths if path[:2] not in beside]
     misspelt: set[Loc] = set()
     for e, path in paths:
         if e["type"] == "extra_forbidden":
             known = keys.get(str(path[0]) if len(path) > 1 else "", ())
-            meant = _unknown_key(root, path, known, sink)
+            meant = _unknown_key(root, path, known, keys, sink)
             if meant is not None:
                 misspelt.add((*path[:-1], meant))
     for e, path in paths:
@@ -90,12 +93,31 @@ def report_shape(root: Node, error: ValidationError, keys: Map[str, tuple[str, .
             _value(root, e["type"], path, "[key]" in e["loc"], e["msg"], e.get("ctx", {}), sink)
 
 
+def _beside(root: Node, keys: Map[str, tuple[str, ...]], sink: Sink) -> set[Loc]:
+    """Report keys of entries that stand beside the name of theirs instead of below it; those places, and the names'."""
+    found: set[Loc] = set()
+    rooms = root.items.items() if isinstance(root, Mapping) else ()
+    for room, (_, part) in rooms:
+        name = ""
+        for key, (at, value) in part.items.items() if isinstance(part, Mapping) else ():
+            if isinstance(value, Scalar) and not value.text:
+                name = key
+            elif name and key in keys.get(room, ()) and not isinstance(value, Mapping):
+                stands_beside(at, name, sink)
+                found |= {(room, name), (room, key)}
+            else:
+                name = ""
+    return found
+
+
 def _inner(part: str | int) -> bool:
     """A step of pydantic's own, not of the file."""
     return part == "[key]" or (isinstance(part, str) and part.startswith("function-"))
 
 
-def _unknown_key(root: Node, path: Loc, known: tuple[str, ...], sink: Sink) -> str | None:
+def _unknown_key(
+    root: Node, path: Loc, known: tuple[str, ...], keys: Map[str, tuple[str, ...]], sink: Sink
+) -> str | None:
     """Report a key that nobody knows; the key that was meant, if that is plain."""
     key, span, value = str(path[-1]), span_of(root, path, key=True), node_at(root, path)
     before, _, rest = key.partition(":")
@@ -137,8 +159,37 @@ def _unknown_key(root: Node, path: Loc, known: tuple[str, ...], sink: Sink) -> s
         quoted = f'put the text in quotes: `{words[0]}: "{words[1].text}, {key}"`'
         sink.add("IL1011", said, span, quoted, cause="a comma in a text", note=f"`{key}`")
         return None
-    sink.add("IL1011", f"unknown key `{key}`", span, meant)
-    return nearest(key, known)
+    if SAME.get(key.lower()) in known:
+        sink.add("IL1011", f"unknown key `{key}`", span, f"did you mean {SAME[key.lower()]}?")
+        return SAME[key.lower()]
+    elsewhere = _elsewhere(path, keys)
+    sink.add("IL1011", f"unknown key `{key}`", span, elsewhere or meant)
+    return None if elsewhere else nearest(key, known)
+
+
+SAME = {"type": "kind", "entry": "from", "exit": "to", "comment": "reason", "description": "text", "position": "lies"}
+"""Words of other languages of layouts, and ours."""
+
+
+def _elsewhere(path: Loc, keys: Map[str, tuple[str, ...]]) -> str:
+    """Where a key belongs that is none at this place, but one of the file, of an entry of another part, or (`overlap`)
+    the name of a part."""
+    key = str(path[-1])
+    part = next((p for p in (key, f"{key}s") if p in keys[""] and p in EXAMPLES), "")
+    if len(path) > 1 and part:
+        entry = EXAMPLES[part] if part in WHOLE else f"[{EXAMPLES[part]}]"
+        if part not in WHOLE | LISTS:
+            entry = f"{{{path[1] if len(path) > 2 else 'NAME'}: {EXAMPLES[part]}}}"
+        return f"`{part}` is a key of the file: write it there, for instance `{part}: {entry}`"
+    if len(path) == 1:
+        if key in keys.get("principles", ()):
+            return f"write it under `principles`, for instance `principles: {{{key}: ...}}`"
+        return ""
+    if key in keys.get("principles", ()):
+        return f"`{key}` is a principle of the whole layout: write it under `principles`"
+    rooms = [f"`{room}`" for room, known in keys.items() if room and key in known]
+    where = "the file" if key in keys[""] else f"an entry of {' or '.join(rooms)}" if 0 < len(rooms) <= 3 else ""
+    return f"{_known_keys(path, keys.get(str(path[0]), ()))}; `{key}` belongs to {where}" if where else ""
 
 
 TEXTS = frozenset({"label", "reason", "text", "title", "button", "company", "author", "number", "revision", "date"})
@@ -183,13 +234,21 @@ def _value(root: Node, kind: str, path: Loc, on_key: bool, text: str, ctx: Map[s
     value = str(ctx.get("v", ""))
     advice: str | Suggestion = ctx.get("fix", _FIX.get(code, ""))
     if code == "IL1017":
-        advice = did_you_mean(value, ctx.get("known", ()))
+        advice = _one_of(value, ctx.get("known", ()))
     elif code == "IL2009":
         advice = _REASON.get(str(path[0]), advice)
     cause = ctx.get("cause", "")
     if code in ("IL1016", "IL1017") and value:  # one name or word that cannot be, wherever it is used
         cause = f"{text} {value}"
     sink.add(code, f"{where}: {text}", span_of(root, path, key=on_key), advice, cause=cause, note=f"{where}: {value}")
+
+
+def _one_of(value: str, known: tuple[str, ...]) -> str | Suggestion:
+    """Which word is meant; all of them where there are few, and none is the very one in other letters."""
+    meant = nearest(value, known)
+    if meant is None or meant.lower() == value.strip().lower() or len(known) > 8:
+        return did_you_mean(value, known)
+    return f"did you mean {meant}?  Known here: {', '.join(sorted(known))}"
 
 
 def _shown(root: Node, path: Loc, node: Node) -> Span:
@@ -208,7 +267,11 @@ def _shape_fix(path: Loc, want: str, node: Node) -> str:
         return f"write `{key}: [one]`, or several with commas"
     if want == "a text" and isinstance(node, Sequence) and node.items and isinstance(node.items[0], Scalar):
         one = node.items[0].text
-        only = "" if len(node.items) == 1 else "; only one can stand here"
+        second = node.items[1] if len(node.items) == 2 else None
+        if isinstance(second, Scalar) and number_text(second.text):  # `approach: [ap_W, 600]`
+            one, only = f"{one} {second.text}", ""
+        else:
+            only = "" if len(node.items) == 1 else "; only one can stand here"
         return f"write `{one if in_list else f'{key}: {one}'}`, without the brackets{only}"
     if want == "a text" and isinstance(node, Mapping) and len(node.items) == 1:
         ((name, (_, value)),) = node.items.items()
@@ -217,11 +280,8 @@ def _shape_fix(path: Loc, want: str, node: Node) -> str:
     if want == "a text":
         return "write one text"
     if want == "a list":
-        return (
-            f"write `{key}: [{_bare(node.text)}]`, in square brackets"
-            if isinstance(node, Scalar) and node.text
-            else f"write `{key}: [...]`"
-        )
+        inside = _bare(node.text) if isinstance(node, Scalar) else _listed(path, node)
+        return f"write `{key}: [{inside}]`, in square brackets" if inside else f"write `{key}: [...]`"
     if isinstance(node, Scalar) and not node.text:
         return (
             f"write its entries below, indented by two more spaces, or remove `{key}`"
@@ -231,9 +291,32 @@ def _shape_fix(path: Loc, want: str, node: Node) -> str:
     if isinstance(node, Sequence) and len(path) < 2:
         first = node.items[0] if node.items else node
         named = first.items.get("name") if isinstance(first, Mapping) else None
-        shown = named[1].text if named is not None and isinstance(named[1], Scalar) else "name"
+        called = named[1] if named is not None else first
+        shown = called.text if isinstance(called, Scalar) and NAME.fullmatch(called.text) else "name"
         return f"write `{shown}: {{...}}` lines below `{key}`: the name of each before its values, no dashes"
-    return f"write `{key}: {{key: value, ...}}`; `interlock explain IL1012` shows the shapes"
+    example = example_at(path) or f"{key}: {{key: value, ...}}"
+    return f"write it like `{example}`; `interlock explain IL1012` shows the shapes"
+
+
+def _listed(path: Loc, node: Node) -> str:
+    """What a mapping says where a list is wanted, in one line: an entry of its own, names, or the items of a track."""
+    if not isinstance(node, Mapping) or not node.items:
+        return ""
+    if len(path) == 2 and path[0] == "tracks":  # `{W: , q1: 400}`
+        flat = {k: v.text for k, (_, v) in node.items.items() if isinstance(v, Scalar)}
+        return ", ".join(f"{k} {v}".strip() for k, v in flat.items()) if len(flat) == len(node.items) else ""
+    if path[0] in EXAMPLES:  # one entry, of which there may be several
+        return _flow(node)
+    return ", ".join(node.items) if all(not isinstance(v, Sequence) for _, v in node.items.values()) else ""
+
+
+def _flow(node: Node) -> str:
+    """A node in one line, as it would be written in brackets."""
+    if isinstance(node, Scalar):
+        return f'"{node.text}"' if set(node.text) & set(",:#[]{}") else node.text
+    if isinstance(node, Sequence):
+        return f"[{', '.join(map(_flow, node.items))}]"
+    return f"{{{', '.join(f'{k}: {_flow(v)}' for k, (_, v) in node.items.items())}}}"
 
 
 def _bare(text: str) -> str:

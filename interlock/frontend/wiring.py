@@ -9,21 +9,23 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from functools import partial
 
 from interlock.diag import Span
 from interlock.diag.called import called
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.kilometres import Kilometres, Measured, Stretch, has_positions, is_section, measured
+from interlock.frontend.mistaken import for_an_end
 from interlock.frontend.parts import build_derailer, build_slip
 from interlock.frontend.ports import Port, Wiring
 from interlock.frontend.scalars import (
     NAME,
     item_parts,
+    length_behind,
     name_fix,
     no_name,
     number_fix,
-    number_text,
     slip_of,
 )
 from interlock.frontend.spaces import section_and_length, spoken_of, sure, sure_approach
@@ -50,6 +52,16 @@ from interlock.model.principles import Principles
 def _after_comma(items: Sequence[str], i: int) -> bool:
     """Whether an item is what follows the decimal comma of the length before it: `[q3 600,5]` are two items."""
     return i > 0 and items[i].strip().isdigit() and re.fullmatch(r".*\S\s+\d+", items[i - 1].strip()) is not None
+
+
+_DECIMAL_KM = re.compile(r"\d{1,4}[.,]\d{3}")
+"""A position along the line as others write it: `12.345`."""
+
+
+def _as_section_or_end(name: str) -> str:
+    """How a name that stands alone in a track is written as a section, and where it is declared as an end."""
+    end = f"declare {name} under `boundaries`, or under `buffers` if the track ends there"
+    return f"write `{name} 100`, or {end}" if NAME.fullmatch(name) else f"write a section as `q1 100`; or {end}"
 
 
 class Wirer:
@@ -126,7 +138,7 @@ class Wirer:
                 if self._alone(item.strip(), ends):
                     if self._decimals(items, i, span):
                         continue
-                    port = self._terminal(item.strip(), ends, span, first=i == 0, last=i == len(items) - 1)
+                    port = self._terminal(name, item.strip(), ends, span, first=i == 0, last=i == len(items) - 1)
                     if port is None:
                         continue
                     if i == 0:
@@ -176,21 +188,28 @@ class Wirer:
         )
         return True
 
-    def _terminal(self, name: str, ends: set[str], span: Span, *, first: bool, last: bool) -> Port | None:
+    def _terminal(self, track: str, name: str, ends: set[str], span: Span, *, first: bool, last: bool) -> Port | None:
         """What a track begins or ends with: a boundary, a buffer, or an end of something else (`west.end`)."""
         if "." in name and (first or last) and name.partition(".")[0] in self._joinable:
             return self.resolve(name, span)
         if name not in ends:
-            joined = [s for s in self._read_into if name.startswith(s) and number_text(name[len(s) :])]
+            joined = [s for s in self._read_into if length_behind(name, s)]
             if joined:
                 said = f"{name}: a space is missing between the section and its length"
-                self.ctx.add("IL2005", said, span, f"write `{joined[0]} {name[len(joined[0]) :]}`")
+                self.ctx.add("IL2005", said, span, f"write `{joined[0]} {length_behind(name, joined[0])}`")
                 return None
+            if _DECIMAL_KM.fullmatch(name):
+                fix = f"write `{re.sub('[.,]', '+', name)}`: kilometres, a plus, and three digits of metres"
+                said = f"{name} is no position along the line"
+                self.ctx.add("IL2005", said, span, fix, cause="decimal kilometres", note=name)
+                return None
+            if any(_DECIMAL_KM.fullmatch(x.strip()) for x in self.ctx.file.tracks[track]) and NAME.fullmatch(name):
+                return None  # its length follows from positions, which are reported
             self.ctx.add(
                 "IL2005",
                 f"{name} is neither a boundary nor a buffer, and a section needs a length",
                 span,
-                did_you_mean(name, ends, f"write `{name} 100`, or declare {name} under boundaries"),
+                did_you_mean(name, ends, _as_section_or_end(name)),
             )
             return None
         if not (first or last):
@@ -303,7 +322,7 @@ class Wirer:
         if not NAME.fullmatch(name):
             self.ctx.add("IL1016", no_name(name), span, name_fix(name))
             return None
-        hint = did_you_mean(name, self._joinable)
+        hint = did_you_mean(name, self._joinable, of_another_kind=partial(for_an_end, f))
         self.ctx.add("IL2001", f"there is no track, point, boundary or buffer {name}", span, hint)
         return None
 
@@ -338,11 +357,16 @@ class Wirer:
                         "IL3002",
                         f"{x} is joined to {other} already (line {where.line})",
                         span,
-                        "exactly two ends meet in one place",
+                        "exactly two ends meet in one place" + self._other_end(x),
                     )
                 return
         self.mate[a] = (b, span)
         self.mate[b] = (a, span)
+
+    def _other_end(self, taken: Port) -> str:
+        """Of a track with an end that is taken: whether the other one is meant, if nothing is joined there yet."""
+        other = Port("track", taken.name, "start" if taken.end == "end" else "end")
+        return f": is {other} meant?" if taken.kind == "track" and other not in self.mate else ""
 
     def _check_complete(self) -> None:
         f = self.ctx.file

@@ -7,6 +7,7 @@ The tree is built from parser events without recursion, so that no input can exh
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from itertools import islice
 from pathlib import PurePath
 
 import yaml
@@ -153,6 +154,17 @@ def _close(node: Node, end: Span) -> None:
         node.span = node.span._replace(width=end.column + end.width - node.span.column)
 
 
+_FIRST = 100
+"""Entries among which the first of several keys is looked for that stand beside their names."""
+
+
+def stands_beside(key: Scalar, name: str, sink: Sink) -> None:
+    """Report a key that is indented as the name above, to which it belongs, and so is no part of it."""
+    said = f"`{key.text}` stands beside `{name}`, and not below it"
+    fix = f"indent what belongs to `{name}` by two more spaces"
+    sink.add("IL1005", said, key.span, fix, cause="beside", note=f"{key.text} beside {name}")
+
+
 def _attach(stack: list[tuple[Node, Scalar | None]], node: Node, sink: Sink) -> bool:
     """Put a node into its container; False when the document cannot be followed further."""
     if not stack:
@@ -170,12 +182,17 @@ def _attach(stack: list[tuple[Node, Scalar | None]], node: Node, sink: Sink) -> 
         return True
     if key.text in container.items:
         first = container.items[key.text][0].span
-        sink.add(
-            "IL1005",
-            f"{key.text} is given twice (first in line {first.line})",
-            key.span,
-            "keep one of them, or rename one",
-        )
+        name, (above, value) = next(reversed(container.items.items()))
+        before = ""
+        if isinstance(value, Scalar) and not value.text and above.span.column == key.span.column:
+            for n, (k, v) in islice(container.items.items(), _FIRST):  # the one that came first stands so, too
+                if k.text == key.text and before:
+                    stands_beside(k, before, sink)
+                before = n if isinstance(v, Scalar) and not v.text else before
+            stands_beside(key, name, sink)
+        else:
+            said = f"{key.text} is given twice (first in line {first.line})"
+            sink.add("IL1005", said, key.span, "keep one of them, or rename one")
     else:
         container.items[key.text] = (key, node)
     stack[-1] = (container, None)

@@ -8,7 +8,7 @@ section before a signal, brings it to a stand there (R4).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from interlock.model.elements import BoundaryKind, Position, SectionId, SignalId
@@ -82,18 +82,12 @@ def needs(layout: Layout) -> Needs:
     """The least times of a layout, from its speeds and principles."""
     rules = layout.principles
 
-    def speed(section: SectionId | None) -> float:
-        stated = (
-            layout.track.section[section].speed if section is not None and section in layout.track.section else None
-        )
-        return rules.line_speed_kmh if stated is None else float(stated)
-
-    before: dict[SignalId, SectionId | None] = {}
+    rear_of: dict[SignalId, SectionId | None] = {}
     for g in layout.signalling.signals:
         boundary = layout.track.boundary_at.get(g.node)
         rear = [layout.track.section_of(e.id) for e in layout.track.edges_at[g.node] if e.id != g.into]
-        before[g.id] = boundary.approach if boundary is not None else (rear[0] if rear else None)
-    at = {g: halt_ms(rules, speed(s)) for g, s in before.items()}
+        rear_of[g.id] = boundary.approach if boundary is not None else (rear[0] if rear else None)
+    at = {g: halt_ms(rules, _speed(layout, s)) for g, s in rear_of.items()}
     return Needs(
         stop=at,
         shunt=halt_ms(rules, rules.shunt_speed_kmh),
@@ -101,8 +95,14 @@ def needs(layout: Layout) -> Needs:
         agreed=round(1000 * rules.token_agreed_s),
         run=round(1000 * rules.point_run_s),
         restart=_restart(layout),
-        swings=frozenset(o.signal for o in layout.overlaps.all if o.swing and _turns_in_time(layout, o.signal, speed)),
+        swings=frozenset(o.signal for o in layout.overlaps.all if o.swing and _turns_in_time(layout, o.signal)),
     )
+
+
+def _speed(layout: Layout, section: SectionId | None) -> float:
+    """The highest speed (km/h) in a section, or on an approach."""
+    stated = layout.track.section[section].speed if section is not None and section in layout.track.section else None
+    return layout.principles.line_speed_kmh if stated is None else float(stated)
 
 
 def _restart(layout: Layout) -> int:
@@ -128,16 +128,26 @@ def _restart(layout: Layout) -> int:
     return halt_ms(rules, fastest) + round(1000 * metres / (rules.line_speed_kmh / 3.6 / 2))
 
 
-def _turns_in_time(layout: Layout, g: SignalId, speed: Callable[[SectionId], float]) -> bool:
+def before(layout: Layout, g: SignalId) -> Passage | None:
+    """The shortest way through the section before a signal, at the highest speed there; None at a boundary."""
+    signal, topo = layout.signalling.signal[g], topology(layout)
+    section = topo.beyond(layout.track.section_of(signal.into), signal.node)
+    if section is None:
+        return None
+    ways = [t for t in topo.traversals[section] if t.exit == signal.node]
+    metres = min((sum(layout.track.edge[e].length for e in t.edges) for t in ways), default=0.0)
+    return Passage(section, metres, _speed(layout, section))
+
+
+def turning_s(layout: Layout) -> float:
+    """How long the points of an overlap that swings may turn once it does: the output's delay and their supervision."""
+    return layout.principles.output_delay_s + longest_supervision_s(layout)
+
+
+def _turns_in_time(layout: Layout, g: SignalId) -> bool:
     """No train comes through the section before a signal while points that were commanded before it came in turn.
 
     With `point_start_gap_s` a machine may wait for others to start, and begin to turn before a train that has come in.
     """
-    rules, signal, topo = layout.principles, layout.signalling.signal[g], topology(layout)
-    if rules.point_start_gap_s > 0:
-        return False
-    before = topo.beyond(layout.track.section_of(signal.into), signal.node)
-    ways = [] if before is None else [t for t in topo.traversals[before] if t.exit == signal.node]
-    metres = min((sum(layout.track.edge[e].length for e in t.edges) for t in ways), default=0.0)
-    turning = rules.output_delay_s + longest_supervision_s(layout)
-    return before is not None and metres / (speed(before) / 3.6) >= turning
+    way = before(layout, g)
+    return layout.principles.point_start_gap_s <= 0 and way is not None and way.seconds >= turning_s(layout)

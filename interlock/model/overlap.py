@@ -117,6 +117,19 @@ def route_speed(layout: Layout, ways: Collection[Traversal], signal: str, overla
     return min((v for v in found if v is not None), default=None)
 
 
+def wanted_m(layout: Layout, signal: SignalId, ways: Iterable[Traversal]) -> float:
+    """The metres that are stated of an alternative; infinite for a successive route, which has no length."""
+    own = own_way(layout, signal, ways)
+    return layout.overlaps.length[signal] if own is None else own.length
+
+
+def ends_short(layout: Layout, signal: SignalId, ways: Sequence[Traversal]) -> NodeId | None:
+    """The boundary or buffer at which an alternative ends before it is as long as stated; None where it is long
+    enough."""
+    wanted = wanted_m(layout, signal, ways)
+    return ways[-1].exit if sum(t.length for t in ways) < wanted and not isinf(wanted) else None
+
+
 Steps = frozenset[tuple[SectionId, NodeId, SectionId]]
 
 

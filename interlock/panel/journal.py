@@ -100,7 +100,8 @@ def trace(found: Recorded, first: str = "", last: str = "") -> str:
         else:
             continue
         if inside:
-            states.append((f"{clock(e['t'])[11:]}  {'; '.join(said)}".strip(), frozenset(on)))
+            told = "; ".join(said) or "the plan changes"
+            states.append((f"{clock(e['t'])[11:]}  {told}", frozenset(on)))
             said.clear()
     if said:
         states.append(("; ".join(said), frozenset(on)))
@@ -112,9 +113,8 @@ def trace(found: Recorded, first: str = "", last: str = "") -> str:
     body = {
         "#meta": {
             "format": "ITF",
-            "title": f"{begin['title']}, {clock(start)} to {clock(end)}",
-            "claim": "Record of the panel",
-            "sentence": f"from {clock(start)} to {clock(end)}",
+            "title": f"{begin['title']}: the panel's record, {clock(start)} to {clock(end)}",
+            "claim": "",  # nothing is violated
             "occupied": "reported occupied",  # by a train or by nobody: that is not recorded
             "plan": begin["plan"],
             "views": begin["views"],

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from interlock.diag.extras import install
 from interlock.record.log import Event
 
 if TYPE_CHECKING:
@@ -23,7 +24,7 @@ class NoTables(Exception):
     """The extra `record` is not installed; says how to get it."""
 
     def __init__(self) -> None:
-        super().__init__("Parquet and SQL need the extra: pip install 'interlock[record]'")
+        super().__init__(f"Parquet and SQL need the extra `record`: {install('record')}")
 
 
 class BadQuery(Exception):

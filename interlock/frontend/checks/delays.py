@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from math import ceil, floor
+
 from interlock.diag import Element
 from interlock.frontend.context import Context
+from interlock.model.elements import SignalId
 from interlock.model.layout import Layout
-from interlock.model.needs import needs
-from interlock.model.times import longest_supervision_s
+from interlock.model.needs import before, needs, turning_s
 
 
 def check_delays(ctx: Context, layout: Layout) -> None:
@@ -63,12 +65,12 @@ def check_delays(ctx: Context, layout: Layout) -> None:
             ctx.sink.add("IL3023", text, None, f"state at least {-(-least.run // 1000)} s", about=where)
     for o in layout.overlaps.all:
         if o.swing and o.signal not in least.swings:
-            why, fix = _not_in_time(layout)
+            why, fix = _not_in_time(layout, o.signal)
             text = f"the overlap of {o.signal} cannot swing: {why}"
             ctx.add("IL3024", text, ctx.at_key("overlaps", o.signal), f"give up `swing`, {fix}")
 
 
-def _not_in_time(layout: Layout) -> tuple[str, str]:
+def _not_in_time(layout: Layout, g: SignalId) -> tuple[str, str]:
     """Why a train could meet points of an overlap that swings while they turn, and what else helps."""
     rules = layout.principles
     if rules.point_start_gap_s > 0:
@@ -77,11 +79,14 @@ def _not_in_time(layout: Layout) -> tuple[str, str]:
             "turn when a train has come into the section before the signal",
             "or state `point_start_gap_s: 0` in `principles`, where the supply bears that all machines start at once",
         )
-    turning = rules.output_delay_s + longest_supervision_s(layout)
+    way, turning = before(layout, g), turning_s(layout)
+    assert way is not None  # an overlap lies beyond a signal inside the layout
+    kmh, metres = floor(way.metres / turning * 3.6), ceil(way.kmh / 3.6 * turning)
+    slower = f"state {kmh} km/h or less for {way.section} (`sections`), " if kmh >= 5 else ""
     return (
-        "a train runs through the section before the signal in less than the "
-        f"{turning:g} s for which its points may turn",
-        "lower the `speed` of that section, or shorten `point_supervision_s`",
+        f"a train runs through the {way.metres:g} m of {way.section} before it at {way.kmh:g} km/h in "
+        f"{floor(10 * way.seconds) / 10:g} s, and its points may turn for {turning:g} s",
+        f"{slower}let it be {metres} m or longer, or shorten `point_supervision_s`",
     )
 
 

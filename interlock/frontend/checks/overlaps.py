@@ -1,6 +1,6 @@
 """Alternatives of overlaps that are stated and do not exist, or lie inside others, and overlaps of which none is left.
 
-IL1014, IL2026, IL2027.
+IL1014, IL2026, IL2027.  Those that a boundary or the end of a track cuts short: IL7012.
 """
 
 from __future__ import annotations
@@ -9,10 +9,20 @@ from collections.abc import Sequence
 from dataclasses import replace
 from math import isfinite
 
+from interlock.diag import Element
 from interlock.frontend.context import Context
-from interlock.model.elements import OverlapWay, SignalId
+from interlock.model.elements import BufferKind, OverlapWay, SignalId
 from interlock.model.layout import Layout
-from interlock.model.overlap import covered, entry_speed, inside_others, overlap_paths, own_way, two_ways
+from interlock.model.overlap import (
+    covered,
+    ends_short,
+    entry_speed,
+    inside_others,
+    overlap_paths,
+    own_way,
+    two_ways,
+    wanted_m,
+)
 from interlock.model.traversal import Traversal
 
 
@@ -29,6 +39,31 @@ def check_overlaps(ctx: Context, layout: Layout) -> None:
                 _unused(ctx, layout, own, i)
     for g in ctx.file.overlaps:
         _bars(ctx, layout, SignalId(g))
+    for o in layout.overlaps.all:
+        _ends_short(ctx, layout, o.signal)
+
+
+def _ends_short(ctx: Context, layout: Layout, g: SignalId) -> None:
+    """Report a signal with alternatives that are held for fewer metres than stated, since the layout ends (IL7012)."""
+    held: dict[str, tuple[float, float]] = {}  # by the end: metres, of those that are stated
+    for ways in overlap_paths(layout, g):
+        end = ends_short(layout, g, ways)
+        if end is None or (end in layout.track.buffer_at and layout.track.buffer_at[end].kind is not BufferKind.STOP):
+            continue
+        found = (sum(t.length for t in ways), wanted_m(layout, g, ways))
+        held[str(end)] = min(found, held.get(str(end), found))
+    if held:
+        kinds = {end: "buffer" if end in layout.track.buffer_at else "boundary" for end in held}
+        told = (f"{x:g} of {wanted:g} m, as far as the {kinds[end]} {end}" for end, (x, wanted) in sorted(held.items()))
+        said = g in ctx.file.overlaps
+        stated = f"state the length that is there{'' if said else f': `overlaps: {{{g}: {{length: ...}}}}`'}"
+        ctx.add(
+            "IL7012",
+            f"the overlap of {g} is held for {'; '.join(told)}: the layout ends there, and nothing is held beyond",
+            ctx.at_key("overlaps" if said else "signals", g),
+            f"let the layout go on as far as the overlap does, or {stated}",
+            about=Element("signals", g),
+        )
 
 
 def _inside(ctx: Context, layout: Layout, g: SignalId, own: Sequence[OverlapWay]) -> set[int]:

@@ -91,7 +91,7 @@ export function steps(still, state, sys) {
   return [
     [sys.power, sys.power ? "The controller has power." : "The controller has no power."],
     [sys.power && sys.valid, sys.valid ? "All substations report." : `Substations that do not report: ${sys.lost.map(l => l.split(":")[0]).filter(l => l !== "cycle").join(", ") || "waiting for heartbeats"}.`],
-    [sys.power && sys.valid && !waiting, waiting ? `The restart delay runs: ${sys.delay} s.  Trains that still ran come to a stand.` : "The restart delay is over."],
+    [sys.power && sys.valid && !waiting, waiting ? `The restart delay runs: ${sys.delay} s.  Trains that still ran come to a stand.${still.simulated ? "  To wait less, let time run faster (above)." : ""}` : "The restart delay is over."],
     [sys.valid && !occupied.length, occupied.length ? `Reported occupied: ${occupied.join(", ")}.  Ask who stands there; a false report is a fault to mend.` : "No section that waits for its release is reported occupied."],
     [sys.valid && !clear.length && !stale.length, clear.length || stale.length ? `Release what is clear: ${[...clear, ...stale].join(", ")}.` : "Nothing that is clear is left to be released.",
       sys.valid && !waiting && !sys.releasing && Boolean(clear.length || stale.length)],
