@@ -19,7 +19,7 @@ from dataclasses import dataclass
 from interlock.logic.controller import Controller, Timer
 from interlock.logic.expr import Expr, conj, disj, implies, neg, var
 from interlock.logic.names import AGREED_LONG, STAND_LONG, STOP_LONG, Name, covered
-from interlock.logic.plant import Assumption, Plant
+from interlock.logic.plant import OF_TIMERS, Assumption, Plant
 from interlock.model.elements import SignalId
 from interlock.model.needs import Needs
 
@@ -74,7 +74,6 @@ def arithmetic(those: tuple[Tie, ...]) -> Iterator[Assumption]:
         if t.enough:
             yield Assumption(
                 "A-CLOCK",
-                "A timer counts the same time as the world: if it has run for as long as the world needs while "
-                "something held without a break, then that has held for so long.",
+                OF_TIMERS["A-CLOCK"],
                 implies(conj((var(t.timer.name), var(t.covered.next))), var(t.clock.next)),
             )

@@ -18,7 +18,7 @@ from interlock.logic import names
 from interlock.logic.controller import Controller, Equation, MalformedController
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, iff, implies, neg, var, variables
 from interlock.logic.names import Kind, Name, Owner
-from interlock.logic.plant import Assumption, Plant, TokenWires, Wiring, across, build_plant, o
+from interlock.logic.plant import OF_TIMERS, Assumption, Plant, TokenWires, Wiring, across, build_plant, o
 from interlock.model.elements import NodeId, SectionId, Zone
 from interlock.model.layout import Layout
 from interlock.model.measured import measured
@@ -85,13 +85,7 @@ class System:
         self.assumptions: list[Assumption] = list(self.plant.assumptions)
         for t in controller.timers:
             # an on-delay with a positive preset is true only while its input is true
-            self.assumptions.append(
-                Assumption(
-                    "A-TON",
-                    "An on-delay timer is true only while its input is true.",
-                    implies(var(t.name), var(t.input)),
-                )
-            )
+            self.assumptions.append(Assumption("A-TON", OF_TIMERS["A-TON"], implies(var(t.name), var(t.input))))
         self.assumptions += arithmetic(self.ties)
         self._check_closed()
 
