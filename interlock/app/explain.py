@@ -89,7 +89,8 @@ def _page(found: Topic) -> str:
     if found.kind == "function":
         return (
             f"{found.title}\n\nIt is what the controller must do, where claims say what it must never do.  It is "
-            "proved of every shipped layout by the tests, and asked by `interlock mutate`; `interlock prove` does not ask it.\n"
+            "proved of every shipped layout by the tests, and asked by `interlock mutate`; `interlock prove` does not "
+            "ask it.\n"
         )
     if found.kind == "assumption":
         return (
