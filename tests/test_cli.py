@@ -25,9 +25,10 @@ from interlock.diag import Sink
 from interlock.diag.codes import CODES
 from interlock.frontend import load_text
 from interlock.frontend.schema import LayoutFile
-from interlock.logic.plant import ASSUMPTIONS
+from interlock.logic.plant import ASSUMPTIONS, OF_TIMERS
 from interlock.model.principles import KNOBS
 from interlock.proof.claims import CLAIMS
+from interlock.proof.functions import FUNCTIONS
 from interlock.proof.induction.verdict import Witness
 from interlock.proof.system.loop import ClosedLoop
 from interlock.proof.witnesses.routes import witnesses
@@ -295,19 +296,21 @@ def test_pages_are_read_where_the_wheel_is() -> None:
 
 def test_explain_knows_diagnostics_rules_claims_assumptions_and_principles() -> None:
     known = {line.split()[0] for line in run("explain").output.splitlines()}
-    assert {*CODES, *CLAIMS, *ASSUMPTIONS, *KNOBS, "R1", "R18"} <= known
+    assert {*CODES, *CLAIMS, *FUNCTIONS, *ASSUMPTIONS, *OF_TIMERS, *KNOBS, "R1", "R18"} <= known
     for code, said in (
         ("R5", "Flank protection"),
         ("r6.2", "Hostile routes"),
         ("t-collision", CLAIMS["T-COLLISION"]),
         ("A-SCAN", ASSUMPTIONS["A-SCAN"]),
+        ("A-CLOCK", OF_TIMERS["A-CLOCK"]),
+        ("F-GRANT", FUNCTIONS["F-GRANT"]),
         ("release_delay_s", "without a break"),
         ("approach_release_s", "| uk | 120 |"),
     ):
         done = run("explain", code)
         assert done.exit_code == 0 and said in done.output, code
         body = json.loads(run("explain", code, "--format", "json").output)[0]
-        assert body["page"] == done.output and body["kind"] in ("rule", "claim", "assumption", "principle")
+        assert body["page"] == done.output and body["kind"] in ("rule", "claim", "function", "assumption", "principle")
     assert "did you mean A-SCAN?" in run("explain", "A-SCANN").output
 
 

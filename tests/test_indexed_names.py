@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import ast
 import pickle
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -19,7 +21,7 @@ MATCHING = {"compile", "match", "fullmatch", "search", "findall", "finditer", "s
 ROOMS = ("logic", "proof", "sim", "st", "emit")
 
 READ = {
-    "logic/names.py": "the patterns of families",
+    "logic/naming.py": "the patterns of families",
     "logic/cabinet.py": "addresses that the layout states",
     "proof/witnesses/availability.py": "reasons why a run fails",
     "proof/engines/cache.py": "files of the cache",
@@ -137,3 +139,10 @@ def test_families_are_told_apart() -> None:
     assert len(set(written)) == len(written) > 150
     assert all(f.meaning and f.key.isupper() for f in families())
     assert Form.NEXT.value == "{}'"
+
+
+def test_a_process_that_has_made_no_name_reads_names() -> None:
+    sent = [names.LOCK("q1", 2), names.VALID, names.choice(names.STUCK("a")), names.LOCK("q1", 2).next, names.NONE]
+    code = "import pickle, sys; print([x.family.key for x in pickle.loads(sys.stdin.buffer.read())])"
+    read = subprocess.run([sys.executable, "-c", code], input=pickle.dumps(sent), capture_output=True, check=True)
+    assert read.stdout.decode().strip() == "['LOCK', 'VALID', 'STUCK', 'LOCK', '']"

@@ -190,6 +190,9 @@ def test_a_log_cut_in_the_middle_is_told_with_code_and_place(tmp_path: Path) -> 
     code, text = run(str(file))
     assert code == 1 and "error[IL6011]" in text and f"{file}:4: this event does not follow" in text
     assert "the 3 events before it hold" in text
+    for k, said in ((0, "no event comes before it"), (1, "the event before it holds")):
+        file.write_bytes(b"".join(made(9)[:k]) + b"none\n")
+        assert said in run(str(file))[1]
     assert run(str(tmp_path / "none.log"))[0] == 1
 
 

@@ -10,9 +10,10 @@ from importlib import resources
 from interlock.diag.codes import CODES
 from interlock.frontend.published import WITHOUT, language_keys
 from interlock.frontend.schema import LayoutFile
-from interlock.logic.plant import ASSUMPTIONS
+from interlock.logic.plant import ASSUMPTIONS, OF_TIMERS
 from interlock.model.principles import MEANING, PROFILES
 from interlock.proof.claims import CLAIMS
+from interlock.proof.functions import FUNCTIONS
 
 LEVELS = {
     "T": "It is claimed of trains, whatever the controller shows",
@@ -43,7 +44,8 @@ def topics() -> tuple[Topic, ...]:
         *(Topic(code, "diagnostic", title, str(severity)) for code, (severity, title) in CODES.items()),
         *(Topic(r, "rule", headings[r]) for r in rules),
         *(Topic(code, "claim", sentence) for code, sentence in CLAIMS.items()),
-        *(Topic(code, "assumption", sentence) for code, sentence in ASSUMPTIONS.items()),
+        *(Topic(code, "function", sentence) for code, sentence in FUNCTIONS.items()),
+        *(Topic(code, "assumption", sentence) for code, sentence in (ASSUMPTIONS | OF_TIMERS).items()),
         *(Topic(code, "principle", told) for code, told in MEANING.items()),
         *(Topic(key, "key", told) for key, told in _keys().items()),
         Topic("rules", "page", _docs("rules/README.md").read_text("utf-8").split("\n")[0].removeprefix("# ")),
@@ -79,7 +81,7 @@ def explain(code: str) -> str | None:
     return f"# {found.code}, {_ARTICLE[found.kind]} {found.kind}\n\n{_page(found)}"
 
 
-_ARTICLE = {"claim": "a", "assumption": "an", "principle": "a", "key": "a"}
+_ARTICLE = {"claim": "a", "function": "a", "assumption": "an", "principle": "a", "key": "a"}
 
 
 def _keys() -> dict[str, str]:
@@ -124,6 +126,12 @@ def _page(found: Topic) -> str:
             f"{found.title}\n\n{LEVELS[found.code[0]]}, for every state that the controller and the trains can reach "
             "together.  `interlock prove LAYOUT` says at how many places of the layout it has something to claim, and "
             "its verdict; a refuted one is told as a story.\n"
+        )
+    if found.kind == "function":
+        return (
+            f"{found.title}\n\nIt is what the controller must do, where claims say what it must never do.  It is "
+            "proved of every shipped layout by the tests, and asked by `interlock mutate`; `interlock prove` does not "
+            "ask it.\n"
         )
     if found.kind == "assumption":
         return (

@@ -108,12 +108,15 @@ def command(
             failed=failing,
             occupied=occupied,
         )
+    written = plan if found.plan is not None else None
     if plan is not None and found.plan is not None:
         _write_plan(to_text(found.plan), Path(plan), [Path(layout), Path(orders or beside(layout))], force, form)
     if form == "json":
-        put_json(_body(found))
+        put_json(_body(found) | {"written": written})
     else:
         _print(found, form)
+        if written is not None:
+            click.echo(f"written: {written}")
     sys.exit(_code(found))
 
 

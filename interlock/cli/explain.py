@@ -15,9 +15,9 @@ from interlock.diag.suggest import did_you_mean
 @click.argument("code", required=False)
 @format_option
 def command(code: str | None, form: str) -> None:
-    """Explain a diagnostic (IL4001), a rule (R5), a claim (T-COLLISION), an assumption (A-SCAN), a principle
-    (release_delay_s) or a key of the layout (overlaps), or show a page of the documents (panel); without a code, list
-    all of them.
+    """Explain a diagnostic (IL4001), a rule (R5), a claim (T-COLLISION), a function (F-GRANT), an assumption (A-SCAN),
+    a principle (release_delay_s) or a key of the layout (overlaps), or show a page of the documents (panel); without a
+    code, list all of them.
     """
     if code is None:
         found = topics()

@@ -39,7 +39,7 @@ VERBS = {
     "record": "Check event logs, convert them to Parquet, query them with SQL.",
     "blocks": "Compute block section lengths from the traffic, and compare the layout's own.",
     "schedule": "Plan the trains of a DISPLIB dispatching problem.",
-    "explain": "Explain a diagnostic, rule, claim, assumption or principle.",
+    "explain": "Explain a diagnostic, rule, claim, function, assumption or principle.",
     "mutate": "Change table, controller and texts on purpose, one change at a time; see what notices.",
     "schema": "Print the JSON Schema of the layout language, of pins, or of table.json.",
 }

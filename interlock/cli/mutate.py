@@ -174,4 +174,5 @@ def _print(found: list[Judged], told: dict[str, list[str]]) -> None:
             click.echo(f"survives: {m.name}: {listed().get(m.shape, 'NOT ON THE LIST')}  ({v.why or 'no equivalence'})")
     total: Counter[Fate | None] = sum(fates.values(), Counter())
     words = ", ".join(f"{n} {fate or 'not judged yet'}" for fate, n in total.most_common())
-    click.echo(f"{total.total()} mutants in {len(fates)} families: {words}")
+    kinds = "1 family" if len(fates) == 1 else f"{len(fates)} families"
+    click.echo(f"{total.total()} mutants in {kinds}: {words}")

@@ -46,7 +46,10 @@ def command(
     damaged = {n: r for n, r in found.items() if r.problem is not None}
     for name, r in damaged.items():
         assert r.problem is not None
-        text = f"{name}:{r.problem.line}: {r.problem.text}; the {len(r.events)} events before it hold"
+        n = len(r.events)
+        few = {0: "no event comes before it", 1: "the event before it holds"}
+        before = few.get(n, f"the {n} events before it hold")
+        text = f"{name}:{r.problem.line}: {r.problem.text}; {before}"
         failed(text, form, "IL6011", "take the log from where it was copied from")
     if damaged:
         sys.exit(FINDINGS)

@@ -40,7 +40,16 @@ shunting movement may come to them, each signal may call some of them, and some 
 """
 
 from interlock.logic.plant.build import build_plant
-from interlock.logic.plant.kinds import ASSUMPTIONS, Assumption, Hazard, Plant, TokenWires, Wiring, assumed_of
+from interlock.logic.plant.kinds import (
+    ASSUMPTIONS,
+    OF_TIMERS,
+    Assumption,
+    Hazard,
+    Plant,
+    TokenWires,
+    Wiring,
+    assumed_of,
+)
 from interlock.logic.plant.words import (
     OUTSIDE,
     accepted,
@@ -67,6 +76,7 @@ from interlock.logic.plant.words import (
 
 __all__ = [
     "ASSUMPTIONS",
+    "OF_TIMERS",
     "OUTSIDE",
     "Assumption",
     "Hazard",
