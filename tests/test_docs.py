@@ -101,6 +101,22 @@ def test_the_examples_of_the_library_page_run(capsys: pytest.CaptureFixture[str]
     assert "R5" in capsys.readouterr().out
 
 
+@pytest.mark.parametrize("dialects", [("foo",), ("scl300", "all"), "scl300"])
+def test_the_library_leaves_out_no_dialect_without_a_word(dialects: tuple[str, ...]) -> None:
+    layout = interlock.load("layouts/fig2_2.yaml")
+    with pytest.raises(ValueError, match=r"there is no dialect (foo|all): iec, codesys|write a tuple"):
+        interlock.compile(layout, dialects=dialects)
+
+
+def test_the_library_asks_no_other_engine_than_it_is_told() -> None:
+    layout = interlock.load("layouts/fig2_2.yaml")
+    controller = interlock.lower(layout, interlock.derive(layout))
+    with pytest.raises(ValueError, match="there is no engine Z3: minisat, z3, cvc5"):
+        interlock.prove(layout, controller, engine="Z3")
+    with pytest.raises(ValueError, match="at least one process"):
+        interlock.prove(layout, controller, jobs=0)
+
+
 def test_the_library_page_names_every_function() -> None:
     page = Path("interlock/docs/library.md").read_text("utf-8")
     for name in interlock.__all__:

@@ -7,7 +7,7 @@ made with one table at a time); to prove several layouts at once, use processes.
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -121,11 +121,14 @@ def prove(
     """One verdict for each claim about a controller and the trains on its layout; UNKNOWN is never green.
 
     `jobs` processes (forks); `engine` is minisat, z3 or cvc5 (extra `recheck`); what does not follow is searched for
-    in runs of `search_depth` scans, for `search_seconds` a claim.
+    in runs of `search_depth` scans, for `search_seconds` a claim.  ValueError for another engine, or no process.
     """
+    from interlock.proof.engines import ENGINES
     from interlock.proof.prover import prove as decide
     from interlock.proof.system.transition import System
 
+    _one_of((engine,), ENGINES, "engine")
+    _processes(jobs)
     limits = Limits(engine=engine, jobs=jobs, search_depth=search_depth, search_s=search_seconds)
     with interning(controller.nodes):
         return decide(System(layout, controller), limits, progress)
@@ -134,17 +137,35 @@ def prove(
 def compile(layout: Layout, *, jobs: int = 1, dialects: tuple[str, ...] = (), progress: Progress = quiet) -> Compiled:
     """Derive, audit, lower and prove a layout, write its texts, read them back and compare them: all outputs.
 
-    Raises `LayoutError`.  `dialects`: other tools' forms of the PLC text, beside the portable one; `c99` (extra
-    `c99`) is the C runtime.
+    Raises `LayoutError`, and ValueError for a dialect that there is not, or no process.  `dialects`: other tools' forms
+    of the PLC text, beside the portable one; `c99` (extra `c99`) is the C runtime.
     """
     from interlock.app.compile import build_derived, finish
+    from interlock.app.texts import C99
+    from interlock.st.dialects import DIALECTS
 
+    _one_of(dialects, (*(d.name for d in DIALECTS), C99), "dialect")
+    _processes(jobs)
     begun = derived(layout.name, layout, Source(layout.name, ""), Sink())
     proved, files = build_derived(begun, limits=Limits(jobs=jobs), progress=progress, dialects=dialects)
     if proved.proof is None:
         raise LayoutError(proved.checked.diagnostics, {})
     told = (*proved.checked.diagnostics, *proved.notes)
     return Compiled(layout, proved.proof, proved.green, told, finish(proved.checked, files))
+
+
+def _one_of(names: Iterable[str], known: Iterable[str], what: str) -> None:
+    """What is asked for by a name that nothing bears is refused: it would be left out without a word."""
+    if isinstance(names, str):
+        raise ValueError(f"write a tuple: ('{names}',)")
+    for name in names:
+        if name not in known:
+            raise ValueError(f"there is no {what} {name}: {', '.join(known)}")
+
+
+def _processes(jobs: int) -> None:
+    if jobs < 1:
+        raise ValueError(f"jobs is {jobs}: at least one process does the work")
 
 
 __all__ = [
