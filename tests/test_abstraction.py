@@ -88,7 +88,7 @@ class Large:
     def not_said(self, asked: Sequence[Expr]) -> list[Expr]:
         """The expressions that do not follow."""
         literals = [self.cnf.literal(x) for x in asked]
-        sat = solver("minisat22", self.cnf, 60_000)
+        sat = solver("minisat", self.cnf, 60_000)
         return [x for x, literal in zip(asked, literals, strict=True) if sat.ask(-literal) is not Answer.UNSAT]
 
 

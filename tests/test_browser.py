@@ -209,6 +209,17 @@ def test_a_table_that_fits_on_the_screen_is_not_cut_in_a_window_of_its_own(chrom
 
 
 @pytest.mark.external
+@pytest.mark.parametrize("width", [1280, 400])
+def test_the_names_of_claims_are_not_broken(chromium: Any, reports: Path, width: int) -> None:
+    lines = "e => { const r = document.createRange(); r.selectNodeContents(e); return r.getClientRects().length; }"
+    with shown(chromium, reports / "mine11" / "index.html") as page:
+        page.set_viewport_size({"width": width, "height": 900})
+        names = page.query_selector_all("#proof tbody td:first-child")
+        assert len(names) > 40 and {n.evaluate(lines) for n in names} == {1}
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+
+
+@pytest.mark.external
 def test_the_report_prints_on_a3(chromium: Any, reports: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
     with shown(chromium, reports / "heishan" / "index.html") as page:
         data = page.pdf(prefer_css_page_size=True)

@@ -225,6 +225,16 @@ def test_the_layout_that_an_empty_file_is_shown_is_silent(tmp_path: Path) -> Non
     assert check_file(str(path)).diagnostics == ()
 
 
+@pytest.mark.parametrize("part", sorted(x for x in EXAMPLES if "." not in x))
+def test_an_unknown_key_anywhere_is_told_those_that_there_are(part: str) -> None:
+    entry = EXAMPLES[part].replace("}", ", qqqqq: 1}", 1) if "}}" not in EXAMPLES[part] else "{qqqqq: 1}"
+    entry = entry if part in WHOLE else f"[{entry}]" if part in LISTS else f"{{A: {entry}}}"
+    sink = Sink()
+    load_text("unknown.yaml", f"interlock: 1\nname: x\ntracks: {{}}\n{part}: {entry}\n", sink)
+    (fix,) = (str(d.fix) for d in sink.diagnostics if d.code == "IL1011")
+    assert fix.startswith("the keys of ") and len(fix.partition(": ")[2].split(", ")) >= 1 and not fix.endswith(": ")
+
+
 def test_every_part_of_the_language_with_entries_has_an_example() -> None:
     keyed = {n for n, f in LayoutFile.model_fields.items() if "Spec" in str(f.annotation)}
     assert keyed == {x for x in EXAMPLES if "." not in x}

@@ -121,6 +121,13 @@ def test_the_library_refuses_what_it_would_pass_over() -> None:
             call()
 
 
+@pytest.mark.parametrize("dialects", [("foo",), ("scl300", "all"), "scl300"])
+def test_the_library_leaves_out_no_dialect_without_a_word(dialects: tuple[str, ...]) -> None:
+    layout = interlock.load("layouts/fig2_2.yaml")
+    with pytest.raises(ValueError, match=r"there is no dialect '(foo|all)'; there are iec, codesys|write a tuple"):
+        interlock.compile(layout, dialects=dialects)
+
+
 def test_the_library_page_names_every_function() -> None:
     page = Path("interlock/docs/library.md").read_text("utf-8")
     for name in interlock.__all__:

@@ -7,7 +7,7 @@ made with one table at a time); to prove several layouts at once, use processes.
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -130,8 +130,7 @@ def prove(
     from interlock.proof.prover import prove as decide
     from interlock.proof.system.transition import System
 
-    if engine not in ENGINES:
-        raise ValueError(f"there is no engine {engine!r}; there are {', '.join(ENGINES)}")
+    _one_of((engine,), ENGINES, "engine")
     _positive(jobs=jobs, search_depth=search_depth, search_seconds=search_seconds)
     inside = {s for s, section in layout.track.section.items() if not section.approach}
     if controller.name != layout.name or set(controller.symbols.ways.ends) != inside:
@@ -157,17 +156,23 @@ def compile(layout: Layout, *, jobs: int = 1, dialects: tuple[str, ...] = (), pr
     from interlock.app.texts import C99
     from interlock.st.dialects import DIALECTS
 
+    _one_of(dialects, (*(d.name for d in DIALECTS), C99), "dialect")
     _positive(jobs=jobs)
-    known = (*(d.name for d in DIALECTS), C99)
-    for name in dialects:
-        if name not in known:
-            raise ValueError(f"there is no dialect {name!r}; there are {', '.join(known)}")
     begun = derived(layout.name, layout, Source(layout.name, ""), Sink())
     proved, files = build_derived(begun, limits=Limits(jobs=jobs), progress=progress, dialects=dialects)
     if proved.proof is None:
         raise LayoutError(proved.checked.diagnostics, {})
     told = (*proved.checked.diagnostics, *proved.notes)
     return Compiled(layout, proved.proof, proved.green, told, finish(proved.checked, files))
+
+
+def _one_of(names: Iterable[str], known: Iterable[str], what: str) -> None:
+    """What is asked for by a name that nothing bears is refused: it would be left out without a word."""
+    if isinstance(names, str):
+        raise ValueError(f"write a tuple: ('{names}',)")
+    for name in names:
+        if name not in known:
+            raise ValueError(f"there is no {what} {name!r}; there are {', '.join(known)}")
 
 
 __all__ = [

@@ -197,7 +197,7 @@ TEXTS = frozenset({"label", "reason", "text", "title", "button", "company", "aut
 
 
 def _known_keys(path: Loc, known: tuple[str, ...]) -> str:
-    where = "the file" if len(path) == 1 else f"an entry of `{path[0]}`"
+    where = "the file" if len(path) == 1 else f"`{path[0]}`" if path[0] in WHOLE else f"an entry of `{path[0]}`"
     return f"the keys of {where}: {', '.join(known)}"
 
 

@@ -25,7 +25,7 @@ def plain(node: Node) -> Any:
 
 
 def _names(*parts: type[BaseModel]) -> tuple[str, ...]:
-    return tuple(f.alias or n for part in parts for n, f in part.model_fields.items())
+    return tuple(dict.fromkeys(f.alias or n for part in parts for n, f in part.model_fields.items()))
 
 
 _KEYS: dict[str, tuple[str, ...]] = {
@@ -40,7 +40,7 @@ _KEYS: dict[str, tuple[str, ...]] = {
     "signals": _names(schema.SignalSpec),
     "distants": _names(schema.DistantSpec),
     "principles": _names(PrinciplesSpec),
-    "overlaps": _names(schema.OverlapSpec),
+    "overlaps": _names(schema.OverlapSpec, schema.OverlapWaySpec),
     "exclude": _names(schema.ExcludeSpec),
     "sections": _names(schema.SectionSpec),
     "conditions": _names(schema.ConditionSpec),
@@ -53,6 +53,8 @@ _KEYS: dict[str, tuple[str, ...]] = {
     "automatic": _names(schema.RouteSpec),
     "waive": _names(schema.WaiverSpec),
     "allow": _names(schema.AllowSpec),
+    "target": _names(schema.TargetSpec),
+    "title_block": _names(schema.TitleBlockSpec),
 }
 
 

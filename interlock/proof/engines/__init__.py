@@ -23,7 +23,9 @@ class Sat(Protocol):
 
 
 def solver(engine: str, cnf: Cnf, timeout_ms: int) -> Sat:
-    """A solver of the named engine; each is loaded only when it is used."""
+    """A solver of the named engine; each is loaded only when it is used.  ValueError for another name."""
+    if engine not in ENGINES:
+        raise ValueError(f"there is no engine {engine}: {', '.join(ENGINES)}")
     if engine == "z3":
         from interlock.proof.engines.z3_sat import Z3Sat
 
