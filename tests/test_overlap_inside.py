@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from interlock.app.run import prepare
 from interlock.audit import audit
 from interlock.audit import overlaps as audit_overlaps
 from interlock.checker import specification
@@ -29,6 +30,7 @@ from interlock.model.layout import Layout
 from interlock.model.measured import measured
 from interlock.model.overlap import entry_speed, overlap_paths
 from interlock.model.traversal import topology
+from interlock.panel import picture
 from interlock.proof.claims import Facts, claims
 from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.search import search
@@ -87,6 +89,15 @@ def test_the_chinese_form_tells_each_overlap_though_it_has_no_column_for_them() 
     assert any("保护区段" in sign for sign, _ in form.legend)
     plain = national_sheets(*made(TEXT.replace("profile: de", "profile: cn").replace(SHORT, "{length: 0}")))[0]
     assert not any("保护区段" in x for r in plain.rows for x in r) and len(plain.legend) < len(form.legend)
+
+
+def test_an_operator_is_told_which_route_has_which_overlap_and_speed() -> None:
+    """Both lead over a1 to X: without it the panel offers the same way twice."""
+    ready = prepare(PATH)
+    offered = {r["id"]: r["overlap"] for r in picture.still(ready, None)["routes"]}
+    assert offered["A-X"] == "overlap a2; 40 km/h" and offered["A-X.o2"] == "overlap a2, T" and offered["X-E"] == ""
+    for name in ("acts.js", "panel.js"):
+        assert "r.overlap ?" in (Path(picture.__file__).parent / "page" / name).read_text("utf-8")
 
 
 def test_hostile_pairs_beside_the_matrix_say_with_which_overlaps_they_are() -> None:

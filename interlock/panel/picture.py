@@ -25,6 +25,7 @@ from interlock.panel.simulated import SimulatedField
 from interlock.simulate.track import Beyond
 from interlock.simulate.world import World
 from interlock.table.cells import ExitKind
+from interlock.table.printed import Printed, PrintedRoute
 from interlock.table.rows import InterlockingTable, RouteRow
 
 Shown = dict[str, Any]
@@ -34,7 +35,7 @@ def still(ready: Ready, field: SimulatedField | None) -> dict[str, Any]:
     """Everything that never changes while a panel runs."""
     layout, table, controller = ready.layout, ready.table, ready.controller
     assert layout is not None and table is not None and controller is not None and ready.allocation is not None
-    drawing = place(layout)
+    drawing, ways_of = place(layout), Printed(table).ways
     topo, y = topology(layout), controller.symbols
     edges = {str(e.id): [e.length, int(drawing.edges[e.id][0] == drawing.at[e.a])] for e in layout.track.edges}
     ways = {
@@ -49,7 +50,7 @@ def still(ready: Ready, field: SimulatedField | None) -> dict[str, Any]:
         "sections": {str(s.id): _section(layout, ways, str(s.id)) for s in layout.track.sections},
         "machines": _machines(layout, controller),
         "signals": _signals(layout, controller, table),
-        "routes": [_route(r, table) for r in table.routes],
+        "routes": [_route(r, table, _with_overlap(r, ways_of[r.id])) for r in table.routes],
         "overlaps": {
             f"{g}.{k}": [str(e) for s, n in over for e in topo.traversals[s][n - 1].edges]
             for (g, k), over in y.overlaps.ways.items()
@@ -109,7 +110,16 @@ def _boundary(layout: Layout, node: str) -> dict[str, Any]:
     return {"label": layout.printed.labels.get(node, node), "comes": str(b.kind) != "out", "approach": b.approach}
 
 
-def _route(r: RouteRow, table: InterlockingTable) -> dict[str, Any]:
+def _with_overlap(r: RouteRow, way: PrintedRoute) -> str:
+    """What tells a route from the others over its way, to an operator: its overlap, and the speed that it shows."""
+    if not way.several or r.locking.overlap is None:
+        return ""
+    over = ", ".join(dict.fromkeys(s for s, _ in r.locking.overlap.ways))
+    kmh = r.signal.speed.kmh
+    return f"overlap {over}" if kmh is None else f"overlap {over}; {kmh} km/h"
+
+
+def _route(r: RouteRow, table: InterlockingTable, overlap: str) -> dict[str, Any]:
     parts = table.parts(r)
     last = parts[-1]
     kind = {ExitKind.SIGNAL: "signal", ExitKind.BOUNDARY: "boundary", ExitKind.BUFFER: "buffer"}.get(
@@ -123,6 +133,7 @@ def _route(r: RouteRow, table: InterlockingTable) -> dict[str, Any]:
         "exit": [kind or "section", str(last.exit)],
         "sections": [str(s) for s in dict.fromkeys(s for p in parts for s in p.path.section_ids)],
         "automatic": r.id in table.automatic,
+        "overlap": overlap,
     }
 
 

@@ -61,7 +61,7 @@ function signal(still, state, rest, name, [aspect, cancelling, left, active, lam
     out.push(act("Why is it at stop?", {do: "why", route: active?.[0]}, {why: true, off: !stop}));
   }
   if (still.swings.includes(name)) out.push(act("Swing its overlap", {do: "swing", signal: name}));
-  for (const r of routes) out.push(act(`Set ${r.names[0] ? `${r.names[0]}: ` : ""}${r.id}${r.kind === "main" ? "" : ` (${r.kind})`}`, {do: "set", route: r.id}, {route: r}));
+  for (const r of routes) out.push(act(`Set ${r.names[0] ? `${r.names[0]}: ` : ""}${r.id}${r.kind === "main" ? "" : ` (${r.kind})`}${r.overlap ? `, ${r.overlap}` : ""}`, {do: "set", route: r.id}, {route: r}));
   for (const r of routes.filter(r => r.automatic)) {
     const on = state[`a:${r.id}`]?.[0];
     out.push(act(`${r.id}: ${on ? "no longer automatic" : "automatic"}`, {do: "automatic", route: r.id, on: !on}));

@@ -72,7 +72,7 @@ const at = key => key[0];
 function pick(found) {
   const main = found.filter(r => r.kind === "main"), best = main.length ? main : found;
   if (best.length === 1) { ask({do: "set", route: best[0].id}); chosen = ""; offer(); return; }
-  $("said").replaceChildren(element("p", "Several routes lead there: "), ...best.map(r => button(`${r.names[0] ?? r.id} over ${r.sections.join(", ")}`, () => {
+  $("said").replaceChildren(element("p", "Several routes lead there: "), ...best.map(r => button(`${r.names[0] ?? r.id} over ${r.sections.join(", ")}${r.overlap ? `, ${r.overlap}` : ""}`, () => {
     $("said").replaceChildren(); ask({do: "set", route: r.id}); chosen = ""; offer();
   })));
 }

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, implies, neg, var
 from interlock.logic.plant import accepted, across, came, image, lamp, o, overran, rests, running, shunting
-from interlock.model.elements import NodeId, SectionId, SignalId
+from interlock.model.elements import MachineId, NodeId, Position, SectionId, SignalId
 from interlock.proof.claims.kinds import Facts, Invariant
 
 
@@ -122,16 +122,22 @@ def firm_for(f: Facts, option: tuple[SignalId, int]) -> Expr:
     firm = var(f.sym.overlaps.firm[g])
     if g not in f.sym.overlaps.swings:
         return firm
+    lies = (f.seen.settled(m, p) for m, p in _under(f, option))
+    return disj((firm, conj((var(f.sym.overlaps.swings[g]), *lies))))
+
+
+def _under(f: Facts, option: tuple[SignalId, int]) -> list[tuple[MachineId, Position]]:
+    """What an alternative demands of machines that lie under the overlap: of those a train waits for each (A-SWING).
+    One that protects its flank may still turn."""
     wanted = [d for way in f.sym.overlaps.ways[option] for d in f.sym.ways.demands[way]]
-    return disj((firm, conj((var(f.sym.overlaps.swings[g]), *(f.seen.settled(m, p) for m, p in wanted)))))
+    known = [(m, p) for m, p in wanted if names.TURNS_SINCE(option[0], m) in f.system.plant.state]
+    return known or wanted
 
 
 def turned(f: Facts, option: tuple[SignalId, int]) -> Expr:
     """Every machine of an alternative to which an overlap swings lies, or still turns to it since before a train was
     reported before the signal."""
-    g = option[0]
-    wanted = [d for way in f.sym.overlaps.ways[option] for d in f.sym.ways.demands[way]]
-    turns = [(m, p, names.TURNS_SINCE(g, m)) for m, p in wanted]
+    turns = [(m, p, names.TURNS_SINCE(option[0], m)) for m, p in _under(f, option)]
     known = f.plant.state
     return conj(disj((f.seen.settled(m, p), var(t))) if t in known else f.seen.settled(m, p) for m, p, t in turns)
 
