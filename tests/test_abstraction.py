@@ -145,10 +145,10 @@ def test_what_a_truncated_cone_leaves_open_is_asked_again(monkeypatch: pytest.Mo
 
     queries = LocalQueries(system.relation, system.where, kept, Limits())
     asked = queries.batches(steps)
-    assert not any(queries.answer(batch).open for batch in asked)
+    assert not any(queries.left(batch) for batch in asked)
     monkeypatch.setattr("interlock.proof.abstraction.queries.abstraction", seen_of)
     queries = LocalQueries(system.relation, system.where, kept, Limits())
-    assert not any(queries.answer(batch).open for batch in asked)
+    assert not any(queries.left(batch) for batch in asked)
     goals = {n for batch in asked for n in batch.goals}
     assert again <= goals and len(again) > 0.9 * len(goals)
 
@@ -159,7 +159,7 @@ def test_what_does_not_follow_is_open_after_both_cones() -> None:
     steps, _, _ = goals_of(system)
     queries = LocalQueries(system.relation, system.where, [], Limits())
     asked = queries.batches(steps)
-    left = {n for batch in asked for n in queries.answer(batch).open}
+    left = {n for batch in asked for n in queries.left(batch)}
     alone = {n for batch in asked for focus in batch.foci for n in queries._open(focus, truncated=False)}
     assert left == alone and len(left) > 100
 

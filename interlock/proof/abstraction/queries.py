@@ -7,7 +7,6 @@ Verification of Coordinating Processes*, 1994.)
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
@@ -36,14 +35,6 @@ class Batch:
         return len(self.goals)
 
 
-@dataclass(frozen=True, slots=True)
-class Answers:
-    """The goals that a batch has left open, and the seconds that it took."""
-
-    open: tuple[int, ...]
-    seconds: float
-
-
 class LocalQueries:
     """Goals asked of local abstractions, and what follows."""
 
@@ -65,13 +56,9 @@ class LocalQueries:
             for some in (found[k : k + CHUNK] for k in range(0, len(found), CHUNK))
         ]
 
-    def answer(self, batch: Batch) -> Answers:
-        """What a batch shows."""
-        began = time.perf_counter()
-        left: dict[int, None] = {}
-        for focus in batch.foci:
-            left |= self._left(focus)
-        return Answers(tuple(left), time.perf_counter() - began)
+    def left(self, batch: Batch) -> list[int]:
+        """The goals that a batch leaves open."""
+        return [*dict.fromkeys(n for focus in batch.foci for n in self._left(focus))]
 
     def _left(self, focus: Focus) -> dict[int, None]:
         """The goals of a focus that follow neither from the truncated cone nor from the whole.

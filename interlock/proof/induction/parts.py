@@ -19,7 +19,7 @@ from itertools import chain
 from interlock.logic.expr import TRUE, Expr, variables
 from interlock.logic.names import Name
 from interlock.proof.abstraction.canonical import CanonicalForms
-from interlock.proof.abstraction.queries import Answers, Batch, LocalQueries
+from interlock.proof.abstraction.queries import Batch, LocalQueries
 from interlock.proof.engines.batch import Decision, decided
 from interlock.proof.engines.limits import Limits
 from interlock.proof.engines.pool import run
@@ -322,23 +322,22 @@ class Inquiry:
             return self._wide(left)
         return self.questions(0 if len(self.goals) <= SMALL else 1, LARGE)
 
-    def ask(self, question: Asked) -> list[Decision] | Answers:
-        """Decide the goals of a question."""
+    def ask(self, question: Asked) -> list[Decision]:
+        """Decide the goals of a question; of a batch those that it leaves open do not follow."""
         if isinstance(question, Batch):
-            return self.local.answer(question)
+            left = frozenset(self.local.left(question))
+            return [Decision(n not in left, 0.0) for n in question.goals]
         goals = [self.goals[n] for n in question.goals]
         if isinstance(question, OfState):
             return self.states.decide([g.expr for g in goals], question.after)
         return self.parts.decide(goals, self.limits, question.rings)
 
-    def note(self, question: Asked, answers: Sequence[Decision] | Answers) -> None:
+    def note(self, question: Asked, answers: Sequence[Decision]) -> None:
         """Keep the answers to a question; what batches show counts when all are done."""
         if isinstance(question, Batch):
-            assert isinstance(answers, Answers)
             self.asked_locally |= dict.fromkeys(question.goals)
-            self.unseen.update(answers.open)
+            self.unseen.update(n for n, d in zip(question.goals, answers, strict=True) if not d.follows)
             return
-        assert not isinstance(answers, Answers)
         for n, answer in zip(question.goals, answers, strict=True):
             self.found[n] = answer
         for goals in question.equal if isinstance(question, Question) else ():

@@ -58,18 +58,6 @@ class Switched:
             self._again.add(switch)
         return switch
 
-    def any_differs(self, pairs: Iterable[tuple[Expr, Expr]]) -> int:
-        """The switch of: the two expressions of one of the pairs have different values."""
-        some = self.cnf.fresh()
-        differ = []
-        for x, y in pairs:
-            a, b = self.cnf.literal(x), self.cnf.literal(y)
-            d = self.cnf.fresh()
-            self.cnf.clauses += [(-d, a, b), (-d, -a, -b)]
-            differ.append(d)
-        self.cnf.clauses.append((-some, *differ))
-        return some
-
     def group(self, switches: Sequence[int]) -> None:
         """Lines that are mostly on together get switches in common: the solver has fewer to decide."""
         for k in range(0, len(switches), GROUP):
