@@ -130,7 +130,7 @@ def _under(f: Facts, option: tuple[SignalId, int]) -> list[tuple[MachineId, Posi
     """What an alternative demands of machines that lie under the overlap: of those a train waits for each (A-SWING).
     One that protects its flank may still turn."""
     wanted = [d for way in f.sym.overlaps.ways[option] for d in f.sym.ways.demands[way]]
-    known = [(m, p) for m, p in wanted if names.TURNS_SINCE(option[0], m) in f.system.plant.state]
+    known = [(m, p) for m, p in wanted if names.TURNS_SINCE(option[0], m) in f.plant.state]
     return known or wanted
 
 
