@@ -25,7 +25,7 @@ from interlock.logic.plant import ASSUMPTIONS
 from interlock.model.principles import KNOBS
 from interlock.proof.claims import CLAIMS
 from interlock.proof.induction.verdict import Witness
-from interlock.proof.system.transition import System
+from interlock.proof.system.loop import ClosedLoop
 from interlock.proof.witnesses.routes import witnesses
 
 
@@ -559,8 +559,8 @@ def test_slips_with_files_are_told_with_the_way_out(tmp_path: Path) -> None:
 def test_a_route_that_no_run_drives_is_told_as_that(monkeypatch: pytest.MonkeyPatch) -> None:
     """Nothing is unsafe: all claims are proved."""
 
-    def one_stands(system: System) -> tuple[Witness, ...]:
-        first, *others = witnesses(system.loop)
+    def one_stands(railway: ClosedLoop) -> tuple[Witness, ...]:
+        first, *others = witnesses(railway)
         return (replace(first, ok=False, text="it stands in section q2"), *others)
 
     monkeypatch.setattr("interlock.proof.prover.witnesses", one_stands)
