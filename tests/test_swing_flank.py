@@ -68,4 +68,4 @@ def test_where_nothing_else_protects_a_train_may_overrun_while_it_turns() -> Non
     result = prove(s, Limits(search_s=0))
     assert {c.id: c.open for c in result.claims if c.open} == {"T-FLANK": ("q2:1:P1.N overrun from X2",)}
     run = search(s, [c for c in claims(Facts(s)) if c.id == "T-FLANK"], 14, 60)
-    assert run is not None and any("P1.N overrun from X2" in x for x in tell(s, run).steps)
+    assert run is not None and any("P1.N overrun from X2" in x for x in tell(s.loop, run).steps)

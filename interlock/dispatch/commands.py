@@ -66,9 +66,9 @@ def _written(command: str) -> str:
     plain = "".join(unicodedata.normalize("NFKC", command).split())
     if plain != command and _COMMAND.fullmatch(plain):
         return f"write {plain}"
-    train, *places = command.split()
-    if len(places) == 2 and not _SIGNS & set(command):
-        return f"write {train}:{places[0]}>{places[1]}"
+    words = command.split()
+    if len(words) == 3 and not _SIGNS & set(command):
+        return "write {}:{}>{}".format(*words)
     return f"write the locomotive's number before it: 12:{command}" if _COMMAND.fullmatch(f"12:{command}") else ""
 
 
