@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from interlock.app.check import check_file
+from interlock.diag import Sink
+from interlock.frontend import load_text
 from interlock.table.cells import RouteKind
 from interlock.table.matrix import beyond_matrix, matrix
 from interlock.table.rows import InterlockingTable
@@ -118,6 +122,25 @@ def test_a_foul_joint_keeps_the_siding_clear_for_the_main_line() -> None:
     assert [c.section for c in main.clear.foul] == ["s"] and "foul of point P" in main.clear.foul[0].because.text
     assert [c.section for c in checked.table.route["X1-B"].clear.foul] == ["m"]  # type: ignore[index]
     assert {d.code for d in checked.diagnostics} == {"IL3018"}
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("", "", True),
+        ("trains: out", "trains: both", True),  # whatever keeps those away that come in
+        ("trains: out", "trains: in", False),
+        ("legs: 9", "legs: 9, fouling: 4", False),
+        ("normal: W8", "normal: t9.start", False),  # there is a section to be clear
+    ],
+)
+def test_a_boundary_on_which_a_train_that_has_left_still_stands_foul_is_told(old: str, new: str, told: bool) -> None:
+    text = Path("tests/diagnostics/IL3041.yaml").read_text("utf-8").replace(old, new)
+    if "t9" in text:
+        text = text.replace("tracks:\n", "tracks:\n  t9: [s9 50, W8]\n")
+    sink = Sink()
+    load_text("demo.yaml", text, sink)
+    assert ("IL3041" in {d.code for d in sink.diagnostics}) is told
 
 
 def test_foul_joints_are_claimed_and_a_missing_exclusion_is_killed() -> None:

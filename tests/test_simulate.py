@@ -2,8 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+from random import Random
+
 import pytest
 
+from interlock.simulate.faults import Faults
+from interlock.simulate.run import load
+from interlock.simulate.track import Track
+from interlock.simulate.world import World
 from tests.campaigns.simulate import Case, drive
 from tests.weakened import WEAKENED
 
@@ -61,3 +68,20 @@ def test_each_class_of_wrong_controllers_comes_to_harm(kind: str) -> None:
 
 def test_every_class_has_its_run() -> None:
     assert set(HARM) == set(WEAKENED)
+
+
+def test_a_train_comes_no_faster_than_it_can_stop_before_the_first_signal(tmp_path: Path) -> None:
+    """A hundred metres of approach, and a signal at stop behind it: its driver knows the line."""
+    text = Path("tests/layouts_for_tests/called_on_face_to_face.yaml").read_text("utf-8")
+    fast = tmp_path / "fast.yaml"
+    fast.write_text(text.replace("boundaries:", "principles: {line_speed_kmh: 120}\nboundaries:"), "utf-8")
+    case = Case.of(str(fast))
+    track, names = Track.of(case.layout), load(case.runtime)
+    world = World(case.layout, track, names["INPUTS"], names["OUTPUTS"], Random(1), Faults())
+    for _ in range(100):
+        world.trains.clear()
+        world.traffic.come(10.0)
+        for t in world.trains:
+            here = track.stretches[t.body[0]].metres - t.head + 100.0
+            assert t.speed > 0 and t.speed**2 / (2 * t.handling.brakes) <= here - t.handling.margin + 1e-9
+    assert world.traffic.numbers > 50

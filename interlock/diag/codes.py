@@ -94,6 +94,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3031": (_W, "a berth is denied where there is none"),
     "IL3037": (_W, "a section that a train may run through unseen"),
     "IL3040": (_W, "a principle that no railway keeps"),
+    "IL3041": (_W, "a boundary that is foul of a point or diamond"),
     "IL3021": (_I, "an inclined lane without a condition"),
     "IL3019": (_E, "a signal for a direction in which no train runs"),
     # 4: derivation

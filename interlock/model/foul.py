@@ -6,9 +6,10 @@ fouling point plus the clearance: a vehicle that stands beyond the joint can sti
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
-from interlock.model.elements import CrossingId, EdgeId, MachineId, NodeId, PointId, Position, SectionId
+from interlock.model.elements import BoundaryKind, CrossingId, EdgeId, MachineId, NodeId, PointId, Position, SectionId
 from interlock.model.layout import Layout
 from interlock.model.traversal import Traversal
 
@@ -47,27 +48,48 @@ class FoulJoint:
         return t.section == self.neighbour and (self.when is None or self.node in (t.entry, t.exit))
 
 
+@dataclass(frozen=True)
+class FoulBoundary:
+    """A boundary on a leg of a point, or on an arm of a diamond, nearer to it than `needed` metres: a train that has
+    left the layout may stand foul of it."""
+
+    element: PointId | CrossingId
+    node: NodeId
+    distance: float
+    needed: float
+
+
 def foul_joints(layout: Layout) -> tuple[FoulJoint, ...]:
     """Every foul joint, ordered by point and leg, then by diamond and arm."""
-    found: list[FoulJoint] = []
+    return tuple(f for f in _met(layout) if isinstance(f, FoulJoint))
+
+
+def foul_boundaries(layout: Layout) -> tuple[FoulBoundary, ...]:
+    """Every foul boundary over which trains leave, in the same order."""
+    at = layout.track.boundary_at
+    found = (f for f in _met(layout) if isinstance(f, FoulBoundary))
+    return tuple(dict.fromkeys(f for f in found if at[f.node].kind is not BoundaryKind.IN))
+
+
+def _met(layout: Layout) -> Iterator[FoulJoint | FoulBoundary]:
+    """What is met on the walks out from each leg and arm."""
     margin = layout.principles.clearance_m
     for p in layout.pointwork.points:
         home = layout.track.section_of(p.toe)
         for leg in Position:
             walk = _Walk(layout, p.id, leg, home, p.node, p.fouling + margin)
-            found += walk.along(p.leg(leg), p.node, 0.0, home)
+            yield from walk.along(p.leg(leg), p.node, 0.0, home)
     for c in layout.pointwork.crossings:
         for arm, edges in enumerate(c.arms):
             across = layout.track.section_of(c.arms[1 - arm][0])
             walk = _Walk(layout, c.id, arm, across, c.node, layout.principles.fouling_m + margin)
             for e in edges:
-                found += walk.along(e, c.node, 0.0, layout.track.section_of(e))
-    return tuple(found)
+                yield from walk.along(e, c.node, 0.0, layout.track.section_of(e))
 
 
 @dataclass(frozen=True)
 class _Walk:
-    """A walk out from a point or diamond until the distance needed is covered; it collects joints nearer than it."""
+    """A walk out from a point or diamond until the distance needed is covered; what it meets that is nearer is foul."""
 
     layout: Layout
     element: PointId | CrossingId
@@ -76,14 +98,16 @@ class _Walk:
     start: NodeId
     needed: float
 
-    def along(self, edge: EdgeId, node: NodeId, gone: float, home: SectionId) -> list[FoulJoint]:
+    def along(self, edge: EdgeId, node: NodeId, gone: float, home: SectionId) -> list[FoulJoint | FoulBoundary]:
         """`home`: the section in which the point or arm lies; within it and the fouled one there is no joint."""
         layout = self.layout
         far = layout.track.far(edge, node)
         gone += layout.track.edge[edge].length
         if gone >= self.needed or far == self.start:
             return []
-        out = []
+        out: list[FoulJoint | FoulBoundary] = []
+        if far in layout.track.boundary_at:
+            out.append(FoulBoundary(self.element, far, gone, self.needed))
         for e in layout.onward(edge, far):
             if e.section not in (home, self.section, layout.track.section_of(edge)):
                 when = _decider(layout, e.id, far)

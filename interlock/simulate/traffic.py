@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import sqrt
 from typing import TYPE_CHECKING
 
 from interlock.model.elements import BlockKind
@@ -93,7 +94,10 @@ class Traffic:
         length = self.rng.choice((12.0, 30.0, 60.0, 120.0, 250.0))
         head = s[far].metres - (self.rng.random() * 100.0 if line.approach_m else 100.0)
         t = self.new([far], head, head - length)
-        t.driver.called, t.speed = True, 0.5 * t.handling.fastest
+        stop = (
+            s[far].metres - head + line.approach_m - t.handling.margin
+        )  # he knows the line, and where its signal stands
+        t.driver.called, t.speed = True, min(0.5 * t.handling.fastest, sqrt(2 * t.handling.brakes * max(stop, 0.0)))
         t.handling.patience = self.rng.uniform(60.0, 400.0)
 
     def turns(self, t: Train) -> None:

@@ -1,10 +1,10 @@
-"""Tell the author which joints are foul (R7).  IL3018."""
+"""Tell the author which joints and boundaries are foul (R7).  IL3018, IL3041."""
 
 from __future__ import annotations
 
 from interlock.frontend.context import Context
 from interlock.model.elements import Position
-from interlock.model.foul import foul_joints
+from interlock.model.foul import foul_boundaries, foul_joints
 from interlock.model.layout import Layout
 
 
@@ -20,4 +20,15 @@ def check_foul(ctx: Context, layout: Layout) -> None:
             ctx.at_key(kind, f.element),
             f"routes over the other {side} of {f.element} will require {f.neighbour} clear"
             + (f" unless {f.when[0]} is detected {f.when[1].other}" if f.when is not None else ""),
+        )
+    for b in foul_boundaries(layout):
+        point = b.element in layout.pointwork.point
+        kind = "point" if point else "diamond"
+        fouling = f", or state where its fouling point is: `points: {{{b.element}: {{fouling: ...}}}}`" if point else ""
+        ctx.add(
+            "IL3041",
+            f"boundary {b.node} is foul of {kind} {b.element}: it lies {b.distance:g} m from it, and {b.needed:g} m "
+            "are needed; a train that has left may still stand there while another one passes",
+            ctx.at_key("boundaries", str(b.node)),
+            f"draw the track on beyond the fouling point of {b.element}, in a section of its own{fouling}",
         )
