@@ -58,8 +58,11 @@ def requester(place: Place) -> str:
     return place.edge.removesuffix("x")
 
 
-def comes_in(layout: Layout, place: Place, frozen: Frozen, told: Collection[str]) -> bool:
-    """Whether a vehicle can come to a place from outside, as frozen points lie, past none of the signals told of."""
+def comes_in(layout: Layout, place: Place, frozen: Frozen, told: Collection[str] | None = None) -> bool:
+    """Whether a vehicle can come to a place from outside, as frozen points lie, past no signal, or none of some.
+
+    Over the path itself none comes: that is a hostile movement, not a flank.
+    """
     todo, seen = [Move(place.edge, place.node)], set[Move]()
     while todo:
         here = todo.pop()
@@ -69,7 +72,7 @@ def comes_in(layout: Layout, place: Place, frozen: Frozen, told: Collection[str]
         seen.add(here)
         rear = layout.track.far(here.edge, here.node)
         g = signal_facing(layout, rear, here.edge)
-        if g is not None and g.id in told and _stops(layout, rear, here.edge, place):
+        if g is not None and (told is None or g.id in told) and _stops(layout, rear, here.edge, place):
             continue
         boundary = layout.track.boundary_at.get(rear)
         if boundary is not None and boundary.kind is not BoundaryKind.OUT:
@@ -82,7 +85,7 @@ def comes_in(layout: Layout, place: Place, frozen: Frozen, told: Collection[str]
 
 def open_flanks(layout: Layout, trip: Trip, frozen: Frozen) -> list[Place]:
     """Places that the area of some vehicle from outside touches."""
-    return [p for p in unused_places(layout, trip) if _reached(layout, p, frozen)]
+    return [p for p in unused_places(layout, trip) if comes_in(layout, p, frozen)]
 
 
 def crossovers_to_lie_normal(layout: Layout, trip: Trip) -> set[MachineId]:
@@ -189,30 +192,6 @@ def _between(layout: Layout, place: Place, frozen: Frozen) -> Space:
                 found.add((g.id, True))
         todo += before
     return found
-
-
-def _reached(layout: Layout, place: Place, frozen: Frozen) -> bool:
-    goal = Move(place.edge, place.node)
-    todo: list[Move] = []
-    for b in layout.track.boundaries:
-        if b.kind is BoundaryKind.OUT:
-            continue
-        e = layout.track.edges_at[b.node][0]
-        start = Move(e.id, e.b if e.a == b.node else e.a)
-        if not _stops(layout, b.node, e.id, place) and not (e.one_way and start.node != e.b):
-            todo.append(start)
-    seen: set[Move] = set()
-    while todo:
-        here = todo.pop()
-        if here in seen:
-            continue
-        seen.add(here)
-        if here == goal:
-            return True
-        if here.node == place.node:
-            continue  # over the path itself: that is a hostile movement, not a flank
-        todo.extend(m for m, _ in steps(layout, here, frozen) if not _stops(layout, here.node, m.edge, place))
-    return False
 
 
 def _stops(layout: Layout, node: NodeId, onto: EdgeId, place: Place) -> bool:

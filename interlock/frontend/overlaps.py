@@ -33,13 +33,14 @@ def resolve_overlaps(ctx: Context, principles: Principles, signals: tuple[Signal
     ways: list[OverlapWay] = []
     for name, spec in ctx.file.overlaps.items():
         if name not in inside:
-            what = "stands at a boundary, or is no main signal" if name in ctx.file.signals else "does not exist"
-            ctx.add(
-                "IL2006",
-                f"an overlap lies beyond a main signal inside the layout: {name} {what}",
-                ctx.at_key("overlaps", name),
-                did_you_mean(name, inside),
-            )
+            what, fix = "does not exist", str(did_you_mean(name, inside))
+            if name in ctx.file.signals:
+                what, fix = (
+                    "stands at a boundary, or is no main signal",
+                    "remove it: no main route leads to this signal",
+                )
+            text = f"an overlap lies beyond a main signal inside the layout: {name} {what}"
+            ctx.add("IL2006", text, ctx.at_key("overlaps", name), fix)
             continue
         metres = _metres(ctx, name, spec)
         if metres is not None:
