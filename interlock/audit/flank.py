@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass
 from itertools import pairwise
+from typing import NamedTuple
 
-from interlock.audit.walk import Frozen, Move, Trip, signal_distance, signal_facing, steps
+from interlock.audit.walk import Frozen, Move, Trip, signal_distance, signal_facing, steps_to
 from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId
 from interlock.model.layout import Layout, of_layout
 from interlock.table.rows import RouteRow
 
 
-@dataclass(frozen=True)
-class Place:
+class Place(NamedTuple):
     """An unused leg of a point or an end of a crossed arm: entered over `edge` towards `node`."""
 
     name: str
@@ -58,12 +57,31 @@ def requester(place: Place) -> str:
     return place.edge.removesuffix("x")
 
 
-def comes_in(layout: Layout, place: Place, frozen: Frozen, told: Collection[str] | None = None) -> bool:
+def comes_in(layout: Layout, place: Place, frozen: Frozen, told: frozenset[str] | None = None) -> bool:
     """Whether a vehicle can come to a place from outside, as frozen points lie, past no signal, or none of some.
 
     Over the path itself none comes: that is a hostile movement, not a flank.
     """
-    todo, seen = [Move(place.edge, place.node)], set[Move]()
+    met = _walk(layout, place, (), told).met
+    return _walk(layout, place, tuple((m, frozen[m]) for m in met if m in frozen), told).outside
+
+
+class Walk(NamedTuple):
+    """What a walk back from a place finds: whether it comes outside, and the machines that a vehicle on its way to the
+    place can meet at the toe of their points, which alone lead it elsewhere when they are frozen."""
+
+    outside: bool
+    met: tuple[MachineId, ...]
+
+
+@of_layout
+def _walk(
+    layout: Layout, place: Place, lying: tuple[tuple[MachineId, Position], ...], told: frozenset[str] | None
+) -> Walk:
+    """The walk back from a place with points lying so, up to signals, or to some signals only."""
+    frozen = dict(lying)
+    todo, seen, outside = [Move(place.edge, place.node)], set[Move](), False
+    met: dict[MachineId, None] = {}
     while todo:
         here = todo.pop()
         e = layout.track.edge[here.edge]
@@ -75,12 +93,14 @@ def comes_in(layout: Layout, place: Place, frozen: Frozen, told: Collection[str]
         if g is not None and (told is None or g.id in told) and _stops(layout, rear, here.edge, place):
             continue
         boundary = layout.track.boundary_at.get(rear)
-        if boundary is not None and boundary.kind is not BoundaryKind.OUT:
-            return True
+        outside = outside or (boundary is not None and boundary.kind is not BoundaryKind.OUT)
         if boundary is None and rear != place.node and rear not in layout.track.buffer_at:
-            before = (Move(x.id, rear) for x in layout.track.edges_at[rear] if x.id != here.edge)
-            todo += [m for m in before if any(x == here for x, _ in steps(layout, m, frozen))]
-    return False
+            for before, faced in steps_to(layout, here):
+                if faced is not None:
+                    met[faced[0]] = None
+                if faced is None or frozen.get(*faced) is faced[1]:
+                    todo.append(before)
+    return Walk(outside, tuple(met))
 
 
 def open_flanks(layout: Layout, trip: Trip, frozen: Frozen) -> list[Place]:
@@ -179,8 +199,8 @@ def _between(layout: Layout, place: Place, frozen: Frozen) -> Space:
         ended = rear in (place.node, *layout.track.buffer_at, *layout.track.boundary_at) or _stops(
             layout, rear, here.edge, place
         )
-        before = [Move(x.id, rear) for x in layout.track.edges_at[rear] if x.id != here.edge and not ended]
-        before = [m for m in before if any(x == here for x, _ in steps(layout, m, frozen))]
+        ways = () if ended else steps_to(layout, here)
+        before = [m for m, faced in ways if faced is None or frozen.get(*faced) is faced[1]]
         point = layout.pointwork.point_at.get(rear)
         turned = not ended and not before and point is not None and layout.track.section_of(point.toe) == e.section
         inside = bool(before) and all(layout.track.section_of(m.edge) == e.section for m in before)
@@ -234,5 +254,7 @@ def _cells(layout: Layout, r: RouteRow, trip: Trip, frozen: Frozen) -> Iterator[
             yield ("flank", f"a point that is told to protect {name} is not locked so")
         if given_up and (place.point, place.leg) not in waived:
             yield ("flank", f"nobody gives up the protection of {name}")
-        if not given_up and comes_in(layout, place, frozen, {p.name for p in cells[name] if p.kind == "signal"}):
+        if not given_up and comes_in(
+            layout, place, frozen, frozenset(p.name for p in cells[name] if p.kind == "signal")
+        ):
             yield ("flank", f"what is told to protect {name} does not suffice")

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from interlock.audit.flank import pairs
 from interlock.audit.walk import Move, Trip, distances
 from interlock.model.elements import EdgeId, MachineId, NodeId, Position, SectionId
-from interlock.model.layout import Layout
+from interlock.model.layout import Layout, of_layout
 
 Foul = tuple[SectionId, tuple[MachineId, Position] | None, NodeId, SectionId]
 
@@ -15,15 +15,21 @@ Foul = tuple[SectionId, tuple[MachineId, Position] | None, NodeId, SectionId]
 def foul_neighbours(layout: Layout, trip: Trip) -> set[Foul]:
     """Sections that begin too near to a point of the path, on its unused leg, or to a diamond on its other arm; the
     point that leads there, where, and the section of the path."""
-    out: set[Foul] = set()
-    for a, b in pairs(trip):
-        for unused, own, needed in _beside(layout, a, b):
-            for (edge, near), gone in distances(layout, a.node, unused, needed).items():
-                behind = {layout.track.section_of(e.id) for e in layout.track.edges_at[near] if e.id != edge}
-                section = layout.track.section_of(edge)
-                if section not in own | behind and gone < needed:
-                    out.add((section, _way_out(layout, edge, near), near, layout.track.section_of(a.edge)))
-    return out
+    return set[Foul]().union(*(_foul_between(layout, a, b) for a, b in pairs(trip)))
+
+
+@of_layout
+def _foul_between(layout: Layout, a: Move, b: Move) -> frozenset[Foul]:
+    """What stands foul of a path where one move passes to the next."""
+    return frozenset(
+        (section, _way_out(layout, edge, near), near, layout.track.section_of(a.edge))
+        for unused, own, needed in _beside(layout, a, b)
+        for (edge, near), gone in distances(layout, a.node, unused, needed).items()
+        for section in [layout.track.section_of(edge)]
+        if gone < needed
+        and section not in own
+        and all(e.section != section for e in layout.track.edges_at[near] if e.id != edge)
+    )
 
 
 def _beside(layout: Layout, a: Move, b: Move) -> Iterator[tuple[EdgeId, set[SectionId], float]]:

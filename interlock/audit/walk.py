@@ -9,6 +9,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, Signal
 from interlock.model.layout import Layout, of_layout
@@ -16,8 +17,7 @@ from interlock.model.layout import Layout, of_layout
 Frozen = Mapping[MachineId, Position]
 
 
-@dataclass(frozen=True, order=True)
-class Move:
+class Move(NamedTuple):
     """On `edge`, moving towards `node`."""
 
     edge: EdgeId
@@ -89,6 +89,39 @@ def past_signals(layout: Layout, ahead: list[Trip], beyond: list[Trip]) -> list[
     return list(found.values())
 
 
+class Step(NamedTuple):
+    """A way on from a move: `needs` is the position that a point takes or needs for it, and `facing` whether the
+    vehicle meets that point at its toe; `against`: no train runs in that direction."""
+
+    ahead: Move
+    needs: tuple[MachineId, Position] | None
+    facing: bool
+    against: bool
+
+
+@of_layout
+def _every_step(layout: Layout, at: Move) -> tuple[Step, ...]:
+    """Where the track leads on from a move, whatever position points have."""
+    found = []
+    crossing = layout.pointwork.crossing_at.get(at.node)
+    point = layout.pointwork.point_at.get(at.node)
+    for e in layout.track.edges_at[at.node]:
+        if e.id == at.edge:
+            continue
+        ahead = Move(e.id, e.b if e.a == at.node else e.a)
+        if crossing is not None and not any(at.edge in arm and e.id in arm for arm in crossing.arms):
+            continue
+        needs: tuple[MachineId, Position] | None = None
+        if point is not None:
+            if point.toe not in (at.edge, e.id):
+                continue
+            leg = e.id if at.edge == point.toe else at.edge
+            needs = (point.machine, Position.NORMAL if leg == point.normal else Position.REVERSE)
+        facing = point is not None and at.edge == point.toe
+        found.append(Step(ahead, needs, facing, e.one_way and ahead.node != e.b))
+    return tuple(found)
+
+
 def steps(
     layout: Layout, at: Move, frozen: Frozen | None = None, against: bool = False
 ) -> Iterator[tuple[Move, tuple[MachineId, Position] | None]]:
@@ -97,26 +130,25 @@ def steps(
     A frozen point leads a facing vehicle one way only; a trailing vehicle runs through any point.  `against`: also
     where no train runs in that direction.
     """
-    for e in layout.track.edges_at[at.node]:
-        if e.id == at.edge:
+    for step in _every_step(layout, at):
+        if step.against and not against:
             continue
-        ahead = Move(e.id, e.b if e.a == at.node else e.a)
-        if e.one_way and ahead.node != e.b and not against:
+        if frozen and step.facing and step.needs and frozen.get(step.needs[0], step.needs[1]) is not step.needs[1]:
             continue
-        needs: tuple[MachineId, Position] | None = None
-        crossing = layout.pointwork.crossing_at.get(at.node)
-        if crossing is not None and not any(at.edge in arm and e.id in arm for arm in crossing.arms):
-            continue
-        point = layout.pointwork.point_at.get(at.node)
-        if point is not None:
-            if point.toe not in (at.edge, e.id):
-                continue
-            leg = e.id if at.edge == point.toe else at.edge
-            needs = (point.machine, Position.NORMAL if leg == point.normal else Position.REVERSE)
-            facing = at.edge == point.toe
-            if frozen is not None and facing and frozen.get(point.machine, needs[1]) is not needs[1]:
-                continue
-        yield ahead, needs
+        yield step.ahead, step.needs
+
+
+@of_layout
+def steps_to(layout: Layout, here: Move) -> tuple[tuple[Move, tuple[MachineId, Position] | None], ...]:
+    """Where a vehicle can have come from, and the position of a point that it met at its toe on the way here."""
+    rear = layout.track.far(here.edge, here.node)
+    before = [Move(e.id, rear) for e in layout.track.edges_at[rear] if e.id != here.edge]
+    return tuple(
+        (m, step.needs if step.facing else None)
+        for m in before
+        for step in _every_step(layout, m)
+        if step.ahead == here and not step.against
+    )
 
 
 def signal_facing(layout: Layout, node: NodeId, onto: EdgeId) -> Signal | None:
