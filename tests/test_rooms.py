@@ -54,13 +54,39 @@ def test_the_page_is_of_this_version(house: House) -> None:
         assert f"| {name} | {size} | {why} |" in told, name
 
 
-@pytest.mark.parametrize("room", ["system", "abstraction", "induction", "certificate", "equivalence"])
-def test_every_module_begins_with_the_theorem_that_makes_it_sound(room: str) -> None:
-    for path in sorted((TOP / "interlock" / "proof" / room).glob("*.py")):
-        said = ast.get_docstring(ast.parse(path.read_text("utf-8"))) or ""
-        if path.name != "__init__.py":
-            theorem = said.partition("**Theorem.**")[2]
-            assert theorem.count("(") >= 1 and len(theorem) > 120, path.name
+NO_THEOREM = {
+    "claims": "says what is claimed, which is read and not derived: the theorem of the package",
+    "functions": "says what must happen, which is read and not derived: the theorem of the package",
+    "engines/answer.py": "the three answers",
+    "engines/limits.py": "numbers that the user gives",
+    "engines/pool.py": "who does the work, not what it is",
+    "engines/minisat.py": "a foreign solver behind one question",
+    "engines/z3_sat.py": "a foreign solver behind one question",
+    "engines/cvc5_sat.py": "a foreign solver behind one question",
+    "witnesses/opening.py": "a number of scans to which runs are held",
+    "mutation/campaign.py": "keeps verdicts; which of them are right is the judge's",
+    "mutation/lines.py": "lists what others say of a system",
+    "mutation/survivors.py": "a published list",
+    **dict.fromkeys(
+        [f"mutation/{m}.py" for m in ("elsewhere", "forgotten", "points", "swinging", "texts", "ways", "weakenings")],
+        "makes mutants: whatever it makes is judged",
+    ),
+}
+"""Modules and rooms of the proof in which nothing is concluded, and why."""
+
+PROOF = TOP / "interlock" / "proof"
+
+
+@pytest.mark.parametrize("module", sorted(str(p.relative_to(PROOF)) for p in PROOF.glob("*/*.py")))
+def test_every_module_of_the_proof_begins_with_the_theorem_that_makes_it_sound(module: str) -> None:
+    room, _, name = module.partition("/")
+    said = ast.get_docstring(ast.parse((PROOF / module).read_text("utf-8"))) or ""
+    theorem = said.partition("**Theorem.**")[2]
+    wanted = (room in NO_THEOREM) if name == "__init__.py" else room not in NO_THEOREM and module not in NO_THEOREM
+    if wanted:
+        assert theorem.count("(") >= 1 and len(theorem) > 120
+    elif name != "__init__.py":
+        assert not theorem, "it stands on the list of those that have none"
 
 
 def test_every_module_of_optimisation_is_there(house: House) -> None:

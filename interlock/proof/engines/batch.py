@@ -1,4 +1,9 @@
-"""Goals asked of a solver one after the other; what was answered before is not asked again."""
+"""Goals asked of a solver one after the other; what was answered before is not asked again.
+
+**Theorem.**  A goal follows from facts exactly if its denial cannot hold together with them; what a solver learns while
+literals are assumed follows from its clauses alone, so that no question changes the answer to a later one.  (Een and
+Sorensson, *Temporal Induction by Incremental SAT Solving*, 2003.)
+"""
 
 from __future__ import annotations
 

@@ -9,6 +9,10 @@ question is asked again.  Only "follows" is kept.  Who can read the key file can
 nobody else can.
 
 All that is asked of a layout at once is one question, too: see `app/kept.py`.
+
+**Theorem.**  Whether goals follow from facts does not depend on what variables are called: an answer holds for every
+question that differs by a renaming that is one to one.  Two questions have one name only if they are equal after
+renaming, or if SHA-256 collides.  (Church, *Introduction to Mathematical Logic*, 1956: substitution of variables.)
 """
 
 from __future__ import annotations

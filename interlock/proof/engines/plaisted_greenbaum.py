@@ -3,6 +3,10 @@
 A node that is only ever used as true needs no clause that makes it true, and the other way round (Plaisted and
 Greenbaum, 1986): fewer clauses, and shorter chains for the solver.  What can hold together is the same as with
 definitions in both directions; the value of a node in a model means nothing, so that searches for a run use `Cnf`.
+
+**Theorem.**  A node that is used in one polarity only needs its definition in one direction: the clauses can be
+satisfied exactly if the requirements can, and so UNSAT means the same as with definitions in both directions.
+(Plaisted and Greenbaum, 1986.)
 """
 
 from __future__ import annotations

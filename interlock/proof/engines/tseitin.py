@@ -2,6 +2,10 @@
 
 Comparisons of a small-range variable become one variable each; two different values of the same variable
 exclude each other.
+
+**Theorem.**  A valuation of the variables extends to a model of the clauses exactly if it satisfies what is required,
+and in every model the literal of a node has the value of its expression; so a model tells the value of every expression
+that was entered, and that there is none tells that the requirements contradict each other.  (Tseitin, 1968.)
 """
 
 from __future__ import annotations

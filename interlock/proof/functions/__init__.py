@@ -5,6 +5,11 @@ each rule is said from its other side too: a route is refused, a signal stays at
 does not run only for a reason that the rule names.  They are written from the rules over layout, inputs and states, as
 claims are (F-WORD alone over wires too, since words name conditions of the controller), and proved by induction in the
 same way; `interlock mutate` and the tests ask them, `prove` does not.
+
+**Theorem.**  Each of these is a safety property too, though it tells what must happen: it says of every single step
+what it does, so that a finite run is enough to refute it and an induction over steps to prove it.  (Lamport, 1977;
+Alpern and Schneider, 1985.)  Where a claim says that something happens only if a condition holds, and a function that
+it fails to happen only if the condition does not, the two together leave the controller no choice.
 """
 
 from __future__ import annotations

@@ -5,6 +5,10 @@ the changed ones are added and the old ones are left off: clauses that were lear
 controller is: invariants that are lost, at the restart or in a step, are dropped until none is lost any more, and the
 claims are asked with those that are left.  What no claim refuses is compared with the controller, as far as its
 terminals show it; what may differ there is driven by trains and operators.
+
+**Theorem.**  A mutant is called proved exactly if base, step and consequence hold for its own lines, as for a
+controller (`induction/inductive.py`); lines that are switched off take part in no answer (`switched.py`).  A claim that
+fails does not follow by induction; the mutant need not be unsafe.  (Houdini: Flanagan and Leino, 2001.)
 """
 
 from __future__ import annotations

@@ -3,6 +3,10 @@
 As test patterns are found by fault simulation: a pattern is a state and the inputs of a step that the invariants and
 assumptions allow.  A mutant that breaks a claim in one of them has failed, whatever invariants it keeps: those were
 facts of that state.  All patterns are computed at once, one bit for each, and of a mutant only what it changes.
+
+**Theorem.**  A state and inputs that satisfy the facts and break a claim in that step are a model of its denial: the
+claim does not follow from these facts.  That no pattern breaks it shows nothing.  (Fault simulation with random and
+deterministic patterns: Abramovici, Breuer and Friedman, *Digital Systems Testing and Testable Design*, 1990.)
 """
 
 from __future__ import annotations

@@ -3,6 +3,9 @@
 All runs are taken once, and what every wire and next value reads in each of their scans is kept.  A changed equation
 that has, in all these scans, the value of the one it replaces leaves every run as it was: nothing is run again.
 Otherwise the runs in which it once had another value are.
+
+**Theorem.**  The loop is deterministic under given choices and inputs: a run in whose every scan the changed equations
+have the values of those that they replace is a run of the changed loop, with the same states.  (Induction over scans.)
 """
 
 from __future__ import annotations

@@ -5,6 +5,10 @@ the other has it, and the reverse; what a scan does not keep is dropped, until t
 found as invariants are).  As long as no output is among what was dropped, all outputs are the same in every run, from
 power-up on.  Before the restart delay is over nothing is known but the start values that every scan keeps; afterwards
 the invariants of both hold.
+
+**Theorem.**  If the initial states are related, and related states go under the same inputs to related states and show
+the same outputs, then all runs show the same outputs.  (Bisimulation: Park, 1981; Milner, *Communication and
+Concurrency*, 1989; as signal correspondence: van Eijk, 2000.)  That no such relation is found shows nothing.
 """
 
 from __future__ import annotations

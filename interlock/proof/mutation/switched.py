@@ -1,4 +1,9 @@
-"""Clauses in one solver, with a literal that switches each line on."""
+"""Clauses in one solver, with a literal that switches each line on.
+
+**Theorem.**  A switch that nobody assumes can be false, and then its clause holds: the line takes part in no answer.
+What was learnt from it contains its switch, or that of its group, and is left off with it.  (Activation literals: Een
+and Sorensson, 2003.)
+"""
 
 from __future__ import annotations
 

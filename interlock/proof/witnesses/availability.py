@@ -9,6 +9,9 @@ while its conditions hold, its signal opens within a number of scans that is kno
 Not every two routes have a train each.  Where one begins in the section in which the other ends, one train takes both.
 Where the train of one would stand in a section that the other needs clear, or where both begin in one section, there is
 one train at a time: it is driven while the other signal stays open, and the other route is given back.
+
+**Theorem.**  As of witnesses: a run that went well shows that both routes can be used so; that none of those tried went
+well shows nothing, and is called a failure.  (Clarke, Grumberg and Peled, *Model Checking*, 1999.)
 """
 
 from __future__ import annotations

@@ -5,6 +5,10 @@ same controller and plant: a route that lost a condition stays at stop until it 
 point keeps its routes back until somebody has looked at it (R10); a cancelled route is given back after its delay,
 asked for by one touch of a button (R8); sections whose detection is not relied on any more are given back by hand
 behind the train (R8, R9); a section that is blocked, locked or reported occupied refuses the route (R6).
+
+**Theorem.**  As of witnesses: a run shows that what it ends with is reachable, and what a step of it did is what every
+step does from that state with those inputs, since the controller is deterministic.  (Clarke, Grumberg and Peled,
+*Model Checking*, 1999.)
 """
 
 from __future__ import annotations

@@ -3,6 +3,11 @@
 A claim about a controller that never opens a signal would hold and mean nothing; this run shows that each route
 works, that the assumptions can be met, and that nothing stays locked behind the train (over-locking is invisible
 to safety proofs).
+
+**Theorem.**  A run of the closed loop that begins in an initial state and in which every assumption held shows that its
+last state is reachable; it says nothing of any other run.  (Witnesses of existential properties: Clarke, Grumberg and
+Peled, *Model Checking*, 1999.)  Runs that are computed side by side, a bit for each, are the runs that each would be
+alone, since no operation joins two bits.
 """
 
 from __future__ import annotations
