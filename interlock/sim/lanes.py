@@ -128,11 +128,11 @@ class Lanes:
         self._running: dict[str, list[tuple[int, int]]] = {t.name: [] for t in self.controller.timers}
         self._clock = 0
         self.state[names.POWERED] = self.mask
-        symbols = (
-            self.controller.symbols
-        )  # runs begin when the restart delay is over; what is clear then, long has been
+        symbols, longest = self.controller.symbols, max(t.preset_ms for t in self.controller.timers)
+        # runs begin when the restart delay is over; what is clear then, long has been
         for name in (symbols.start.restart_timer, *symbols.sections.release_timer.values()):
-            self._running[name] = [(-max(t.preset_ms for t in self.controller.timers), self.mask)]
+            self._running[name] = [(-longest, self.mask)]
+        self._undisturbed = self._as_if_undisturbed()
         lanes = [Lane(self, n) for n in range(len(starts))]
         runs: list[Driver] = [d(lane) for d, lane in zip(drivers, lanes, strict=True)]
         outcomes: list[tuple[str | None, int]] = [(None, 0)] * len(starts)
@@ -165,11 +165,10 @@ class Lanes:
                     runs ^= lowest
         return self._held
 
-    def _step(self, wanted: list[tuple[Lane, Wish]]) -> None:
-        sym = self.controller.symbols
-        m = self.mask
-        values = dict(self.state)
-        values |= dict.fromkeys(self.plant.choices, 0)
+    def _as_if_undisturbed(self) -> dict[str, int]:
+        """What is read of an undisturbed railway in every step, whatever has happened."""
+        sym, m = self.controller.symbols, self.mask
+        values: dict[str, int] = dict.fromkeys(self.plant.choices, 0)
         for i in self.controller.inputs:
             if i.size:
                 values |= {f"{i.name}={k}": 0 for k in range(i.size)}
@@ -177,9 +176,19 @@ class Lanes:
             else:
                 values[i.name] = m if i.restrictive else 0
         values |= dict.fromkeys((t.name for t in self.controller.timers), 0)
+        values |= dict.fromkeys(self._arrivals, m)
+        values[sym.valid] = m
+        values |= dict.fromkeys(sym.sections.blocked.values(), 0)
+        proof = sym.lamp_proof
+        lamps = (*proof.stop.values(), *proof.clear.values(), *proof.caution.values(), *proof.identifier.values())
+        return values | dict.fromkeys((*sym.condition.values(), *sym.sections.healthy.values(), *lamps), m)
+
+    def _step(self, wanted: list[tuple[Lane, Wish]]) -> None:
+        sym = self.controller.symbols
+        m = self.mask
+        values = self.state | self._undisturbed
         for choice, command in self._moves.items():
             values[choice] = self.state[command]
-        values |= dict.fromkeys(self._arrivals, m)
         for lane, wish in wanted:
             lane.count += 1
             for e in wish.events:
@@ -191,15 +200,6 @@ class Lanes:
             values[name] = m ^ there if there else m
         for (machine, x), name in sym.machines.detected.items():
             values[name] = moved[names.LIES(machine, x)]
-        values[sym.valid] = m
-        values |= dict.fromkeys(sym.sections.blocked.values(), 0)
-        lamps = (
-            *sym.lamp_proof.stop.values(),
-            *sym.lamp_proof.clear.values(),
-            *sym.lamp_proof.caution.values(),
-        )
-        lamps = (*lamps, *sym.lamp_proof.identifier.values())
-        values |= dict.fromkeys((*sym.condition.values(), *sym.sections.healthy.values(), *lamps), m)
         for b, wire in sym.token.items():
             values |= {wire.gives: moved[names.TELEGRAM(b, "gives")], wire.has: moved[names.TELEGRAM(b, "has")]}
             values[wire.keeps] = m ^ moved[names.TELEGRAM(b, "gives")]
