@@ -85,7 +85,8 @@ def _in_rear(layout: Layout, parts: Sequence[RouteRow], rear: SectionId, locks: 
     for f in (f for p in parts for f in p.clear.foul):
         if f.section == rear and (f.when is None or held.get(f.when[0]) is f.when[1]):
             yield f"{rear} must be free: {f.because.text}", "move the joint out of the fouling point"
-    stands = {k[1] for k, lock in locks.items() if k[0] == rear and r.path.entry_node in (lock.entry, lock.exit)}
+    came = [t for t in topology(layout).traversals[rear] if r.path.entry_node in (t.entry, t.exit)]
+    stands = {t.number for t in came if t.key in locks}
     taken = [key for p in parts for key in (*p.path.traversals, *(p.locking.overlap.ways if p.locking.overlap else ()))]
     for ex in (ex for key in taken for ex in locks[key].exclusions):
         if ex.section == rear and (ex.whole or (stands and stands <= {*ex.numbers})):
