@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import TypeVar
 
 from interlock.st.ast import (
     HEADLINE,
@@ -132,57 +133,69 @@ def shared(unit: Unit, several: bool = False) -> Unit:
     return replace(unit, blocks=(*core, *helpers, *_mapping(program, main, several)))
 
 
-def in_data_blocks(blocks: Sequence[Block], told: bool = True) -> Iterator[Block]:
-    """Data blocks, the blocks in the order in which they are called, group blocks, and the one that calls these.
+NOTES = {INPUTS: "inputs", OUTPUTS: "outputs, and what is said of routes", INNER: "what is computed and kept"}
+"""What is told of each part of an interlocking's data."""
 
-    told: what a variable means stands at its place in a data block, too, not only where it is computed.
-    """
+
+def members(callees: Sequence[Block], main: Block) -> dict[str, list[Declaration]]:
+    """The variables of an interlocking by the part of its data to which they belong."""
+    shown = main.input_names | main.output_names
+    inner = [d for b in callees for d in b.outputs if d.name not in shown]
+    return {INPUTS: [*main.inputs], OUTPUTS: [*main.outputs], INNER: inner}
+
+
+def in_data_blocks(blocks: Sequence[Block]) -> Iterator[Block]:
+    """Data blocks, and the blocks that read and write them.  What a variable means stands at its place in a data block,
+    too, not only where it is computed."""
     *callees, main = blocks
+    data = members(callees, main)
+    lies = {d.name: main.name + ending for ending, part in data.items() for d in part}
+    notes = {s.target.parts[-1]: s.note for b in callees for s in b.body if isinstance(s, Assign)}
+    data[INNER] = [replace(d, note=d.note or notes.get(d.name, "")) for d in data[INNER]]
+    for ending, part in data.items():
+        yield Block(main.name + ending, (), (), tuple(part), (), NOTES[ending], "DATA_BLOCK")
+    yield from placed(callees, main, lies)
+
+
+def settings(main: Block) -> list[Sequence[Assign]]:
+    """What sets the outputs that no block computes under their own names, in parts of one block each."""
+    found = [s for s in main.body if isinstance(s, Assign)]
+    found = [s for s in found if not isinstance(s.value, Name) or s.value.parts[-1] != s.target.parts[-1]]
+    return _parts(found, MOST)
+
+
+def placed(callees: Sequence[Block], main: Block, lies: Mapping[str, str]) -> Iterator[Block]:
+    """The blocks in the order in which they are called, those that set outputs, group blocks, and the one that calls
+    these; one with timers has an instance.  Each reads and writes variables where they lie: `lies`, by their names."""
+    assert not any(d.name in lies for b in callees for d in b.locals), "a block's own has the name of a variable"
     kinds = {b.name: b for b in callees}
     types = {d.name: d.type for d in main.locals}
-    data = {d.name: main.name + INPUTS for d in main.inputs} | {d.name: main.name + OUTPUTS for d in main.outputs}
-    notes = {s.target.parts[-1]: s.note for b in callees for s in b.body if told and isinstance(s, Assign)}
-    inner = [replace(d, note=d.note or notes.get(d.name, "")) for b in callees for d in b.outputs if d.name not in data]
-    data |= {d.name: main.name + INNER for d in inner}
-
-    put = Renaming(lambda n: Name((data[n.parts[-1]], n.parts[-1])))
-    yield Block(main.name + INPUTS, (), (), main.inputs, (), "inputs", "DATA_BLOCK")
-    yield Block(main.name + OUTPUTS, (), (), main.outputs, (), "outputs, and what is said of routes", "DATA_BLOCK")
-    yield Block(main.name + INNER, (), (), tuple(inner), (), "what is computed and kept", "DATA_BLOCK")
+    put = Renaming(lambda n: Name((lies[n.parts[0]], n.parts[0])) if n.parts[0] in lies else n)
     calls: list[Call] = []
     for s in main.body:
         if isinstance(s, Call):
             b = kinds[types[s.instance]]
-            made, called = _placed(b, data)
-            yield from made
-            calls.append(Call(called, (), b.note[:HEADLINE]))
-    settings = [put(s) for s in main.body if isinstance(s, Assign)]
-    settings = [s for s in settings if not (isinstance(s, Assign) and s.target == s.value)]  # written where it is made
-    for k, part in enumerate(_parts(settings, MOST), 1):
-        yield Block(f"{main.name}_Y{k:02d}", (), (), (), tuple(part), "outputs", "FUNCTION")
+            timed = any(d.type == "TON" for d in b.locals)
+            body = tuple(map(put, b.body))
+            yield Block(b.name, (), (), b.locals, body, b.note, "FUNCTION_BLOCK" if timed else "FUNCTION")
+            if timed:
+                yield Block(instance(b.name), (), (), (Declaration("OF", b.name),), (), "", "INSTANCE")
+            calls.append(Call(instance(b.name) if timed else b.name, (), b.note[:HEADLINE]))
+    outer = Renaming(lambda n: Name((lies[n.parts[-1]], n.parts[-1])))  # the names of the main block: outputs of others
+    for k, part in enumerate(settings(main), 1):
+        yield Block(f"{main.name}_Y{k:02d}", (), (), (), tuple(map(outer, part)), "outputs", "FUNCTION")
         calls.append(Call(f"{main.name}_Y{k:02d}", (), "outputs"))
     groups = _parts(calls, GROUP)
-    for k, part in enumerate(groups, 1):
-        yield Block(f"{main.name}_G{k:02d}", (), (), (), tuple(part), "calls in the order of the proof", "FUNCTION")
-    body = tuple(Call(f"{main.name}_G{k:02d}", ()) for k in range(1, len(groups) + 1))
-    yield Block(main.name, (), (), (), body, main.note, "FUNCTION")
+    for k, called in enumerate(groups, 1):
+        yield Block(f"{main.name}_G{k:02d}", (), (), (), tuple(called), "calls in the order of the proof", "FUNCTION")
+    whole = tuple(Call(f"{main.name}_G{k:02d}", ()) for k in range(1, len(groups) + 1))
+    yield Block(main.name, (), (), (), whole, main.note, "FUNCTION")
 
 
-def _placed(b: Block, data: Mapping[str, str]) -> tuple[list[Block], str]:
-    """A block that reads and writes data blocks, and what is called; one with timers has an instance."""
-    own = {d.name for d in b.locals}
-
-    def place(n: Name) -> Name:
-        return n if n.parts[0] in own else Name((data[n.parts[0]], n.parts[0]))
-
-    body = tuple(map(Renaming(place), b.body))
-    if all(d.type != "TON" for d in b.locals):
-        return [Block(b.name, (), (), b.locals, body, b.note, "FUNCTION")], b.name
-    kept = Block(instance(b.name), (), (), (Declaration("OF", b.name),), (), "", "INSTANCE")
-    return [Block(b.name, (), (), b.locals, body, b.note), kept], kept.name
+_S = TypeVar("_S", bound=Statement)
 
 
-def _parts(xs: Sequence[Statement], most: int) -> list[Sequence[Statement]]:
+def _parts(xs: Sequence[_S], most: int) -> list[Sequence[_S]]:
     return [xs[i : i + most] for i in range(0, len(xs), most)]
 
 
@@ -212,7 +225,7 @@ def _mapping(program: Block, main: str, several: bool) -> Iterator[Block]:
         made = put(s)
         if isinstance(s, Call) and s.instance == INSTANCE:
             assert isinstance(made, Call)
-            carried = [Assign(Name((main + INPUTS, n)), x) for n, x in made.params]
+            carried: list[Statement] = [Assign(Name((main + INPUTS, n)), x) for n, x in made.params]
             for k, part in enumerate(_parts(carried, MOST), 1):
                 yield Block(f"{main}_IN{k:02d}", (), (), (), tuple(part), "wires to inputs", "FUNCTION")
                 body.append(Call(f"{main}_IN{k:02d}", ()))

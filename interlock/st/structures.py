@@ -13,7 +13,7 @@ same blocks use lies together, so that a block gets few of them.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from interlock.st.ast import HEADLINE, Assign, Block, Call, Declaration, Expression, Name, Statement, Unit
@@ -23,13 +23,15 @@ from interlock.st.program import INSTANCE
 from interlock.st.shared import (
     INNER,
     INPUTS,
+    NOTES,
     OUTPUTS,
     Renaming,
     flat,
-    frame,
-    in_data_blocks,
     instance,
+    members,
     names_in,
+    placed,
+    settings,
     writes,
 )
 
@@ -64,84 +66,81 @@ def structured(unit: Unit) -> Unit:
 
 def _interlocking(blocks: Sequence[Block]) -> Iterator[Block]:
     """Structures, the blocks in the order in which they are called, groups, and the main block."""
-    made = list(in_data_blocks(blocks, told=False))
-    main = made[-1].name
-    known = frame(made)
-    uses = [dict.fromkeys(n.parts for s in b.body for n in names_in(s)) for b in made]
-    place = _parted(made, uses)
-    put = Renaming(lambda n: Name((place.get(n.parts, n.parts[0]), *n.parts[1:])))
-    names = named(len({s for (data, _), s in place.items() if data == main + INNER}))
+    *callees, main = blocks
+    data = members(callees, main)
+    lies, names = _parted(callees, main, data)
+    yield from _structures(main.name, data, lies, names)
+    declared = {b.name: (*b.inputs, *b.outputs) for b in callees}
     handed: dict[str, tuple[str, ...]] = {}
-    for b, names_used in zip(made, uses, strict=True):
-        if b.kind == "DATA_BLOCK":
-            yield from _structures(b, main, names, place)
-        elif b.kind != "INSTANCE":
-            called = [s.instance for s in b.body if isinstance(s, Call) and _hands(s, b)]
-            calls = [known.instances.get(n, n) for n in called]
-            used = {place.get(n, "") for n in names_used}
-            used |= {n for c in calls for n in handed[c]}
-            handed[b.name] = (GIVEN, SHOWN) if b.name == main else tuple(n for n in names if n in used)
-            yield _handing(b, main, names, handed, known.instances, put)
+    instances: dict[str, str] = {}
+    for b in placed(callees, main, lies):
+        if b.kind == "INSTANCE":
+            instances[b.name] = b.locals[0].type
+            continue
+        if b.name in declared:
+            used = {lies[d.name] for d in declared[b.name]}
+        else:
+            called = [instances.get(s.instance, s.instance) for s in b.body if isinstance(s, Call)]
+            used = {n.parts[0] for s in b.body for n in names_in(s)}.union(*map(handed.__getitem__, called))
+        handed[b.name] = (GIVEN, SHOWN) if b.name == main.name else tuple(n for n in names if n in used)
+        made = b if b.name in declared else _calling(b, main.name, handed, instances)
+        yield _handing(made, main.name, names, handed[b.name])
 
 
-def _parted(made: Sequence[Block], uses: Sequence[Iterable[tuple[str, ...]]]) -> dict[tuple[str, ...], str]:
-    """In which structure each member of a data block lies; `uses`: the names that each block reads or writes.
+def _parted(
+    callees: Sequence[Block], main: Block, data: Mapping[str, Sequence[Declaration]]
+) -> tuple[dict[str, str], dict[str, str]]:
+    """In which structure each variable lies, and the names of all structures as `named` has them.
 
     All else is sorted by the blocks that use it, in the order of calls, and cut into parts of one size.
     """
-    users: dict[tuple[str, ...], list[int]] = {}
-    for k, those in enumerate(uses):
-        for n in those:
-            users.setdefault(n, []).append(k)
-    place: dict[tuple[str, ...], str] = {}
-    data = {b.name: [(b.name, d.name) for d in b.locals] for b in made if b.kind == "DATA_BLOCK"}
-    for name, ending in named(1).items():
-        members = data[made[-1].name + ending]
-        if name == HELD:
-            members.sort(key=lambda n: users.get(n, []))
-        parts = list(named(-(-len(members) // MEMBERS)))[2:] if name == HELD else [name]
-        place |= {n: parts[i * len(parts) // len(members)] for i, n in enumerate(members)}
-    return place
+    users: dict[str, list[int]] = {}
+    for k, b in enumerate(callees):
+        for d in (*b.inputs, *b.outputs):
+            users.setdefault(d.name, []).append(k)
+    for k, part in enumerate(settings(main), len(callees)):
+        for name in dict.fromkeys(n.parts[-1] for s in part for n in names_in(s)):
+            users.setdefault(name, []).append(k)
+    inner = sorted((d.name for d in data[INNER]), key=lambda n: users.get(n, []))
+    names = named(-(-len(inner) // MEMBERS))
+    given, shown, *held = names
+    lies = {d.name: n for n, ending in ((given, INPUTS), (shown, OUTPUTS)) for d in data[ending]}
+    return lies | {n: held[i * len(held) // len(inner)] for i, n in enumerate(inner)}, names
 
 
-def _structures(b: Block, main: str, names: Mapping[str, str], place: Mapping[tuple[str, ...], str]) -> Iterator[Block]:
-    """A data block as one structure or several."""
-    parts: dict[str, list[Declaration]] = {}
-    for d in b.locals:
-        parts.setdefault(place[b.name, d.name], []).append(d)
-    for n, ending in names.items():
-        if n in parts:
-            note = f"{b.note}, part {n.removeprefix(HELD)} of {len(parts)}" if len(parts) > 1 else b.note
-            yield replace(b, name=main + ending, locals=tuple(parts[n]), note=note, kind="STRUCT")
+def _structures(
+    main: str, data: Mapping[str, Sequence[Declaration]], lies: Mapping[str, str], names: Mapping[str, str]
+) -> Iterator[Block]:
+    """What the structures hold, in the order in which it is declared."""
+    parts: dict[str, list[Declaration]] = {n: [] for n in names}
+    for d in (d for part in data.values() for d in part):
+        parts[lies[d.name]].append(d)
+    told = {GIVEN: NOTES[INPUTS], SHOWN: NOTES[OUTPUTS]}
+    for n, part in parts.items():
+        note = f"{NOTES[INNER]}, part {n.removeprefix(HELD)} of {len(names) - 2}" if len(names) > 3 else NOTES[INNER]
+        yield Block(main + names[n], (), (), tuple(part), (), told.get(n, note), "STRUCT")
 
 
-def _hands(s: Call, b: Block) -> bool:
-    """Whether a call in a block is of another block, not of a timer of its own."""
-    return all(d.name != s.instance for d in b.locals)
+def _handing(b: Block, main: str, names: Mapping[str, str], handed: Sequence[str]) -> Block:
+    """A block with its structures; the main block holds those that it does not get."""
+    inner = [Declaration(n, main + e) for n, e in names.items() if b.name == main and n not in handed]
+    declared = tuple(Declaration(n, main + names[n]) for n in handed)
+    note = b.note[:HEADLINE] if b.name != main else b.note
+    return Block(b.name, (), (), (*inner, *b.locals), b.body, note, handed=declared)
 
 
-def _handing(
-    b: Block,
-    main: str,
-    names: Mapping[str, str],
-    handed: Mapping[str, Sequence[str]],
-    instances: Mapping[str, str],
-    put: Renaming,
-) -> Block:
-    """A block with its structures, and with an instance of each block that it calls."""
-    inner = [Declaration(n, main + e) for n, e in names.items() if b.name == main and n not in handed[main]]
+def _calling(b: Block, main: str, handed: Mapping[str, Sequence[str]], instances: Mapping[str, str]) -> Block:
+    """A block that calls others, with an instance of each, and what it sets."""
+    inner: list[Declaration] = []
     body: list[Statement] = []
     for s in b.body:
-        if isinstance(s, Call) and _hands(s, b):
+        if isinstance(s, Call):
             kind = instances.get(s.instance, s.instance)
             own = kind.removeprefix(f"{main}_")
             inner.append(Declaration(own, kind, None, s.note))
-            body.append(Call(own, tuple((n, Name((n,))) for n in handed[kind])))
-        else:
-            body.append(put(s))
-    declared = tuple(Declaration(n, main + names[n]) for n in handed[b.name])
-    note = b.note[:HEADLINE] if b.name != main else b.note
-    return Block(b.name, (), (), (*b.locals, *inner), tuple(body), note, handed=declared)
+            s = Call(own, tuple((n, Name((n,))) for n in handed[kind]))
+        body.append(s)
+    return Block(b.name, (), (), tuple(inner), tuple(body), b.note)
 
 
 def _program(program: Block, main: str) -> Block:
