@@ -51,7 +51,7 @@ _TOKEN = re.compile(
     re.VERBOSE | re.DOTALL,
 )
 _WELL = re.compile(_GOOD, re.VERBOSE)
-_CLOSED = re.compile(r"^END_(?:FUNCTION_BLOCK|PROGRAM|TYPE)[ \t]*\n", re.MULTILINE)
+_CLOSED = re.compile(r"\nEND_(?:FUNCTION_BLOCK|PROGRAM|TYPE)[ \t]*(?=\n)")
 _COMPARE = frozenset(("=", "<>", "<", ">", "<=", ">="))
 _JOINING = ("AND", "OR", "XOR")
 _OPERATORS = (*_JOINING, "NOT", "TRUE", "FALSE")

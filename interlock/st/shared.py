@@ -13,7 +13,8 @@ block's own variable, or in the mapping program a terminal.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections import Counter
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
@@ -64,17 +65,22 @@ def frame(blocks: Sequence[Block]) -> Frame:
     )
 
 
+def pair(*parts: str) -> tuple[Name, Not]:
+    """A name as it is, and negated."""
+    name = Name(parts)
+    return name, Not(name)
+
+
 class Renaming:
     """Statements with other names.  Each name is asked for once: most of a text are names that it has had."""
 
-    def __init__(self, name: Callable[[Name], Name]) -> None:
-        """`name`: what stands for a name, always the same for it; it may raise `NotInSubset`."""
+    def __init__(self, name: Callable[[Name], tuple[Name, Not]]) -> None:
+        """`name`: what stands for a name, and negated, always the same for it; it may raise `NotInSubset`."""
         self._name = name
         self._known: dict[tuple[str, ...], tuple[Name, Not]] = {}
 
     def _look(self, n: Name) -> tuple[Name, Not]:
-        new = self._name(n)
-        found = self._known[n.parts] = new, Not(new)
+        found = self._known[n.parts] = self._name(n)
         return found
 
     def expression(self, x: Expression) -> Expression:
@@ -170,7 +176,7 @@ def placed(callees: Sequence[Block], main: Block, lies: Mapping[str, str]) -> It
     assert not any(d.name in lies for b in callees for d in b.locals), "a block's own has the name of a variable"
     kinds = {b.name: b for b in callees}
     types = {d.name: d.type for d in main.locals}
-    put = Renaming(lambda n: Name((lies[n.parts[0]], n.parts[0])) if n.parts[0] in lies else n)
+    put = Renaming(lambda n: pair(lies[n.parts[0]], n.parts[0]) if n.parts[0] in lies else pair(*n.parts))
     calls: list[Call] = []
     for s in main.body:
         if isinstance(s, Call):
@@ -181,7 +187,7 @@ def placed(callees: Sequence[Block], main: Block, lies: Mapping[str, str]) -> It
             if timed:
                 yield Block(instance(b.name), (), (), (Declaration("OF", b.name),), (), "", "INSTANCE")
             calls.append(Call(instance(b.name) if timed else b.name, (), b.note[:HEADLINE]))
-    outer = Renaming(lambda n: Name((lies[n.parts[-1]], n.parts[-1])))  # the names of the main block: outputs of others
+    outer = Renaming(lambda n: pair(lies[n.parts[-1]], n.parts[-1]))  # the names of the main block: outputs of others
     for k, part in enumerate(settings(main), 1):
         yield Block(f"{main.name}_Y{k:02d}", (), (), (), tuple(map(outer, part)), "outputs", "FUNCTION")
         calls.append(Call(f"{main.name}_Y{k:02d}", (), "outputs"))
@@ -210,13 +216,13 @@ def _mapping(program: Block, main: str, several: bool) -> Iterator[Block]:
     yield Block(main + OPERATOR, (), (), operators, (), "the operator's place", "DATA_BLOCK")
     data = {d.name: main + OPERATOR for d in operators}
 
-    def place(n: Name) -> Name:
+    def place(n: Name) -> tuple[Name, Not]:
         first = n.parts[0]
         if first == INSTANCE:
-            return Name((main + OUTPUTS, n.parts[1]))
+            return pair(main + OUTPUTS, n.parts[1])
         if first in instances:
-            return Name((instance(own + first), *n.parts[1:]))
-        return Name((data[first], first) if first in data else (before + first,))
+            return pair(instance(own + first), *n.parts[1:])
+        return pair(data[first], first) if first in data else pair(before + first)
 
     body: list[Statement] = []
     out: list[Statement] = []
@@ -257,13 +263,12 @@ def flat(unit: Unit, several: bool = False) -> Unit:
     The blocks' statements stand in the order in which they are carried out; what is temporary in a block has a name
     that no text can have, so that nobody else reads it.
     """
-    by_name: dict[str, Block] = {}
-    for b in unit.blocks:
-        if by_name.setdefault(b.name.upper(), b) is not b:
-            raise NotInSubset(f"{b.name} is there twice")
     main = unit.blocks[0].name.removesuffix(INPUTS)
+    data = {b.name: b.locals for b in unit.blocks if b.kind == "DATA_BLOCK"}
+    if left := [main + x for x in NOTES if main + x not in data]:
+        raise NotInSubset(f"no data block {left[0]}")
     called: set[str] = set()
-    core = _Core(unit, main, called)
+    core = Core(unit, main, called, {x: {main + x: data[main + x]} for x in NOTES}, lambda _: data)
     block = core.block()
     programs = [b for b in unit.blocks if b.name == f"{main}_IO"]
     rest = [b for b in unit.blocks if b.kind == "WIRES"]
@@ -271,17 +276,18 @@ def flat(unit: Unit, several: bool = False) -> Unit:
     if {b.name for b in unit.blocks if b.kind == "DATA_BLOCK"} != known:
         raise NotInSubset(f"data blocks are not {', '.join(sorted(known))}")
     if not programs and not rest:
-        _all_called(unit, called)
+        all_called(unit, called)
         return Unit((block,), task=unit.task)
     if len(programs) != 1 or len(rest) != 1:
         raise NotInSubset("not one mapping program with its terminals")
     program = _Program(unit, main, called, rest[0].locals, several).block(programs[0])
-    _all_called(unit, called | {programs[0].name})
+    all_called(unit, called | {programs[0].name})
     helpers = [b for b in unit.blocks if b.kind == "FUNCTION_BLOCK" and b.name not in core.timing]
     return Unit((*helpers, block, program), task=unit.task)
 
 
-def _all_called(unit: Unit, called: set[str]) -> None:
+def all_called(unit: Unit, called: set[str]) -> None:
+    """Raises `NotInSubset` for what is never called."""
     left = [b.name for b in unit.blocks if b.kind in ("FUNCTION", "INSTANCE") and b.name not in called]
     if left:
         raise NotInSubset(f"{left[0]} is never called")
@@ -365,16 +371,28 @@ class _Walk:
         self.called.add(name)
 
 
-class _Core(_Walk):
-    """The interlocking as one function block."""
+class Core(_Walk):
+    """The interlocking as one function block.
 
-    def __init__(self, unit: Unit, main: str, called: set[str]) -> None:
+    data: by the part of it, and by the names by which blocks know them, the variables that lie together.  seen: the
+    names of these that a block may use.
+    """
+
+    def __init__(
+        self,
+        unit: Unit,
+        main: str,
+        called: set[str],
+        data: Mapping[str, Mapping[str, Sequence[Declaration]]],
+        seen: Callable[[Block], Collection[str]],
+    ) -> None:
         super().__init__(unit, main, called)
-        try:
-            self.inputs, self.outputs, inner = (self.data[main + x] for x in (INPUTS, OUTPUTS, INNER))
-        except KeyError as missing:
-            raise NotInSubset(f"no data block {missing}") from missing
-        self.members = {d.name: main + x for x in (INPUTS, OUTPUTS, INNER) for d in self.data[main + x]}
+        names = [b.name.upper() for b in unit.blocks]
+        if twice := [n for n, times in Counter(names).items() if times > 1]:
+            raise NotInSubset(f"{twice[0]} is there twice")
+        self.seen = seen
+        self.inputs, self.outputs, inner = (tuple([d for ds in data[x].values() for d in ds]) for x in NOTES)
+        self.members = {d.name: (n, pair(d.name)) for part in data.values() for n, ds in part.items() for d in ds}
         if len(self.members) != len(self.inputs) + len(self.outputs) + len(inner):
             raise NotInSubset("two variables of one name")
         self.given = {d.name for d in self.inputs}
@@ -399,14 +417,15 @@ class _Core(_Walk):
             if d.name in own or d.initial is not None or (d.type == "TON") > (b.kind == "FUNCTION_BLOCK"):
                 raise NotInSubset(f"{b.name}: {d.name} is declared twice, or otherwise than as its own")
             own[d.name] = d.name if d.type == "TON" else f"{b.name} {d.name}"
-            self.locals.append(replace(d, name=own[d.name]))
+            self.locals.append(Declaration(own[d.name], d.type, None, d.note, d.address))
+        seen, members = self.seen(b), self.members
 
-        def place(n: Name) -> Name:
+        def place(n: Name) -> tuple[Name, Not]:
             first, last = n.parts[0], n.parts[-1]
             if first in own and (len(n.parts) == 1 or last == "Q"):
-                return Name((own[first], *n.parts[1:]))
-            if len(n.parts) == 2 and self.members.get(last) == first:
-                return Name((last,))
+                return pair(own[first], *n.parts[1:])
+            if len(n.parts) == 2 and last in members and members[last][0] == first and first in seen:
+                return members[last][1]
             raise NotInSubset(f"{b.name}: {n} is not declared")
 
         put = Renaming(place)
@@ -454,17 +473,17 @@ class _ProgramNames:
         """A terminal without the interlocking's label."""
         return self._after(name, self._before)
 
-    def of(self, n: Name, instances: Mapping[str, str]) -> Name:
+    def of(self, n: Name, instances: Mapping[str, str]) -> tuple[Name, Not]:
         """Any of them; raises `NotInSubset` for what is not declared."""
         first, last = n.parts[0], n.parts[-1]
         if len(n.parts) == 1 and first in self._terminals:
-            return Name((first.removeprefix(self._before),))
+            return pair(first.removeprefix(self._before))
         if first == self._main + OPERATOR and last in self._held:
-            return Name((last,))
+            return pair(last)
         if first == self._main + OUTPUTS:
-            return Name((INSTANCE, last))
+            return pair(INSTANCE, last)
         if first in instances:
-            return Name((self.instance(first), last))
+            return pair(self.instance(first), last)
         raise NotInSubset(f"{n} is not declared")
 
 
@@ -520,5 +539,5 @@ class _Program(_Walk):
                     raise NotInSubset(f"{b.name} writes what is not the operator's")
                 self.body.append(put(s))
 
-    def _name(self, n: Name) -> Name:
+    def _name(self, n: Name) -> tuple[Name, Not]:
         return self.names.of(n, self.instances)

@@ -14,9 +14,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
-from interlock.st.ast import HEADLINE, Assign, Block, Call, Declaration, Expression, Name, Statement, Unit
+from interlock.st.ast import HEADLINE, Assign, Block, Call, Declaration, Expression, Name, Not, Statement, Unit
 from interlock.st.meaning import STANDARD
 from interlock.st.parser import NotInSubset
 from interlock.st.program import INSTANCE
@@ -25,11 +25,13 @@ from interlock.st.shared import (
     INPUTS,
     NOTES,
     OUTPUTS,
+    Core,
     Renaming,
-    flat,
+    all_called,
     instance,
     members,
     names_in,
+    pair,
     placed,
     settings,
     writes,
@@ -146,7 +148,7 @@ def _calling(b: Block, main: str, handed: Mapping[str, Sequence[str]], instances
 def _program(program: Block, main: str) -> Block:
     """The mapping program: it writes the inputs, calls the interlocking, reads the outputs."""
     body: list[Statement] = []
-    put = Renaming(lambda n: Name((SHOWN, *n.parts[1:])) if n.parts[0] == INSTANCE else n)
+    put = Renaming(lambda n: pair(SHOWN, *n.parts[1:]) if n.parts[0] == INSTANCE else pair(*n.parts))
     for s in program.body:
         if isinstance(s, Call) and s.instance == INSTANCE:
             body += [Assign(Name((GIVEN, n)), x) for n, x in s.params]
@@ -184,89 +186,72 @@ def plain(unit: Unit) -> Unit:
     main = next((n.removesuffix(INPUTS) for n in structures if n.endswith(INPUTS)), "")
     if set(structures) != {main + x for x in named(len(structures) - 2).values()}:
         raise NotInSubset("structures are not those of inputs, outputs and all else")
-    (block,) = flat(Unit(tuple(_released(main, structures, core)))).blocks
+    there = {n: structures[main + ending] for n, ending in named(len(structures) - 2).items()}
+    released = Unit(tuple(_released(main, [Declaration(n, s.name) for n, s in there.items()], core)))
+    given, shown, *rest = ((n, s.locals) for n, s in there.items())
+    data = {INPUTS: dict([given]), OUTPUTS: dict([shown]), INNER: dict(rest)}
+    called: set[str] = set()
+    block = Core(released, main, called, data, lambda b: {d.name for d in b.handed}).block()
+    all_called(released, called)
     return Unit((*helpers, block, *program), task=unit.task)
 
 
-def _released(main: str, structures: Mapping[str, Block], core: Sequence[Block]) -> Iterator[Block]:
-    """The blocks with their structures as data blocks, of which nobody hands anything on."""
-    there = {n: structures[main + ending] for n, ending in named(len(structures) - 2).items()}
-    known = _Known(
-        tuple(Declaration(n, s.name) for n, s in there.items()),
-        {n: frozenset(d.name for d in s.locals) for n, s in there.items()},
-        {n: main + named(1).get(n, INNER) for n in there},
-    )
-    for name in dict.fromkeys(known.data.values()):
-        members = tuple(d for n, s in there.items() if known.data[n] == name for d in s.locals)
-        yield Block(name, (), (), members, (), kind="DATA_BLOCK")
+def _released(main: str, known: Sequence[Declaration], core: Sequence[Block]) -> Iterator[Block]:
+    """The blocks as if they saw their structures (`handed`) without being handed them, and the instances of those with
+    timers.  known: all structures, in the order in which they are handed on."""
     blocks = {b.name: b for b in core}
     for b in core:
-        timed = any(d.type == "TON" for d in b.locals)
         made = _Released(b, b.name == main, blocks, known).block()
-        yield replace(made, kind="FUNCTION_BLOCK" if timed else "FUNCTION")
-        if timed:
+        yield made
+        if made.kind == "FUNCTION_BLOCK":
             yield Block(instance(b.name), (), (), (Declaration("OF", b.name),), (), kind="INSTANCE")
-
-
-@dataclass(frozen=True)
-class _Known:
-    """The structures of a unit in the order in which they are handed on, the members of each, and by name the data
-    block that it becomes."""
-
-    declared: tuple[Declaration, ...]
-    members: Mapping[str, frozenset[str]]
-    data: Mapping[str, str]
 
 
 class _Released:
     """A block of this form on its way back; `main`: it is the one that holds the rest."""
 
-    def __init__(self, b: Block, main: bool, blocks: Mapping[str, Block], known: _Known) -> None:
-        self.b, self.blocks, self.known = b, blocks, known
-        own = [d for d in known.declared if main and d.name not in (GIVEN, SHOWN)]
-        declared = frozenset(known.declared)
-        self.structures = {d.name for d in (*b.handed, *own)}
+    def __init__(self, b: Block, main: bool, blocks: Mapping[str, Block], known: Sequence[Declaration]) -> None:
+        self.b, self.blocks = b, blocks
+        own = [d for d in known if main and d.name not in (GIVEN, SHOWN)]
+        self.seen = (*b.handed, *own)
+        self.structures = {d.name for d in self.seen}
         self.instances = {d.name: d.type for d in b.locals if d.type in blocks}
         self.own = [d for d in b.locals if d not in own and d.name not in self.instances]
-        self.mine = {d.name for d in self.own}
         names = [d.name.upper() for d in (*b.handed, *b.locals)]
         handed = {d.name for d in b.handed}
         if (
             b.inputs
             or b.outputs
-            or list(b.handed) != [d for d in known.declared if d.name in handed]
+            or list(b.handed) != [d for d in known if d.name in handed]
             or len(set(names)) != len(names)
-            or declared.intersection(b.locals) != set(own)
+            or frozenset(known).intersection(b.locals) != set(own)
             or any(d.initial is not None or d.address for d in b.locals)
         ):
             raise NotInSubset(f"{b.name}: declared otherwise than as a block of this form")
 
     def block(self) -> Block:
-        """It, with names of members and calls as in a unit with data blocks."""
-        put = Renaming(self._name)
-        body = tuple([self._statement(s, put) for s in self.b.body])
+        """It, with calls as in a unit with data blocks."""
+        body = tuple([self._called(s) if isinstance(s, Call) else s for s in self.b.body])
         called = [s.instance for s in self.b.body if isinstance(s, Call)]
         if left := [n for n in self.instances if called.count(n) != 1]:
             raise NotInSubset(f"{self.b.name}: {left[0]} is not called once")
-        return Block(self.b.name, (), (), tuple(self.own), body)
+        kind = "FUNCTION_BLOCK" if _timed(self.b) else "FUNCTION"
+        return Block(self.b.name, (), (), tuple(self.own), body, kind=kind, handed=self.seen)
 
-    def _statement(self, s: Statement, put: Renaming) -> Statement:
-        if not isinstance(s, Call) or s.instance not in self.instances:
-            return put(s)
+    def _called(self, s: Call) -> Call:
+        if s.instance not in self.instances:
+            if all(d.name != s.instance for d in self.own):
+                raise NotInSubset(f"{self.b.name}: {s.instance} is not declared")
+            return s
         kind = self.blocks[self.instances[s.instance]]
         handed = [d.name for d in kind.handed]
         if s.params != tuple((n, Name((n,))) for n in handed) or not self.structures.issuperset(handed):
             raise NotInSubset(f"{self.b.name}: {s.instance} is handed something else than its structures")
-        timed = any(d.type == "TON" for d in kind.locals)
-        return Call(instance(kind.name) if timed else kind.name, ())
+        return Call(instance(kind.name) if _timed(kind) else kind.name, ())
 
-    def _name(self, n: Name) -> Name:
-        first = n.parts[0]
-        if first in self.structures and len(n.parts) == 2 and n.parts[1] in self.known.members[first]:
-            return Name((self.known.data[first], n.parts[1]))
-        if first in self.mine:
-            return n
-        raise NotInSubset(f"{self.b.name}: {n} is not declared")
+
+def _timed(b: Block) -> bool:
+    return any(d.type == "TON" for d in b.locals)
 
 
 def _mapping(program: Block, main: str) -> Block:
@@ -278,12 +263,12 @@ def _mapping(program: Block, main: str) -> Block:
     if program.inputs or program.outputs or program.handed:
         raise NotInSubset(f"{program.name} is given something, or gives something")
 
-    def name(n: Name) -> Name:
+    def name(n: Name) -> tuple[Name, Not]:
         if n.parts[0] == SHOWN and len(n.parts) == 2:
-            return Name((INSTANCE, n.parts[1]))
+            return pair(INSTANCE, n.parts[1])
         if n.parts[0] in (GIVEN, SHOWN, INSTANCE):
             raise NotInSubset(f"{program.name}: {n} is read or written")
-        return n
+        return pair(*n.parts)
 
     body: list[Statement] = []
     put = Renaming(name)
