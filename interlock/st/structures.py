@@ -187,7 +187,7 @@ def plain(unit: Unit) -> Unit:
     if set(structures) != {main + x for x in named(len(structures) - 2).values()}:
         raise NotInSubset("structures are not those of inputs, outputs and all else")
     there = {n: structures[main + ending] for n, ending in named(len(structures) - 2).items()}
-    released = Unit(tuple(_released(main, [Declaration(n, s.name) for n, s in there.items()], core)))
+    released = Unit(tuple(_released(main, {n: Declaration(n, s.name) for n, s in there.items()}, core)))
     given, shown, *rest = ((n, s.locals) for n, s in there.items())
     data = {INPUTS: dict([given]), OUTPUTS: dict([shown]), INNER: dict(rest)}
     called: set[str] = set()
@@ -196,7 +196,7 @@ def plain(unit: Unit) -> Unit:
     return Unit((*helpers, block, *program), task=unit.task)
 
 
-def _released(main: str, known: Sequence[Declaration], core: Sequence[Block]) -> Iterator[Block]:
+def _released(main: str, known: Mapping[str, Declaration], core: Sequence[Block]) -> Iterator[Block]:
     """The blocks as if they saw their structures (`handed`) without being handed them, and the instances of those with
     timers.  known: all structures, in the order in which they are handed on."""
     blocks = {b.name: b for b in core}
@@ -210,9 +210,9 @@ def _released(main: str, known: Sequence[Declaration], core: Sequence[Block]) ->
 class _Released:
     """A block of this form on its way back; `main`: it is the one that holds the rest."""
 
-    def __init__(self, b: Block, main: bool, blocks: Mapping[str, Block], known: Sequence[Declaration]) -> None:
+    def __init__(self, b: Block, main: bool, blocks: Mapping[str, Block], known: Mapping[str, Declaration]) -> None:
         self.b, self.blocks = b, blocks
-        own = [d for d in known if main and d.name not in (GIVEN, SHOWN)]
+        own = [d for n, d in known.items() if main and n not in (GIVEN, SHOWN)]
         self.seen = (*b.handed, *own)
         self.structures = {d.name for d in self.seen}
         self.instances = {d.name: d.type for d in b.locals if d.type in blocks}
@@ -222,9 +222,9 @@ class _Released:
         if (
             b.inputs
             or b.outputs
-            or list(b.handed) != [d for d in known if d.name in handed]
+            or list(b.handed) != [d for n, d in known.items() if n in handed]
             or len(set(names)) != len(names)
-            or frozenset(known).intersection(b.locals) != set(own)
+            or {d.name for d in b.locals if known.get(d.name) == d} != {d.name for d in own}
             or any(d.initial is not None or d.address for d in b.locals)
         ):
             raise NotInSubset(f"{b.name}: declared otherwise than as a block of this form")
