@@ -71,31 +71,32 @@ def pair(*parts: str) -> tuple[Name, Not]:
     return name, Not(name)
 
 
-class Renaming:
+class Renaming(dict[tuple[str, ...], tuple[Name, Not]]):
     """Statements with other names.  Each name is asked for once: most of a text are names that it has had."""
 
-    def __init__(self, name: Callable[[Name], tuple[Name, Not]]) -> None:
-        """`name`: what stands for a name, and negated, always the same for it; it may raise `NotInSubset`."""
+    def __init__(self, name: Callable[[tuple[str, ...]], tuple[Name, Not]]) -> None:
+        """`name`: what stands for a name of such parts, and negated; it may raise `NotInSubset`."""
+        super().__init__()
         self._name = name
-        self._known: dict[tuple[str, ...], tuple[Name, Not]] = {}
 
-    def _look(self, n: Name) -> tuple[Name, Not]:
-        found = self._known[n.parts] = self._name(n)
+    def __missing__(self, parts: tuple[str, ...]) -> tuple[Name, Not]:
+        found = self[parts] = self._name(parts)
         return found
 
     def expression(self, x: Expression) -> Expression:
         """An expression with other names."""
+        if isinstance(x, Name):
+            return self[x.parts][0]
         if isinstance(x, Nary):
             args: list[Expression] = []
             for a in x.args:
-                y = a.arg if isinstance(a, Not) else a
-                if isinstance(y, Name):
-                    args.append((self._known.get(y.parts) or self._look(y))[y is not a])
+                if isinstance(a, Name):
+                    args.append(self[a.parts][0])
+                elif isinstance(a, Not) and isinstance(a.arg, Name):
+                    args.append(self[a.arg.parts][1])
                 else:
                     args.append(self.expression(a))
             return Nary(x.op, tuple(args), x.notes)
-        if isinstance(x, Name):
-            return (self._known.get(x.parts) or self._look(x))[0]
         if isinstance(x, Not):
             return Not(self.expression(x.arg))
         return Compare(x.op, self.expression(x.left), self.expression(x.right)) if isinstance(x, Compare) else x
@@ -103,8 +104,7 @@ class Renaming:
     def __call__(self, s: Statement) -> Statement:
         """A statement with other names."""
         if isinstance(s, Assign):
-            target = (self._known.get(s.target.parts) or self._look(s.target))[0]
-            return Assign(target, self.expression(s.value), s.note)
+            return Assign(self[s.target.parts][0], self.expression(s.value), s.note)
         if isinstance(s, Call):
             return Call(s.instance, tuple([(n, self.expression(x)) for n, x in s.params]), s.note)
         arms = [(self.expression(c), tuple(map(self, then))) for c, then in s.arms]
@@ -176,7 +176,7 @@ def placed(callees: Sequence[Block], main: Block, lies: Mapping[str, str]) -> It
     assert not any(d.name in lies for b in callees for d in b.locals), "a block's own has the name of a variable"
     kinds = {b.name: b for b in callees}
     types = {d.name: d.type for d in main.locals}
-    put = Renaming(lambda n: pair(lies[n.parts[0]], n.parts[0]) if n.parts[0] in lies else pair(*n.parts))
+    put = Renaming(lambda parts: pair(lies[parts[0]], parts[0]) if parts[0] in lies else pair(*parts))
     calls: list[Call] = []
     for s in main.body:
         if isinstance(s, Call):
@@ -187,7 +187,7 @@ def placed(callees: Sequence[Block], main: Block, lies: Mapping[str, str]) -> It
             if timed:
                 yield Block(instance(b.name), (), (), (Declaration("OF", b.name),), (), "", "INSTANCE")
             calls.append(Call(instance(b.name) if timed else b.name, (), b.note[:HEADLINE]))
-    outer = Renaming(lambda n: pair(lies[n.parts[-1]], n.parts[-1]))  # the names of the main block: outputs of others
+    outer = Renaming(lambda parts: pair(lies[parts[-1]], parts[-1]))  # the names of the main block: outputs of others
     for k, part in enumerate(settings(main), 1):
         yield Block(f"{main.name}_Y{k:02d}", (), (), (), tuple(map(outer, part)), "outputs", "FUNCTION")
         calls.append(Call(f"{main.name}_Y{k:02d}", (), "outputs"))
@@ -216,12 +216,12 @@ def _mapping(program: Block, main: str, several: bool) -> Iterator[Block]:
     yield Block(main + OPERATOR, (), (), operators, (), "the operator's place", "DATA_BLOCK")
     data = {d.name: main + OPERATOR for d in operators}
 
-    def place(n: Name) -> tuple[Name, Not]:
-        first = n.parts[0]
+    def place(parts: tuple[str, ...]) -> tuple[Name, Not]:
+        first = parts[0]
         if first == INSTANCE:
-            return pair(main + OUTPUTS, n.parts[1])
+            return pair(main + OUTPUTS, parts[1])
         if first in instances:
-            return pair(instance(own + first), *n.parts[1:])
+            return pair(instance(own + first), *parts[1:])
         return pair(data[first], first) if first in data else pair(before + first)
 
     body: list[Statement] = []
@@ -420,13 +420,13 @@ class Core(_Walk):
             self.locals.append(Declaration(own[d.name], d.type, None, d.note, d.address))
         seen, members = self.seen(b), self.members
 
-        def place(n: Name) -> tuple[Name, Not]:
-            first, last = n.parts[0], n.parts[-1]
-            if first in own and (len(n.parts) == 1 or last == "Q"):
-                return pair(own[first], *n.parts[1:])
-            if len(n.parts) == 2 and last in members and members[last][0] == first and first in seen:
+        def place(parts: tuple[str, ...]) -> tuple[Name, Not]:
+            first, last = parts[0], parts[-1]
+            if first in own and (len(parts) == 1 or last == "Q"):
+                return pair(own[first], *parts[1:])
+            if len(parts) == 2 and last in members and members[last][0] == first and first in seen:
                 return members[last][1]
-            raise NotInSubset(f"{b.name}: {n} is not declared")
+            raise NotInSubset(f"{b.name}: {Name(parts)} is not declared")
 
         put = Renaming(place)
         for s in b.body:
@@ -473,10 +473,10 @@ class _ProgramNames:
         """A terminal without the interlocking's label."""
         return self._after(name, self._before)
 
-    def of(self, n: Name, instances: Mapping[str, str]) -> tuple[Name, Not]:
+    def of(self, parts: tuple[str, ...], instances: Mapping[str, str]) -> tuple[Name, Not]:
         """Any of them; raises `NotInSubset` for what is not declared."""
-        first, last = n.parts[0], n.parts[-1]
-        if len(n.parts) == 1 and first in self._terminals:
+        first, last = parts[0], parts[-1]
+        if len(parts) == 1 and first in self._terminals:
             return pair(first.removeprefix(self._before))
         if first == self._main + OPERATOR and last in self._held:
             return pair(last)
@@ -484,7 +484,7 @@ class _ProgramNames:
             return pair(INSTANCE, last)
         if first in instances:
             return pair(self.instance(first), last)
-        raise NotInSubset(f"{n} is not declared")
+        raise NotInSubset(f"{Name(parts)} is not declared")
 
 
 class _Program(_Walk):
@@ -539,5 +539,5 @@ class _Program(_Walk):
                     raise NotInSubset(f"{b.name} writes what is not the operator's")
                 self.body.append(put(s))
 
-    def _name(self, n: Name) -> tuple[Name, Not]:
-        return self.names.of(n, self.instances)
+    def _name(self, parts: tuple[str, ...]) -> tuple[Name, Not]:
+        return self.names.of(parts, self.instances)

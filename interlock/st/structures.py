@@ -148,7 +148,7 @@ def _calling(b: Block, main: str, handed: Mapping[str, Sequence[str]], instances
 def _program(program: Block, main: str) -> Block:
     """The mapping program: it writes the inputs, calls the interlocking, reads the outputs."""
     body: list[Statement] = []
-    put = Renaming(lambda n: pair(SHOWN, *n.parts[1:]) if n.parts[0] == INSTANCE else pair(*n.parts))
+    put = Renaming(lambda parts: pair(SHOWN, *parts[1:]) if parts[0] == INSTANCE else pair(*parts))
     for s in program.body:
         if isinstance(s, Call) and s.instance == INSTANCE:
             body += [Assign(Name((GIVEN, n)), x) for n, x in s.params]
@@ -263,12 +263,12 @@ def _mapping(program: Block, main: str) -> Block:
     if program.inputs or program.outputs or program.handed:
         raise NotInSubset(f"{program.name} is given something, or gives something")
 
-    def name(n: Name) -> tuple[Name, Not]:
-        if n.parts[0] == SHOWN and len(n.parts) == 2:
-            return pair(INSTANCE, n.parts[1])
-        if n.parts[0] in (GIVEN, SHOWN, INSTANCE):
-            raise NotInSubset(f"{program.name}: {n} is read or written")
-        return pair(*n.parts)
+    def name(parts: tuple[str, ...]) -> tuple[Name, Not]:
+        if parts[0] == SHOWN and len(parts) == 2:
+            return pair(INSTANCE, parts[1])
+        if parts[0] in (GIVEN, SHOWN, INSTANCE):
+            raise NotInSubset(f"{program.name}: {Name(parts)} is read or written")
+        return pair(*parts)
 
     body: list[Statement] = []
     put = Renaming(name)
