@@ -109,6 +109,10 @@ EDITS: dict[str, tuple[str, str]] = {
         r"(?s)(IL_fig2_2_B03\n.*?)  D11 : IL_fig2_2_D11;\nEND_VAR\nVAR\n(.*? B03\([^)]*), D11 := D11",
         r"\1END_VAR\nVAR\n  D11 : IL_fig2_2_D11;\n\2",
     ),
+    "called by its type, without an instance": (
+        r"(?s)  B01 : IL_fig2_2_B01;[^\n]*\n(.*?)  B01\([^)]*\);",
+        r"\1  IL_fig2_2_B01();",
+    ),
     "a member of a structure that the block does not get": (r"(?s)(IL_fig2_2_T01\n.*?)IN := D1\.", r"\1IN := D2."),
 }
 

@@ -72,6 +72,12 @@ class Equation:
         """The names in its terms, in order of appearance."""
         return tuple(variables(t.expr for t in self.terms))
 
+    def named(self, name: Name, note: str = "") -> Equation:
+        """The same under another name, with another meaning; what it reads is not sought again."""
+        other = Equation(name, self.join, self.terms, self.group, note)
+        vars(other)["reads"] = self.reads
+        return other
+
 
 LONGEST_MS = 2**31 - 1
 """The longest preset that every controller can count: a TIME of 32 bits, as in Step 7; a longer one begins anew."""

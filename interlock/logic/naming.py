@@ -77,7 +77,7 @@ class Owner(str):
 class Name(str):
     """The name of a variable.  Made by families, and by the properties of other names; never from text."""
 
-    __slots__ = ("_copy", "_next", "_owner", "at", "base", "family", "form")
+    __slots__ = ("_computed", "_copy", "_next", "_owner", "at", "base", "family", "form")
 
     family: Family
     at: tuple[Part, ...]
@@ -87,6 +87,7 @@ class Name(str):
     _next: Name | None
     _owner: Owner | None
     _copy: Name | None
+    _computed: Name | None
 
     @staticmethod
     def _made(
@@ -94,7 +95,7 @@ class Name(str):
     ) -> Name:
         name = Name(text)
         name.family, name.at, name.form, name.base = family, at, form, name if of is None else of
-        name._next = name._copy = name._owner = None
+        name._next = name._copy = name._computed = name._owner = None
         return name
 
     def __reduce__(self) -> tuple[Callable[..., Name], tuple[object, ...]]:
@@ -254,7 +255,10 @@ def choice(name: Name) -> Name:
 
 def computed(name: Name) -> Name:
     """Where the text of a program computes the next value of a state variable."""
-    return _of_form(Form.COMPUTED, name)
+    found = name._computed
+    if found is None:
+        found = name._computed = _of_form(Form.COMPUTED, name)
+    return found
 
 
 def covered(timer: Name) -> Name:

@@ -23,22 +23,7 @@ def by_place(steps: Sequence[Step], following: Mapping[Name, Equation]) -> list[
     Every step comes after those that it reads.  Timers stand after what they wait for and before what waits for them.
     """
     every: list[Step] = [*steps, *following.values()]
-    reads = {s.name: _reads(s) for s in every}
-    stage = _stages(every, reads)
-    group = {s.name: s.group for s in every if isinstance(s, Equation)}
-    place = _places(reads, group | {n: e.group for n, e in following.items()})
-    of = {s.name: s for s in every}
-    out: list[Step] = []
-    for k in range(max(stage.values(), default=0) + 1):
-        here = [s for s in every if stage[s.name] == k]
-        wires = [s for s in here if isinstance(s, Equation)]
-        done: dict[Name, None] = {}
-        names = {e.name for e in wires}
-        for root in sorted(wires, key=lambda e: place[e.group]):
-            _after_inputs(root.name, reads, names, done)
-        out += [of[n] for n in done]
-        out += [s for s in here if isinstance(s, Timer)]
-    return out
+    return [every[k] for k in _by_place(every, _numbered(every), following)]
 
 
 def together(steps: Sequence[Step], following: Mapping[Name, Equation]) -> list[Step]:
@@ -47,37 +32,40 @@ def together(steps: Sequence[Step], following: Mapping[Name, Equation]) -> list[
 
     For a text in which a block may read what any other computes, whatever that costs elsewhere.
     """
-    every = by_place(steps, following)
-    at = {s.name: k for k, s in enumerate(every)}
-    place = {s.name: s.group if isinstance(s, Equation) else "timers" for s in every}
-    waits = {s.name: sum(n in at for n in dict.fromkeys(_reads(s))) for s in every}
-    readers: dict[Name, list[Name]] = {}
-    for s in every:
-        for n in dict.fromkeys(_reads(s)):
-            readers.setdefault(n, []).append(s.name)
-    ready: dict[str, list[int]] = {p: [] for p in place.values()}
+    every: list[Step] = [*steps, *following.values()]
+    reads = _numbered(every)
+    order = _by_place(every, reads, following)
+    at = [0] * len(every)  # where a step stands in this order
+    readers: list[list[int]] = [[] for _ in every]
+    for k, step in enumerate(order):
+        at[step] = k
+        for n in reads[step]:
+            readers[n].append(step)
+    waits = [len(read) for read in reads]
+    ready: dict[str, list[int]] = {"timers": [], **{s.group: [] for s in every if isinstance(s, Equation)}}
+    here = [ready[s.group if isinstance(s, Equation) else "timers"] for s in every]
     first: list[int] = []  # what is ready anywhere, and what was
 
-    def enter(k: int) -> None:
-        heappush(ready[place[every[k].name]], k)
-        heappush(first, k)
+    def enter(step: int) -> None:
+        heappush(here[step], at[step])
+        heappush(first, at[step])
 
-    for n, k in at.items():
-        if not waits[n]:
-            enter(k)
+    for step in order:
+        if not waits[step]:
+            enter(step)
     out: list[Step] = []
     while first:
         k = heappop(first)
-        here = ready[place[every[k].name]]
-        if k not in here[:1]:
+        mine = here[order[k]]
+        if k not in mine[:1]:
             continue  # it is done
-        while here:
-            s = every[heappop(here)]
-            out.append(s)
-            for n in readers.get(s.name, ()):
+        while mine:
+            step = order[heappop(mine)]
+            out.append(every[step])
+            for n in readers[step]:
                 waits[n] -= 1
                 if not waits[n]:
-                    enter(at[n])
+                    enter(n)
     return out
 
 
@@ -85,43 +73,61 @@ def _reads(s: Step) -> tuple[Name, ...]:
     return s.reads if isinstance(s, Equation) else (s.input,)
 
 
-def _stages(every: Sequence[Step], reads: dict[Name, tuple[Name, ...]]) -> dict[Name, int]:
-    """How many timers stand one behind the other before each step; a timer closes the stage of what it waits for."""
-    stage: dict[Name, int] = {}
-    behind: dict[Name, int] = {}  # by a timer, or what stands behind one: the stage of what reads it
-    for s in every:
-        late = [behind[n] for n in reads[s.name] if n in behind]
-        stage[s.name] = k = max(late) if late else 0
-        if k or isinstance(s, Timer):
-            behind[s.name] = k + isinstance(s, Timer)
-    return stage
+def _numbered(every: Sequence[Step]) -> list[list[int]]:
+    """By the number of each step those of the steps that it reads."""
+    at = {s.name: k for k, s in enumerate(every)}
+    return [[at[n] for n in _reads(s) if n in at] for s in every]
 
 
-def _after_inputs(root: Name, reads: dict[Name, tuple[Name, ...]], among: set[Name], done: dict[Name, None]) -> None:
-    """Add a step to those that are done, what it reads before it."""
+def _by_place(every: Sequence[Step], reads: Sequence[Sequence[int]], following: Mapping[Name, Equation]) -> list[int]:
+    place = _places(every, following)
+    wires: list[list[int]] = []  # by the number of timers that stand one behind the other before them
+    timers: list[list[int]] = []
+    behind: list[int] = []  # a timer closes the stage of what it waits for
+    for k, s in enumerate(every):
+        stage = max([behind[n] for n in reads[k]], default=0)
+        behind.append(stage + isinstance(s, Timer))
+        while len(wires) <= stage:
+            wires.append([])
+            timers.append([])
+        (timers if isinstance(s, Timer) else wires)[stage].append(k)
+    out: list[int] = []
+    left = [False] * len(every)
+    for those, waiting in zip(wires, timers, strict=True):
+        for k in those:
+            left[k] = True
+        for k in sorted(those, key=lambda k: place[k]):
+            _after_inputs(k, reads, left, out)
+        out += waiting
+    return out
+
+
+def _after_inputs(root: int, reads: Sequence[Sequence[int]], left: list[bool], out: list[int]) -> None:
+    """Add a step that is left to those that are done, what is left of what it reads before it."""
     stack = [root]
     while stack:
-        name = stack[-1]
-        waiting = [n for n in reads[name] if n in among and n not in done] if name not in done else []
+        k = stack[-1]
+        waiting = [n for n in reads[k] if left[n]] if left[k] else []
         if waiting:
             stack.extend(reversed(waiting))
-        else:
-            done.setdefault(stack.pop())
+        elif left[stack.pop()]:
+            left[k] = False
+            out.append(k)
 
 
-def _places(reads: dict[Name, tuple[Name, ...]], group: dict[Name, str]) -> dict[str, int]:
-    """Groups of equations by the order in which a walk over what reads each other comes to them.
-
-    `group`: of each equation, and of each state variable.
-    """
+def _places(every: Sequence[Step], following: Mapping[Name, Equation]) -> list[int]:
+    """By the number of each step the place of its group in the order in which a walk over groups that read each other
+    comes to them; a state variable is of the group of its next value."""
+    group = {s.name: s.group for s in every if isinstance(s, Equation)}
+    group |= {n: e.group for n, e in following.items()}
     adjacent: dict[str, dict[str, None]] = {g: {} for g in group.values()}
-    for name, read in reads.items():
-        here = group.get(name)
-        for n in read:
-            there = group.get(n, here)
-            if here is not None and there is not None and here != there:
-                adjacent[here].setdefault(there)
-                adjacent[there].setdefault(here)
+    for s in every:
+        if isinstance(s, Equation):
+            here, beside = s.group, adjacent[s.group]
+            for n in s.reads:
+                there = group.get(n, here)
+                if there not in beside and there != here:
+                    beside[there] = adjacent[there][here] = None
     place: dict[str, int] = {}
     for start in adjacent:
         todo = deque([start])
@@ -131,4 +137,4 @@ def _places(reads: dict[Name, tuple[Name, ...]], group: dict[Name, str]) -> dict
                 place[g] = len(place)
                 if len(adjacent[g]) <= MAX_DEGREE:
                     todo.extend(adjacent[g])
-    return place
+    return [place[s.group] if isinstance(s, Equation) else 0 for s in every]

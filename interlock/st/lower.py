@@ -45,10 +45,7 @@ def lower_st(controller: Controller, header: Sequence[str], rows: int = MAX_ROWS
     """The whole text of a controller as a tree; `rows`: of equations and declarations in a computing block."""
     prefix = f"IL_{portable(controller.name)}"
     ranges = {i.name for i in controller.inputs if i.size}
-    following = {
-        e.name: Equation(computed(e.name), e.join, e.terms, e.group)  # its meaning stands where its state is declared
-        for e in controller.next
-    }
+    following = {e.name: e.named(computed(e.name)) for e in controller.next}  # its meaning: where its state is declared
     pieces = _cut(together(controller.steps, following), rows)
     blocks: list[Block] = []
     where: dict[str, Name] = {i.name: Name((i.name,)) for i in controller.inputs}
@@ -59,7 +56,7 @@ def lower_st(controller: Controller, header: Sequence[str], rows: int = MAX_ROWS
         for s in part:
             where[s.name] = Name((f"S{k:02d}", s.name))
     counts = {"B": 0, "T": 0}
-    named = _Named(ranges)
+    names, inputs = _Names(), _Inputs(ranges)
     for piece in pieces:
         letter = "T" if isinstance(piece[0], Timer) else "B"
         counts[letter] += 1
@@ -67,16 +64,16 @@ def lower_st(controller: Controller, header: Sequence[str], rows: int = MAX_ROWS
         timers = [x for x in piece if isinstance(x, Timer)]
         equations = [x for x in piece if isinstance(x, Equation)]
         name = f"{prefix}_{instance}"
-        block = _timing(name, timers) if timers else _computing(name, equations, named)
+        block = _timing(name, timers) if timers else _computing(name, equations, names, inputs)
         blocks.append(block)
         locals_.append(Declaration(instance, block.name, None, block.note[:HEADLINE]))
-        body.append(Call(instance, tuple((d.name, where[d.name]) for d in block.inputs)))
+        body.append(Call(instance, tuple([(d.name, where[d.name]) for d in block.inputs])))
         for x in piece:
             where[x.name] = Name((instance, x.name))
     for instance, block in _words(controller, prefix, rows, where):
         blocks.append(block)
         locals_.append(Declaration(instance, block.name, None, block.note[:HEADLINE]))
-        body.append(Call(instance, tuple((d.name, where[d.name]) for d in block.inputs)))
+        body.append(Call(instance, tuple([(d.name, where[d.name]) for d in block.inputs])))
         where |= {d.name: Name((instance, d.name)) for d in block.outputs}
     for k, part in enumerate(state_blocks, 1):
         block = _keeping(f"{prefix}_S{k:02d}", part)
@@ -116,17 +113,17 @@ def _words(controller: Controller, prefix: str, rows: int, where: Mapping[str, N
         pieces[-1].append(w)
         length += size
         reads |= read
-    named = _Named(ranges)
+    names, inputs = _Names(), _Inputs(ranges)
     told: set[Value] = set()
     for k, piece in enumerate(pieces, 1):
-        yield f"W{k:02d}", _saying(f"{prefix}_W{k:02d}", piece, named, controller.words, told)
+        block = f"{prefix}_W{k:02d}"
+        yield f"W{k:02d}", _saying(block, piece, names, inputs, controller.words, told)
 
 
-def _saying(name: str, piece: Sequence[Word], named: _Named, words: Words, told: set[Value]) -> Block:
+def _saying(name: str, piece: Sequence[Word], where: _Names, inputs: _Inputs, words: Words, told: set[Value]) -> Block:
     """A block of words: IF the first condition THEN its code.  told: the codes whose sentence the text has had."""
     made = {w.name for w in piece}
     reads = {n: None for w in piece for n in w.reads if n not in made}
-    where: dict[str, Name] = {n: named[n][0] for n in [*reads, *made]}
     extra: list[Declaration] = []
     body: list[Statement] = []
     for w in piece:
@@ -139,7 +136,7 @@ def _saying(name: str, piece: Sequence[Word], named: _Named, words: Words, told:
         body.append(If(*arms[0], (last,), tuple(arms[1:])) if arms else last)
     return Block(
         name,
-        tuple([named[n][1] for n in reads]),
+        tuple([inputs[n] for n in reads]),
         tuple([Declaration(w.name, "INT", None, w.note) for w in piece]),
         tuple(extra),
         tuple(body),
@@ -200,15 +197,23 @@ def _timing(name: str, timers: Sequence[Timer]) -> Block:
     )
 
 
-class _Named(dict[str, tuple[Name, Declaration]]):
-    """How a block reads a variable, and how it declares it as an input: the same in all blocks."""
+class _Names(dict[str, Name]):
+    """How a block reads and writes a variable: the same in all blocks."""
+
+    def __missing__(self, name: str) -> Name:
+        found = self[name] = Name((name,))
+        return found
+
+
+class _Inputs(dict[str, Declaration]):
+    """How a block declares a variable as an input: the same in all blocks."""
 
     def __init__(self, ranges: Collection[str]) -> None:
         super().__init__()
         self._ranges = ranges
 
-    def __missing__(self, name: str) -> tuple[Name, Declaration]:
-        found = self[name] = Name((name,)), Declaration(name, "INT" if name in self._ranges else "BOOL")
+    def __missing__(self, name: str) -> Declaration:
+        found = self[name] = Declaration(name, "INT" if name in self._ranges else "BOOL")
         return found
 
 
@@ -221,17 +226,16 @@ def _listed(names: list[str]) -> str:
     return f"{len(names)} places"
 
 
-def _computing(name: str, equations: Sequence[Equation], named: _Named) -> Block:
+def _computing(name: str, equations: Sequence[Equation], where: _Names, inputs: _Inputs) -> Block:
     made = {e.name for e in equations}
     reads = {n: None for e in equations for n in e.reads if n not in made}
-    where: dict[str, Name] = {n: named[n][0] for n in [*reads, *made]}
     extra: list[Declaration] = []
     body: list[Statement] = []
     for e in equations:
         body.extend(_equation(e, where, extra))
     return Block(
         name,
-        tuple([named[n][1] for n in reads]),
+        tuple([inputs[n] for n in reads]),
         tuple([Declaration(e.name, "BOOL") for e in equations]),  # its meaning stands where it is computed
         tuple(extra),
         tuple(body),

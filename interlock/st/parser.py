@@ -42,16 +42,16 @@ from interlock.st.style import COMMENT, IEC, SPACE, Style
 
 _UNITS = {"ms": 1, "s": 1000, "m": 60_000, "h": 3_600_000}
 _GOOD = r"""
-    %[IQ]X[0-9]+\.[0-7] | [Tt](?:[Ii][Mm][Ee])?\#[0-9]+(?:ms|s|m|h)\b
-    | \#?[A-Za-z_][A-Za-z0-9_]* | (?:0|[1-9][0-9]*)(?:\.[0-9]+)?(?![A-Za-z0-9_]) | "[A-Za-z0-9_]+" | \{[^{}]*\}
-    | := | <> | <= | >= | [-+*/=<>();:.,\[\]&]"""
+    [Tt](?:[Ii][Mm][Ee])?\#[0-9]+(?:ms|s|m|h)\b | \#?[A-Za-z_][A-Za-z0-9_]*+(?:\.[A-Za-z_][A-Za-z0-9_]*+)*+
+    | := | <> | <= | >= | [-+*/=<>();:.,\[\]&]
+    | (?:0|[1-9][0-9]*)(?:\.[0-9]+)?(?![A-Za-z0-9_]) | %[IQ]X[0-9]+\.[0-7] | "[A-Za-z0-9_]+" | \{[^{}]*\}"""
 _TOKEN = re.compile(
-    rf"""(?: {SPACE} | {COMMENT} )*  # space and comments before it
+    rf"""(?: {SPACE} )?+ (?: {COMMENT} (?: {SPACE} )?+ )*+  # space and comments before it
     ( {_GOOD} | \Z | .+ )                               # what is nothing of this is one token with all that follows""",
     re.VERBOSE | re.DOTALL,
 )
 _WELL = re.compile(_GOOD, re.VERBOSE)
-_CLOSED = re.compile(r"^END_(?:FUNCTION_BLOCK|PROGRAM|TYPE)[ \t]*\n", re.MULTILINE)
+_CLOSED = re.compile(r"\nEND_(?:FUNCTION_BLOCK|PROGRAM|TYPE)[ \t]*(?=\n)")
 _COMPARE = frozenset(("=", "<>", "<", ">", "<=", ">="))
 _JOINING = ("AND", "OR", "XOR")
 _OPERATORS = (*_JOINING, "NOT", "TRUE", "FALSE")
@@ -59,8 +59,7 @@ _DECLARING = ("VAR_INPUT", "VAR_OUTPUT", "VAR", "VAR_IN_OUT")
 _STRUCTURES = ("TYPE", "STRUCT", "END_STRUCT", "END_TYPE")
 _BLOCKS = ("FUNCTION_BLOCK", "END_FUNCTION_BLOCK", "PROGRAM", "END_PROGRAM", *_STRUCTURES)
 _RESERVED = frozenset((*_DECLARING, *_BLOCKS, "AT", "END_VAR", "IF", "THEN", "ELSIF", "ELSE", "END_IF", *_OPERATORS))
-_ENDING = frozenset((";", ",", ")"))
-_AFTER = _ENDING | {"AND", "OR"}
+_AFTER = frozenset((";", ",", ")", "THEN", "AND", "OR"))
 _PLAIN = [":", "BOOL", ";"]
 _END = ""
 _Rule = Callable[[], Expression]
@@ -127,10 +126,9 @@ class _Reader:
         self._windows = [0, *(m.end() for m in _CLOSED.finditer(text)), len(text)]
         self.tokens: list[str] = []
         self.at = 0
-        self._names: dict[str, Name] = {}
         self._variables: dict[str, tuple[Name, Not]] = {}
-        self._members: dict[str, dict[str, tuple[Name, Not]]] = {}
-        self._good: dict[str, str] = {}
+        """By its token each variable that was met, as it is and negated."""
+        self._good: set[str] = set()
         self._plain: dict[str, Declaration] = {}
         self._scan()
 
@@ -174,13 +172,15 @@ class _Reader:
 
     def _name(self) -> str:
         token = self.tokens[self.at]
-        known = self._good.get(token)
-        if known is None:
-            if not (token[:1].isalpha() or token[:1] == "_") or "#" in token or token.upper() in _RESERVED:
-                self._fail("a name")
-            known = self._good[token] = token
+        self._check(token)
         self.at += 1
-        return known
+        return token
+
+    def _check(self, name: str) -> None:
+        if name not in self._good:
+            if not name.isidentifier() or name.upper() in _RESERVED:
+                self._fail("a name")
+            self._good.add(name)
 
     def end(self) -> None:
         """Nothing may follow."""
@@ -323,16 +323,27 @@ class _Reader:
             return self._block_name()
         return self._name()
 
-    def _variable(self) -> str:
-        """The name of a variable in a body, with its mark."""
-        mark = self.style.local
-        if not mark:
-            return self._name()
-        token = self.tokens[self.at]
+    def _variable(self) -> Name:
+        """A variable in a body, with its mark; or an output of an instance, or a member: most often one token."""
+        token, mark = self.tokens[self.at], self.style.local
         if not token.startswith(mark):
             self._fail(f"a variable with {mark}")
+        parts = token[len(mark) :].split(".")
+        for part in parts[bool(mark) :]:
+            self._check(part)
         self.at += 1
-        return token[len(mark) :]
+        if self.tokens[self.at] != ".":
+            name = Name(tuple(parts))
+            self._variables[token] = name, Not(name)
+            return name
+        while self.tokens[self.at] == ".":
+            self.at += 1
+            more = self.tokens[self.at].split(".")
+            for part in more:
+                self._check(part)
+            parts += more
+            self.at += 1
+        return Name(tuple(parts))
 
     def body(self, *ends: str) -> tuple[Statement, ...]:
         out = []
@@ -341,19 +352,14 @@ class _Reader:
         return tuple(out)
 
     def _statement(self) -> Statement:
-        known = self._good.get(self.tokens[self.at])
-        if known is not None and self.tokens[self.at + 1] == ":=" and not self.style.local:
+        known = self._variables.get(self.tokens[self.at])
+        if known is not None and self.tokens[self.at + 1] == ":=":
             self.at += 2
-            return self._assigned(self._single(known))
-        if self.tokens[self.at + 1] == ".":
-            member = self._member(self.tokens[self.at], self.tokens[self.at + 2])
-            if member is not None and self.tokens[self.at + 3] == ":=":
-                self.at += 4
-                return self._assigned(member[0])
+            return self._assigned(known[0])
         if self._is("IF"):
             return self._branch()
         name = self._variable()
-        if self.tokens[self.at] == "(":
+        if len(name.parts) == 1 and self.tokens[self.at] == "(":
             self.at += 1
             params: list[tuple[str, Expression]] = []
             while self.tokens[self.at] != ")":
@@ -364,10 +370,9 @@ class _Reader:
                 params.append((param, self.expression()))
             self.at += 1
             self._take(";")
-            return Call(name, tuple(params))
-        target = self._qualified(name)
+            return Call(name.parts[0], tuple(params))
         self._take(":=")
-        return self._assigned(target)
+        return self._assigned(name)
 
     def _assigned(self, target: Name) -> Assign:
         value = self.expression()
@@ -393,31 +398,22 @@ class _Reader:
             self._fail("a statement in each branch of the IF above")
         return If(*arms[0], otherwise, tuple(arms[1:]))
 
-    def _qualified(self, first: str) -> Name:
-        tokens = self.tokens
-        if tokens[self.at] != ".":
-            return self._single(first)
-        parts = [first]
-        while tokens[self.at] == ".":
-            self.at += 1
-            parts.append(self._name())
-        return Name(tuple(parts))
-
-    def _single(self, name: str) -> Name:
-        found = self._names.get(name)
-        if found is None:
-            found = self._names[name] = Name((name,))
-        return found
-
     def expression(self) -> Expression:
-        tokens, began, op = self.tokens, self.at, ""
+        tokens, variables = self.tokens, self._variables
+        began, op = self.at, ""
         args: list[Expression] = []
-        known = self._known()
-        if known is not None and tokens[self.at] in _ENDING:
-            return known
         while True:
-            args.append(known or self._comparison())
-            word = tokens[self.at]
+            at = self.at
+            negated = tokens[at] == "NOT"
+            at += negated
+            known = variables.get(tokens[at])
+            word = tokens[at + 1]
+            if known is not None and word in _AFTER:  # most of a text: a variable that was met, negated or not
+                self.at = at + 1
+                args.append(known[negated])
+            else:
+                args.append(self._comparison())
+                word = tokens[self.at]
             if word != op or not op:
                 word = word.upper()
                 if word not in _JOINING:
@@ -427,36 +423,6 @@ class _Reader:
                     return self._joined("OR", self._exclusive)
                 op = word
             self.at += 1
-            known = self._known()
-
-    def _known(self) -> Expression | None:
-        """A name that was met before, negated or not, or an output of an instance: most of a text; or None."""
-        tokens, at = self.tokens, self.at
-        negated = tokens[at] == "NOT"
-        at += negated
-        token = tokens[at]
-        found: tuple[Name, Not] | None
-        if tokens[at + 1] == ".":
-            found = self._member(token, tokens[at + 2])
-            at += 3
-        else:
-            found = self._variables.get(token)
-            at += 1
-        if found is None or tokens[at] not in _AFTER:
-            return None
-        self.at = at
-        return found[negated]
-
-    def _member(self, token: str, member: str) -> tuple[Name, Not] | None:
-        """A member of what was met before, as it is and negated; or None."""
-        known = self._members.get(token)
-        if known is None or member not in self._good:
-            return None
-        found = known.get(member)
-        if found is None:
-            name = Name((known[""][0].parts[0], member))
-            found = known[member] = name, Not(name)
-        return found
 
     def _exclusive(self) -> Expression:
         return self._joined("XOR", self._all)
@@ -504,10 +470,4 @@ class _Reader:
             digits = token.split("#")[1]
             unit = digits.lstrip("0123456789")
             return Time(int(digits[: len(digits) - len(unit)]) * _UNITS[unit])
-        name = self._qualified(self._variable())
-        if len(name.parts) == 1:
-            self._variables[token] = name, Not(name)
-        elif token not in self._members:
-            first = Name(name.parts[:1])
-            self._members[token] = {"": (first, Not(first))}
-        return name
+        return self._variable()

@@ -224,7 +224,7 @@ class _Body:
     def expression(self, x: Expression, outer: int) -> str:
         """Text of an expression; `outer` is the binding strength of what surrounds it."""
         if isinstance(x, Name):
-            return f"{self.local}{x}"
+            return self.local + ".".join(x.parts)
         if isinstance(x, Not):
             return f"NOT {self.expression(x.arg, 3)}"
         if isinstance(x, Bool):
@@ -235,7 +235,8 @@ class _Body:
             return f"T#{x.ms // 1000}s" if x.ms % 1000 == 0 else f"T#{x.ms}ms"
         if isinstance(x, Compare):
             return f"({self.expression(x.left, 3)} {x.op} {self.expression(x.right, 3)})"
-        text = f" {x.op} ".join(self.expression(a, _RANK[x.op] + 1) for a in x.args)
+        inner = _RANK[x.op] + 1
+        text = f" {x.op} ".join([self.expression(a, inner) for a in x.args])
         return f"({text})" if outer else text
 
 

@@ -13,8 +13,10 @@ block's own variable, or in the mapping program a terminal.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections import Counter
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import TypeVar
 
 from interlock.st.ast import (
     HEADLINE,
@@ -63,32 +65,38 @@ def frame(blocks: Sequence[Block]) -> Frame:
     )
 
 
-class Renaming:
+def pair(*parts: str) -> tuple[Name, Not]:
+    """A name as it is, and negated."""
+    name = Name(parts)
+    return name, Not(name)
+
+
+class Renaming(dict[tuple[str, ...], tuple[Name, Not]]):
     """Statements with other names.  Each name is asked for once: most of a text are names that it has had."""
 
-    def __init__(self, name: Callable[[Name], Name]) -> None:
-        """`name`: what stands for a name, always the same for it; it may raise `NotInSubset`."""
+    def __init__(self, name: Callable[[tuple[str, ...]], tuple[Name, Not]]) -> None:
+        """`name`: what stands for a name of such parts, and negated; it may raise `NotInSubset`."""
+        super().__init__()
         self._name = name
-        self._known: dict[tuple[str, ...], tuple[Name, Not]] = {}
 
-    def _look(self, n: Name) -> tuple[Name, Not]:
-        new = self._name(n)
-        found = self._known[n.parts] = new, Not(new)
+    def __missing__(self, parts: tuple[str, ...]) -> tuple[Name, Not]:
+        found = self[parts] = self._name(parts)
         return found
 
     def expression(self, x: Expression) -> Expression:
         """An expression with other names."""
+        if isinstance(x, Name):
+            return self[x.parts][0]
         if isinstance(x, Nary):
             args: list[Expression] = []
             for a in x.args:
-                y = a.arg if isinstance(a, Not) else a
-                if isinstance(y, Name):
-                    args.append((self._known.get(y.parts) or self._look(y))[y is not a])
+                if isinstance(a, Name):
+                    args.append(self[a.parts][0])
+                elif isinstance(a, Not) and isinstance(a.arg, Name):
+                    args.append(self[a.arg.parts][1])
                 else:
                     args.append(self.expression(a))
             return Nary(x.op, tuple(args), x.notes)
-        if isinstance(x, Name):
-            return (self._known.get(x.parts) or self._look(x))[0]
         if isinstance(x, Not):
             return Not(self.expression(x.arg))
         return Compare(x.op, self.expression(x.left), self.expression(x.right)) if isinstance(x, Compare) else x
@@ -96,8 +104,7 @@ class Renaming:
     def __call__(self, s: Statement) -> Statement:
         """A statement with other names."""
         if isinstance(s, Assign):
-            target = (self._known.get(s.target.parts) or self._look(s.target))[0]
-            return Assign(target, self.expression(s.value), s.note)
+            return Assign(self[s.target.parts][0], self.expression(s.value), s.note)
         if isinstance(s, Call):
             return Call(s.instance, tuple([(n, self.expression(x)) for n, x in s.params]), s.note)
         arms = [(self.expression(c), tuple(map(self, then))) for c, then in s.arms]
@@ -132,57 +139,69 @@ def shared(unit: Unit, several: bool = False) -> Unit:
     return replace(unit, blocks=(*core, *helpers, *_mapping(program, main, several)))
 
 
-def in_data_blocks(blocks: Sequence[Block], told: bool = True) -> Iterator[Block]:
-    """Data blocks, the blocks in the order in which they are called, group blocks, and the one that calls these.
+NOTES = {INPUTS: "inputs", OUTPUTS: "outputs, and what is said of routes", INNER: "what is computed and kept"}
+"""What is told of each part of an interlocking's data."""
 
-    told: what a variable means stands at its place in a data block, too, not only where it is computed.
-    """
+
+def members(callees: Sequence[Block], main: Block) -> dict[str, list[Declaration]]:
+    """The variables of an interlocking by the part of its data to which they belong."""
+    shown = main.input_names | main.output_names
+    inner = [d for b in callees for d in b.outputs if d.name not in shown]
+    return {INPUTS: [*main.inputs], OUTPUTS: [*main.outputs], INNER: inner}
+
+
+def in_data_blocks(blocks: Sequence[Block]) -> Iterator[Block]:
+    """Data blocks, and the blocks that read and write them.  What a variable means stands at its place in a data block,
+    too, not only where it is computed."""
     *callees, main = blocks
+    data = members(callees, main)
+    lies = {d.name: main.name + ending for ending, part in data.items() for d in part}
+    notes = {s.target.parts[-1]: s.note for b in callees for s in b.body if isinstance(s, Assign)}
+    data[INNER] = [replace(d, note=d.note or notes.get(d.name, "")) for d in data[INNER]]
+    for ending, part in data.items():
+        yield Block(main.name + ending, (), (), tuple(part), (), NOTES[ending], "DATA_BLOCK")
+    yield from placed(callees, main, lies)
+
+
+def settings(main: Block) -> list[Sequence[Assign]]:
+    """What sets the outputs that no block computes under their own names, in parts of one block each."""
+    found = [s for s in main.body if isinstance(s, Assign)]
+    found = [s for s in found if not isinstance(s.value, Name) or s.value.parts[-1] != s.target.parts[-1]]
+    return _parts(found, MOST)
+
+
+def placed(callees: Sequence[Block], main: Block, lies: Mapping[str, str]) -> Iterator[Block]:
+    """The blocks in the order in which they are called, those that set outputs, group blocks, and the one that calls
+    these; one with timers has an instance.  Each reads and writes variables where they lie: `lies`, by their names."""
+    assert not any(d.name in lies for b in callees for d in b.locals), "a block's own has the name of a variable"
     kinds = {b.name: b for b in callees}
     types = {d.name: d.type for d in main.locals}
-    data = {d.name: main.name + INPUTS for d in main.inputs} | {d.name: main.name + OUTPUTS for d in main.outputs}
-    notes = {s.target.parts[-1]: s.note for b in callees for s in b.body if told and isinstance(s, Assign)}
-    inner = [replace(d, note=d.note or notes.get(d.name, "")) for b in callees for d in b.outputs if d.name not in data]
-    data |= {d.name: main.name + INNER for d in inner}
-
-    put = Renaming(lambda n: Name((data[n.parts[-1]], n.parts[-1])))
-    yield Block(main.name + INPUTS, (), (), main.inputs, (), "inputs", "DATA_BLOCK")
-    yield Block(main.name + OUTPUTS, (), (), main.outputs, (), "outputs, and what is said of routes", "DATA_BLOCK")
-    yield Block(main.name + INNER, (), (), tuple(inner), (), "what is computed and kept", "DATA_BLOCK")
+    put = Renaming(lambda parts: pair(lies[parts[0]], parts[0]) if parts[0] in lies else pair(*parts))
     calls: list[Call] = []
     for s in main.body:
         if isinstance(s, Call):
             b = kinds[types[s.instance]]
-            made, called = _placed(b, data)
-            yield from made
-            calls.append(Call(called, (), b.note[:HEADLINE]))
-    settings = [put(s) for s in main.body if isinstance(s, Assign)]
-    settings = [s for s in settings if not (isinstance(s, Assign) and s.target == s.value)]  # written where it is made
-    for k, part in enumerate(_parts(settings, MOST), 1):
-        yield Block(f"{main.name}_Y{k:02d}", (), (), (), tuple(part), "outputs", "FUNCTION")
+            timed = any(d.type == "TON" for d in b.locals)
+            body = tuple(map(put, b.body))
+            yield Block(b.name, (), (), b.locals, body, b.note, "FUNCTION_BLOCK" if timed else "FUNCTION")
+            if timed:
+                yield Block(instance(b.name), (), (), (Declaration("OF", b.name),), (), "", "INSTANCE")
+            calls.append(Call(instance(b.name) if timed else b.name, (), b.note[:HEADLINE]))
+    outer = Renaming(lambda parts: pair(lies[parts[-1]], parts[-1]))  # the names of the main block: outputs of others
+    for k, part in enumerate(settings(main), 1):
+        yield Block(f"{main.name}_Y{k:02d}", (), (), (), tuple(map(outer, part)), "outputs", "FUNCTION")
         calls.append(Call(f"{main.name}_Y{k:02d}", (), "outputs"))
     groups = _parts(calls, GROUP)
-    for k, part in enumerate(groups, 1):
-        yield Block(f"{main.name}_G{k:02d}", (), (), (), tuple(part), "calls in the order of the proof", "FUNCTION")
-    body = tuple(Call(f"{main.name}_G{k:02d}", ()) for k in range(1, len(groups) + 1))
-    yield Block(main.name, (), (), (), body, main.note, "FUNCTION")
+    for k, called in enumerate(groups, 1):
+        yield Block(f"{main.name}_G{k:02d}", (), (), (), tuple(called), "calls in the order of the proof", "FUNCTION")
+    whole = tuple(Call(f"{main.name}_G{k:02d}", ()) for k in range(1, len(groups) + 1))
+    yield Block(main.name, (), (), (), whole, main.note, "FUNCTION")
 
 
-def _placed(b: Block, data: Mapping[str, str]) -> tuple[list[Block], str]:
-    """A block that reads and writes data blocks, and what is called; one with timers has an instance."""
-    own = {d.name for d in b.locals}
-
-    def place(n: Name) -> Name:
-        return n if n.parts[0] in own else Name((data[n.parts[0]], n.parts[0]))
-
-    body = tuple(map(Renaming(place), b.body))
-    if all(d.type != "TON" for d in b.locals):
-        return [Block(b.name, (), (), b.locals, body, b.note, "FUNCTION")], b.name
-    kept = Block(instance(b.name), (), (), (Declaration("OF", b.name),), (), "", "INSTANCE")
-    return [Block(b.name, (), (), b.locals, body, b.note), kept], kept.name
+_S = TypeVar("_S", bound=Statement)
 
 
-def _parts(xs: Sequence[Statement], most: int) -> list[Sequence[Statement]]:
+def _parts(xs: Sequence[_S], most: int) -> list[Sequence[_S]]:
     return [xs[i : i + most] for i in range(0, len(xs), most)]
 
 
@@ -197,13 +216,13 @@ def _mapping(program: Block, main: str, several: bool) -> Iterator[Block]:
     yield Block(main + OPERATOR, (), (), operators, (), "the operator's place", "DATA_BLOCK")
     data = {d.name: main + OPERATOR for d in operators}
 
-    def place(n: Name) -> Name:
-        first = n.parts[0]
+    def place(parts: tuple[str, ...]) -> tuple[Name, Not]:
+        first = parts[0]
         if first == INSTANCE:
-            return Name((main + OUTPUTS, n.parts[1]))
+            return pair(main + OUTPUTS, parts[1])
         if first in instances:
-            return Name((instance(own + first), *n.parts[1:]))
-        return Name((data[first], first) if first in data else (before + first,))
+            return pair(instance(own + first), *parts[1:])
+        return pair(data[first], first) if first in data else pair(before + first)
 
     body: list[Statement] = []
     out: list[Statement] = []
@@ -212,7 +231,7 @@ def _mapping(program: Block, main: str, several: bool) -> Iterator[Block]:
         made = put(s)
         if isinstance(s, Call) and s.instance == INSTANCE:
             assert isinstance(made, Call)
-            carried = [Assign(Name((main + INPUTS, n)), x) for n, x in made.params]
+            carried: list[Statement] = [Assign(Name((main + INPUTS, n)), x) for n, x in made.params]
             for k, part in enumerate(_parts(carried, MOST), 1):
                 yield Block(f"{main}_IN{k:02d}", (), (), (), tuple(part), "wires to inputs", "FUNCTION")
                 body.append(Call(f"{main}_IN{k:02d}", ()))
@@ -244,13 +263,12 @@ def flat(unit: Unit, several: bool = False) -> Unit:
     The blocks' statements stand in the order in which they are carried out; what is temporary in a block has a name
     that no text can have, so that nobody else reads it.
     """
-    by_name: dict[str, Block] = {}
-    for b in unit.blocks:
-        if by_name.setdefault(b.name.upper(), b) is not b:
-            raise NotInSubset(f"{b.name} is there twice")
     main = unit.blocks[0].name.removesuffix(INPUTS)
+    data = {b.name: b.locals for b in unit.blocks if b.kind == "DATA_BLOCK"}
+    if left := [main + x for x in NOTES if main + x not in data]:
+        raise NotInSubset(f"no data block {left[0]}")
     called: set[str] = set()
-    core = _Core(unit, main, called)
+    core = Core(unit, main, called, {x: {main + x: data[main + x]} for x in NOTES}, lambda _: data)
     block = core.block()
     programs = [b for b in unit.blocks if b.name == f"{main}_IO"]
     rest = [b for b in unit.blocks if b.kind == "WIRES"]
@@ -258,17 +276,18 @@ def flat(unit: Unit, several: bool = False) -> Unit:
     if {b.name for b in unit.blocks if b.kind == "DATA_BLOCK"} != known:
         raise NotInSubset(f"data blocks are not {', '.join(sorted(known))}")
     if not programs and not rest:
-        _all_called(unit, called)
+        all_called(unit, called)
         return Unit((block,), task=unit.task)
     if len(programs) != 1 or len(rest) != 1:
         raise NotInSubset("not one mapping program with its terminals")
     program = _Program(unit, main, called, rest[0].locals, several).block(programs[0])
-    _all_called(unit, called | {programs[0].name})
+    all_called(unit, called | {programs[0].name})
     helpers = [b for b in unit.blocks if b.kind == "FUNCTION_BLOCK" and b.name not in core.timing]
     return Unit((*helpers, block, program), task=unit.task)
 
 
-def _all_called(unit: Unit, called: set[str]) -> None:
+def all_called(unit: Unit, called: set[str]) -> None:
+    """Raises `NotInSubset` for what is never called."""
     left = [b.name for b in unit.blocks if b.kind in ("FUNCTION", "INSTANCE") and b.name not in called]
     if left:
         raise NotInSubset(f"{left[0]} is never called")
@@ -352,16 +371,28 @@ class _Walk:
         self.called.add(name)
 
 
-class _Core(_Walk):
-    """The interlocking as one function block."""
+class Core(_Walk):
+    """The interlocking as one function block.
 
-    def __init__(self, unit: Unit, main: str, called: set[str]) -> None:
+    data: by the part of it, and by the names by which blocks know them, the variables that lie together.  seen: the
+    names of these that a block may use.
+    """
+
+    def __init__(
+        self,
+        unit: Unit,
+        main: str,
+        called: set[str],
+        data: Mapping[str, Mapping[str, Sequence[Declaration]]],
+        seen: Callable[[Block], Collection[str]],
+    ) -> None:
         super().__init__(unit, main, called)
-        try:
-            self.inputs, self.outputs, inner = (self.data[main + x] for x in (INPUTS, OUTPUTS, INNER))
-        except KeyError as missing:
-            raise NotInSubset(f"no data block {missing}") from missing
-        self.members = {d.name: main + x for x in (INPUTS, OUTPUTS, INNER) for d in self.data[main + x]}
+        names = [b.name.upper() for b in unit.blocks]
+        if twice := [n for n, times in Counter(names).items() if times > 1]:
+            raise NotInSubset(f"{twice[0]} is there twice")
+        self.seen = seen
+        self.inputs, self.outputs, inner = (tuple([d for ds in data[x].values() for d in ds]) for x in NOTES)
+        self.members = {d.name: (n, pair(d.name)) for part in data.values() for n, ds in part.items() for d in ds}
         if len(self.members) != len(self.inputs) + len(self.outputs) + len(inner):
             raise NotInSubset("two variables of one name")
         self.given = {d.name for d in self.inputs}
@@ -386,15 +417,16 @@ class _Core(_Walk):
             if d.name in own or d.initial is not None or (d.type == "TON") > (b.kind == "FUNCTION_BLOCK"):
                 raise NotInSubset(f"{b.name}: {d.name} is declared twice, or otherwise than as its own")
             own[d.name] = d.name if d.type == "TON" else f"{b.name} {d.name}"
-            self.locals.append(replace(d, name=own[d.name]))
+            self.locals.append(Declaration(own[d.name], d.type, None, d.note, d.address))
+        seen, members = self.seen(b), self.members
 
-        def place(n: Name) -> Name:
-            first, last = n.parts[0], n.parts[-1]
-            if first in own and (len(n.parts) == 1 or last == "Q"):
-                return Name((own[first], *n.parts[1:]))
-            if len(n.parts) == 2 and self.members.get(last) == first:
-                return Name((last,))
-            raise NotInSubset(f"{b.name}: {n} is not declared")
+        def place(parts: tuple[str, ...]) -> tuple[Name, Not]:
+            first, last = parts[0], parts[-1]
+            if first in own and (len(parts) == 1 or last == "Q"):
+                return pair(own[first], *parts[1:])
+            if len(parts) == 2 and last in members and members[last][0] == first and first in seen:
+                return members[last][1]
+            raise NotInSubset(f"{b.name}: {Name(parts)} is not declared")
 
         put = Renaming(place)
         for s in b.body:
@@ -441,18 +473,18 @@ class _ProgramNames:
         """A terminal without the interlocking's label."""
         return self._after(name, self._before)
 
-    def of(self, n: Name, instances: Mapping[str, str]) -> Name:
+    def of(self, parts: tuple[str, ...], instances: Mapping[str, str]) -> tuple[Name, Not]:
         """Any of them; raises `NotInSubset` for what is not declared."""
-        first, last = n.parts[0], n.parts[-1]
-        if len(n.parts) == 1 and first in self._terminals:
-            return Name((first.removeprefix(self._before),))
+        first, last = parts[0], parts[-1]
+        if len(parts) == 1 and first in self._terminals:
+            return pair(first.removeprefix(self._before))
         if first == self._main + OPERATOR and last in self._held:
-            return Name((last,))
+            return pair(last)
         if first == self._main + OUTPUTS:
-            return Name((INSTANCE, last))
+            return pair(INSTANCE, last)
         if first in instances:
-            return Name((self.instance(first), last))
-        raise NotInSubset(f"{n} is not declared")
+            return pair(self.instance(first), last)
+        raise NotInSubset(f"{Name(parts)} is not declared")
 
 
 class _Program(_Walk):
@@ -507,5 +539,5 @@ class _Program(_Walk):
                     raise NotInSubset(f"{b.name} writes what is not the operator's")
                 self.body.append(put(s))
 
-    def _name(self, n: Name) -> Name:
-        return self.names.of(n, self.instances)
+    def _name(self, parts: tuple[str, ...]) -> tuple[Name, Not]:
+        return self.names.of(parts, self.instances)

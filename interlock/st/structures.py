@@ -13,23 +13,27 @@ same blocks use lies together, so that a block gets few of them.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
-from interlock.st.ast import HEADLINE, Assign, Block, Call, Declaration, Expression, Name, Statement, Unit
+from interlock.st.ast import HEADLINE, Assign, Block, Call, Declaration, Expression, Name, Not, Statement, Unit
 from interlock.st.meaning import STANDARD
 from interlock.st.parser import NotInSubset
 from interlock.st.program import INSTANCE
 from interlock.st.shared import (
     INNER,
     INPUTS,
+    NOTES,
     OUTPUTS,
+    Core,
     Renaming,
-    flat,
-    frame,
-    in_data_blocks,
+    all_called,
     instance,
+    members,
     names_in,
+    pair,
+    placed,
+    settings,
     writes,
 )
 
@@ -64,90 +68,87 @@ def structured(unit: Unit) -> Unit:
 
 def _interlocking(blocks: Sequence[Block]) -> Iterator[Block]:
     """Structures, the blocks in the order in which they are called, groups, and the main block."""
-    made = list(in_data_blocks(blocks, told=False))
-    main = made[-1].name
-    known = frame(made)
-    uses = [dict.fromkeys(n.parts for s in b.body for n in names_in(s)) for b in made]
-    place = _parted(made, uses)
-    put = Renaming(lambda n: Name((place.get(n.parts, n.parts[0]), *n.parts[1:])))
-    names = named(len({s for (data, _), s in place.items() if data == main + INNER}))
+    *callees, main = blocks
+    data = members(callees, main)
+    lies, names = _parted(callees, main, data)
+    yield from _structures(main.name, data, lies, names)
+    declared = {b.name: (*b.inputs, *b.outputs) for b in callees}
     handed: dict[str, tuple[str, ...]] = {}
-    for b, names_used in zip(made, uses, strict=True):
-        if b.kind == "DATA_BLOCK":
-            yield from _structures(b, main, names, place)
-        elif b.kind != "INSTANCE":
-            called = [s.instance for s in b.body if isinstance(s, Call) and _hands(s, b)]
-            calls = [known.instances.get(n, n) for n in called]
-            used = {place.get(n, "") for n in names_used}
-            used |= {n for c in calls for n in handed[c]}
-            handed[b.name] = (GIVEN, SHOWN) if b.name == main else tuple(n for n in names if n in used)
-            yield _handing(b, main, names, handed, known.instances, put)
+    instances: dict[str, str] = {}
+    for b in placed(callees, main, lies):
+        if b.kind == "INSTANCE":
+            instances[b.name] = b.locals[0].type
+            continue
+        if b.name in declared:
+            used = {lies[d.name] for d in declared[b.name]}
+        else:
+            called = [instances.get(s.instance, s.instance) for s in b.body if isinstance(s, Call)]
+            used = {n.parts[0] for s in b.body for n in names_in(s)}.union(*map(handed.__getitem__, called))
+        handed[b.name] = (GIVEN, SHOWN) if b.name == main.name else tuple(n for n in names if n in used)
+        made = b if b.name in declared else _calling(b, main.name, handed, instances)
+        yield _handing(made, main.name, names, handed[b.name])
 
 
-def _parted(made: Sequence[Block], uses: Sequence[Iterable[tuple[str, ...]]]) -> dict[tuple[str, ...], str]:
-    """In which structure each member of a data block lies; `uses`: the names that each block reads or writes.
+def _parted(
+    callees: Sequence[Block], main: Block, data: Mapping[str, Sequence[Declaration]]
+) -> tuple[dict[str, str], dict[str, str]]:
+    """In which structure each variable lies, and the names of all structures as `named` has them.
 
     All else is sorted by the blocks that use it, in the order of calls, and cut into parts of one size.
     """
-    users: dict[tuple[str, ...], list[int]] = {}
-    for k, those in enumerate(uses):
-        for n in those:
-            users.setdefault(n, []).append(k)
-    place: dict[tuple[str, ...], str] = {}
-    data = {b.name: [(b.name, d.name) for d in b.locals] for b in made if b.kind == "DATA_BLOCK"}
-    for name, ending in named(1).items():
-        members = data[made[-1].name + ending]
-        if name == HELD:
-            members.sort(key=lambda n: users.get(n, []))
-        parts = list(named(-(-len(members) // MEMBERS)))[2:] if name == HELD else [name]
-        place |= {n: parts[i * len(parts) // len(members)] for i, n in enumerate(members)}
-    return place
+    users: dict[str, list[int]] = {}
+    for k, b in enumerate(callees):
+        for d in (*b.inputs, *b.outputs):
+            users.setdefault(d.name, []).append(k)
+    for k, part in enumerate(settings(main), len(callees)):
+        for name in dict.fromkeys(n.parts[-1] for s in part for n in names_in(s)):
+            users.setdefault(name, []).append(k)
+    inner = sorted((d.name for d in data[INNER]), key=lambda n: users.get(n, []))
+    names = named(-(-len(inner) // MEMBERS))
+    given, shown, *held = names
+    lies = {d.name: n for n, ending in ((given, INPUTS), (shown, OUTPUTS)) for d in data[ending]}
+    return lies | {n: held[i * len(held) // len(inner)] for i, n in enumerate(inner)}, names
 
 
-def _structures(b: Block, main: str, names: Mapping[str, str], place: Mapping[tuple[str, ...], str]) -> Iterator[Block]:
-    """A data block as one structure or several."""
-    parts: dict[str, list[Declaration]] = {}
-    for d in b.locals:
-        parts.setdefault(place[b.name, d.name], []).append(d)
-    for n, ending in names.items():
-        if n in parts:
-            note = f"{b.note}, part {n.removeprefix(HELD)} of {len(parts)}" if len(parts) > 1 else b.note
-            yield replace(b, name=main + ending, locals=tuple(parts[n]), note=note, kind="STRUCT")
+def _structures(
+    main: str, data: Mapping[str, Sequence[Declaration]], lies: Mapping[str, str], names: Mapping[str, str]
+) -> Iterator[Block]:
+    """What the structures hold, in the order in which it is declared."""
+    parts: dict[str, list[Declaration]] = {n: [] for n in names}
+    for d in (d for part in data.values() for d in part):
+        parts[lies[d.name]].append(d)
+    told = {GIVEN: NOTES[INPUTS], SHOWN: NOTES[OUTPUTS]}
+    for n, part in parts.items():
+        note = f"{NOTES[INNER]}, part {n.removeprefix(HELD)} of {len(names) - 2}" if len(names) > 3 else NOTES[INNER]
+        yield Block(main + names[n], (), (), tuple(part), (), told.get(n, note), "STRUCT")
 
 
-def _hands(s: Call, b: Block) -> bool:
-    """Whether a call in a block is of another block, not of a timer of its own."""
-    return all(d.name != s.instance for d in b.locals)
+def _handing(b: Block, main: str, names: Mapping[str, str], handed: Sequence[str]) -> Block:
+    """A block with its structures; the main block holds those that it does not get."""
+    inner = [Declaration(n, main + e) for n, e in names.items() if b.name == main and n not in handed]
+    declared = tuple(Declaration(n, main + names[n]) for n in handed)
+    note = b.note[:HEADLINE] if b.name != main else b.note
+    return Block(b.name, (), (), (*inner, *b.locals), b.body, note, handed=declared)
 
 
-def _handing(
-    b: Block,
-    main: str,
-    names: Mapping[str, str],
-    handed: Mapping[str, Sequence[str]],
-    instances: Mapping[str, str],
-    put: Renaming,
-) -> Block:
-    """A block with its structures, and with an instance of each block that it calls."""
-    inner = [Declaration(n, main + e) for n, e in names.items() if b.name == main and n not in handed[main]]
+def _calling(b: Block, main: str, handed: Mapping[str, Sequence[str]], instances: Mapping[str, str]) -> Block:
+    """A block that calls others, with an instance of each, and what it sets."""
+    inner: list[Declaration] = []
     body: list[Statement] = []
     for s in b.body:
-        if isinstance(s, Call) and _hands(s, b):
+        if isinstance(s, Call):
             kind = instances.get(s.instance, s.instance)
             own = kind.removeprefix(f"{main}_")
             inner.append(Declaration(own, kind, None, s.note))
-            body.append(Call(own, tuple((n, Name((n,))) for n in handed[kind])))
-        else:
-            body.append(put(s))
-    declared = tuple(Declaration(n, main + names[n]) for n in handed[b.name])
-    note = b.note[:HEADLINE] if b.name != main else b.note
-    return Block(b.name, (), (), (*b.locals, *inner), tuple(body), note, handed=declared)
+            s = Call(own, tuple((n, Name((n,))) for n in handed[kind]))
+        body.append(s)
+    return Block(b.name, (), (), tuple(inner), tuple(body), b.note)
 
 
 def _program(program: Block, main: str) -> Block:
     """The mapping program: it writes the inputs, calls the interlocking, reads the outputs."""
     body: list[Statement] = []
-    put = Renaming(lambda n: Name((SHOWN, *n.parts[1:])) if n.parts[0] == INSTANCE else n)
+    put = Renaming(lambda parts: pair(SHOWN, *parts[1:]) if parts[0] == INSTANCE else pair(*parts))
     for s in program.body:
         if isinstance(s, Call) and s.instance == INSTANCE:
             body += [Assign(Name((GIVEN, n)), x) for n, x in s.params]
@@ -185,89 +186,72 @@ def plain(unit: Unit) -> Unit:
     main = next((n.removesuffix(INPUTS) for n in structures if n.endswith(INPUTS)), "")
     if set(structures) != {main + x for x in named(len(structures) - 2).values()}:
         raise NotInSubset("structures are not those of inputs, outputs and all else")
-    (block,) = flat(Unit(tuple(_released(main, structures, core)))).blocks
+    there = {n: structures[main + ending] for n, ending in named(len(structures) - 2).items()}
+    released = Unit(tuple(_released(main, {n: Declaration(n, s.name) for n, s in there.items()}, core)))
+    given, shown, *rest = ((n, s.locals) for n, s in there.items())
+    data = {INPUTS: dict([given]), OUTPUTS: dict([shown]), INNER: dict(rest)}
+    called: set[str] = set()
+    block = Core(released, main, called, data, lambda b: {d.name for d in b.handed}).block()
+    all_called(released, called)
     return Unit((*helpers, block, *program), task=unit.task)
 
 
-def _released(main: str, structures: Mapping[str, Block], core: Sequence[Block]) -> Iterator[Block]:
-    """The blocks with their structures as data blocks, of which nobody hands anything on."""
-    there = {n: structures[main + ending] for n, ending in named(len(structures) - 2).items()}
-    known = _Known(
-        tuple(Declaration(n, s.name) for n, s in there.items()),
-        {n: frozenset(d.name for d in s.locals) for n, s in there.items()},
-        {n: main + named(1).get(n, INNER) for n in there},
-    )
-    for name in dict.fromkeys(known.data.values()):
-        members = tuple(d for n, s in there.items() if known.data[n] == name for d in s.locals)
-        yield Block(name, (), (), members, (), kind="DATA_BLOCK")
+def _released(main: str, known: Mapping[str, Declaration], core: Sequence[Block]) -> Iterator[Block]:
+    """The blocks as if they saw their structures (`handed`) without being handed them, and the instances of those with
+    timers.  known: all structures, in the order in which they are handed on."""
     blocks = {b.name: b for b in core}
     for b in core:
-        timed = any(d.type == "TON" for d in b.locals)
         made = _Released(b, b.name == main, blocks, known).block()
-        yield replace(made, kind="FUNCTION_BLOCK" if timed else "FUNCTION")
-        if timed:
+        yield made
+        if made.kind == "FUNCTION_BLOCK":
             yield Block(instance(b.name), (), (), (Declaration("OF", b.name),), (), kind="INSTANCE")
-
-
-@dataclass(frozen=True)
-class _Known:
-    """The structures of a unit in the order in which they are handed on, the members of each, and by name the data
-    block that it becomes."""
-
-    declared: tuple[Declaration, ...]
-    members: Mapping[str, frozenset[str]]
-    data: Mapping[str, str]
 
 
 class _Released:
     """A block of this form on its way back; `main`: it is the one that holds the rest."""
 
-    def __init__(self, b: Block, main: bool, blocks: Mapping[str, Block], known: _Known) -> None:
-        self.b, self.blocks, self.known = b, blocks, known
-        own = [d for d in known.declared if main and d.name not in (GIVEN, SHOWN)]
-        declared = frozenset(known.declared)
-        self.structures = {d.name for d in (*b.handed, *own)}
+    def __init__(self, b: Block, main: bool, blocks: Mapping[str, Block], known: Mapping[str, Declaration]) -> None:
+        self.b, self.blocks = b, blocks
+        own = [d for n, d in known.items() if main and n not in (GIVEN, SHOWN)]
+        self.seen = (*b.handed, *own)
+        self.structures = {d.name for d in self.seen}
         self.instances = {d.name: d.type for d in b.locals if d.type in blocks}
         self.own = [d for d in b.locals if d not in own and d.name not in self.instances]
-        self.mine = {d.name for d in self.own}
         names = [d.name.upper() for d in (*b.handed, *b.locals)]
         handed = {d.name for d in b.handed}
         if (
             b.inputs
             or b.outputs
-            or list(b.handed) != [d for d in known.declared if d.name in handed]
+            or list(b.handed) != [d for n, d in known.items() if n in handed]
             or len(set(names)) != len(names)
-            or declared.intersection(b.locals) != set(own)
+            or {d.name for d in b.locals if known.get(d.name) == d} != {d.name for d in own}
             or any(d.initial is not None or d.address for d in b.locals)
         ):
             raise NotInSubset(f"{b.name}: declared otherwise than as a block of this form")
 
     def block(self) -> Block:
-        """It, with names of members and calls as in a unit with data blocks."""
-        put = Renaming(self._name)
-        body = tuple([self._statement(s, put) for s in self.b.body])
+        """It, with calls as in a unit with data blocks."""
+        body = tuple([self._called(s) if isinstance(s, Call) else s for s in self.b.body])
         called = [s.instance for s in self.b.body if isinstance(s, Call)]
         if left := [n for n in self.instances if called.count(n) != 1]:
             raise NotInSubset(f"{self.b.name}: {left[0]} is not called once")
-        return Block(self.b.name, (), (), tuple(self.own), body)
+        kind = "FUNCTION_BLOCK" if _timed(self.b) else "FUNCTION"
+        return Block(self.b.name, (), (), tuple(self.own), body, kind=kind, handed=self.seen)
 
-    def _statement(self, s: Statement, put: Renaming) -> Statement:
-        if not isinstance(s, Call) or s.instance not in self.instances:
-            return put(s)
+    def _called(self, s: Call) -> Call:
+        if s.instance not in self.instances:
+            if all(d.name != s.instance for d in self.own):
+                raise NotInSubset(f"{self.b.name}: {s.instance} is not declared")
+            return s
         kind = self.blocks[self.instances[s.instance]]
         handed = [d.name for d in kind.handed]
         if s.params != tuple((n, Name((n,))) for n in handed) or not self.structures.issuperset(handed):
             raise NotInSubset(f"{self.b.name}: {s.instance} is handed something else than its structures")
-        timed = any(d.type == "TON" for d in kind.locals)
-        return Call(instance(kind.name) if timed else kind.name, ())
+        return Call(instance(kind.name) if _timed(kind) else kind.name, ())
 
-    def _name(self, n: Name) -> Name:
-        first = n.parts[0]
-        if first in self.structures and len(n.parts) == 2 and n.parts[1] in self.known.members[first]:
-            return Name((self.known.data[first], n.parts[1]))
-        if first in self.mine:
-            return n
-        raise NotInSubset(f"{self.b.name}: {n} is not declared")
+
+def _timed(b: Block) -> bool:
+    return any(d.type == "TON" for d in b.locals)
 
 
 def _mapping(program: Block, main: str) -> Block:
@@ -279,12 +263,12 @@ def _mapping(program: Block, main: str) -> Block:
     if program.inputs or program.outputs or program.handed:
         raise NotInSubset(f"{program.name} is given something, or gives something")
 
-    def name(n: Name) -> Name:
-        if n.parts[0] == SHOWN and len(n.parts) == 2:
-            return Name((INSTANCE, n.parts[1]))
-        if n.parts[0] in (GIVEN, SHOWN, INSTANCE):
-            raise NotInSubset(f"{program.name}: {n} is read or written")
-        return n
+    def name(parts: tuple[str, ...]) -> tuple[Name, Not]:
+        if parts[0] == SHOWN and len(parts) == 2:
+            return pair(INSTANCE, parts[1])
+        if parts[0] in (GIVEN, SHOWN, INSTANCE):
+            raise NotInSubset(f"{program.name}: {Name(parts)} is read or written")
+        return pair(*parts)
 
     body: list[Statement] = []
     put = Renaming(name)

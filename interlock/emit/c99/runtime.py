@@ -249,7 +249,7 @@ def _source(c: Controller, parts: Fixed, top: list[str], name: str) -> str:
     where |= {s.name: f"wire.{s.name}" for s in c.steps}
     wires = [("bool", s.name, "") for s in c.steps]
     delays = [(f"{p}_delay", t.name, t.note) for t in c.timers]
-    following = {e.name: Equation(computed(e.name), e.join, e.terms, e.group, e.note) for e in c.next}
+    following = {e.name: e.named(computed(e.name), e.note) for e in c.next}
     targets = {e.name: f"next.{state}" for state, e in following.items()}
     lines = [
         *top,

@@ -145,14 +145,14 @@ def wires(controller: Controller) -> dict[str, tuple[Expr, Expr]]:
 def words(controller: Controller) -> dict[str, Term]:
     """The words of a controller by name, as a text has them: next values by a name that no text can have."""
     put = Substitution({computed(s.name): _next(s.name) for s in controller.state})
-
-    def told(value: int | Name) -> Term:
-        return Constant(value) if isinstance(value, int) else Symbol(value)
-
-    return {
-        w.name: Cases(tuple((put(c.condition), told(c.value)) for c in w.cases), told(w.otherwise))
-        for w in controller.words.words
-    }
+    told: dict[int | Name, Term] = {}
+    found: dict[str, Term] = {}
+    for w in controller.words.words:
+        for value in (*[c.value for c in w.cases], w.otherwise):
+            if value not in told:
+                told[value] = Constant(value) if isinstance(value, int) else Symbol(value)
+        found[w.name] = Cases(tuple([(put(c.condition), told[c.value]) for c in w.cases]), told[w.otherwise])
+    return found
 
 
 def _following(state: Name) -> Name:
@@ -240,7 +240,6 @@ def _words(controller: Controller, given: Mapping[str, Term], wrong: list[Differ
     """What is left to compare of the words of routes: a word whose cases are those of the controller, name by name, is
     equal; of another, when it has each of its codes."""
     out: list[tuple[str, Expr, Expr]] = []
-    known = words(controller)
     told: dict[str, dict[int, Expr]] = {}
     for name in controller.words.routes.values():
         mine = given.get(name)
@@ -250,7 +249,7 @@ def _words(controller: Controller, given: Mapping[str, Term], wrong: list[Differ
             out.append((name, TRUE, TRUE))
         else:
             if not told:
-                for n, x in known.items():
+                for n, x in words(controller).items():
                     told[n] = _codes(x, told)
             try:
                 codes = _codes(mine, told)
