@@ -9,7 +9,7 @@ table of its own, which ends with it, so that a process that proves one layout a
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from enum import IntEnum
 from threading import RLock
@@ -274,6 +274,15 @@ class Substitution:
                 if stack:
                     stack[-1][2].append(x)
         return done[root]
+
+
+def parts_of(x: Expr) -> Sequence[Expr]:
+    """The parts of an expression that says several things at once; none of any other."""
+    if x.op is AND:
+        return x.args
+    if x.op is NOT and x.args[0].op is OR:
+        return [neg(a) for a in x.args[0].args]
+    return ()
 
 
 WIDE = 12  # operands: from here on the variables below a node are remembered

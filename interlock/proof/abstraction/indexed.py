@@ -17,7 +17,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 
-from interlock.logic.expr import AND, EQ, NOT, OR, VAR, WIDE, Expr, Substitution, disj, neg, rebuild, var
+from interlock.logic.expr import AND, EQ, NOT, OR, VAR, WIDE, Expr, Substitution, disj, neg, parts_of, rebuild, var
 from interlock.logic.names import Name, each_value
 from interlock.proof.system.neighbourhood import RouteVariables
 from interlock.proof.system.relation import TransitionRelation
@@ -231,25 +231,16 @@ def _all(x: Expr) -> tuple[Expr, ...]:
     return x.args if x.op is AND else (x,)
 
 
-def _parts(x: Expr) -> Sequence[Expr]:
-    """The parts of an expression that says several things at once; none of any other."""
-    if x.op is AND:
-        return x.args
-    if x.op is NOT and x.args[0].op is OR:
-        return [neg(a) for a in x.args[0].args]
-    return ()
-
-
 def clauses(x: Expr) -> Iterator[list[Expr]]:
     """Disjunctions that together are the expression; where they would be too many, some are not taken apart."""
     todo, left = [(_alternatives(x), 0)], MANY
     while todo:
         clause, begin = todo.pop()
-        n = next((n for n in range(begin, len(clause)) if _parts(clause[n])), None) if left > 0 else None
+        n = next((n for n in range(begin, len(clause)) if parts_of(clause[n])), None) if left > 0 else None
         if n is None:
             yield clause
             continue
-        parts, before, behind = _parts(clause[n]), clause[:n], clause[n + 1 :]
+        parts, before, behind = parts_of(clause[n]), clause[:n], clause[n + 1 :]
         left -= len(parts)
         todo.extend([([*before, *_alternatives(p), *behind], n) for p in reversed(parts)])
 

@@ -11,7 +11,7 @@ import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from interlock.logic.expr import Expr
+from interlock.logic.expr import Expr, parts_of
 from interlock.logic.names import Name
 from interlock.proof.engines import Answer, Sat, solver
 from interlock.proof.engines.limits import Limits
@@ -42,28 +42,30 @@ def decided(
     cnf = OneSided(meaning)
     for x in facts:
         cnf.require(x)
-    denials = [cnf.denial(x) for x in goals]
+    denials = [[cnf.denial(part) for part in parts_of(x) or (x,)] for x in goals]
     found = decisions(solver(limits.engine, cnf, limits.query_ms), denials, known, patience)
     limits.cache.keep(key, [d.follows for d in found])
     return found
 
 
 def decisions(
-    sat: Sat, denials: Sequence[Sequence[int]], known: Sequence[bool] = (), patience: int = 0
+    sat: Sat, denials: Sequence[Sequence[Sequence[int]]], known: Sequence[bool] = (), patience: int = 0
 ) -> list[Decision]:
-    """Which goals follow, each by itself: those whose denial cannot be.
+    """Which goals follow, each by itself: those of which no part can be false.
 
-    known: those that need not be asked.  patience: when so many do not follow, the rest is left open.
+    denials: by goal and part.  That some part is false would be searched for, where each alone is often seen at once.
+
+    known: goals that need not be asked.  patience: when so many do not follow, the rest is left open.
     """
     found = [Decision(follows, 0.0) for follows in known or [False] * len(denials)]
     left = patience or len(denials)
-    for n, denial in enumerate(denials):
+    for n, parts in enumerate(denials):
         if found[n].follows:
             continue
         if left <= 0:
             break
         began = time.perf_counter()
-        follows = sat.ask(*denial) is Answer.UNSAT
+        follows = all(sat.ask(*denial) is Answer.UNSAT for denial in parts)
         left -= not follows
         found[n] = Decision(follows, time.perf_counter() - began)
     return found

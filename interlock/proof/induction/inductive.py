@@ -9,20 +9,18 @@ subset of them.  (Floyd, 1967; Manna and Pnueli, *Temporal Verification of React
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from functools import partial
 
 from interlock.logic.expr import AND, FALSE, NOT, OR, TRUE, VAR, Expr, Substitution
 from interlock.logic.names import Name
+from interlock.proof.abstraction.canonical import CanonicalForms
 from interlock.proof.claims import Claim, Facts, Invariant, strengthening
-from interlock.proof.engines import Answer, solver
+from interlock.proof.engines import Answer, batch, solver
 from interlock.proof.engines.batch import Decision
 from interlock.proof.engines.limits import Limits
 from interlock.proof.engines.tseitin import Cnf
 from interlock.proof.induction.parts import Goal, decide
 from interlock.proof.induction.verdict import Progress, quiet
-from interlock.proof.system.neighbourhood import Neighbourhood
-from interlock.proof.system.relation import TransitionRelation
 from interlock.proof.system.restart import InitialCondition
 from interlock.proof.system.transition import System
 
@@ -87,10 +85,8 @@ def holding_at_restart(system: System, invariants: Sequence[Invariant], limits: 
         raise RuntimeError("the restart states contradict each other")
     known = {name: x is TRUE for name, x in fixed.items()}
     left = [n for n, i in enumerate(invariants) if not made_true(i.expr, known)]
-    asked = [Goal(put(invariants[n].expr)) for n in left]
-    no_step = TransitionRelation()
-    where = Neighbourhood(system.loop, no_step)
-    found = decide(no_step, where, facts, asked, replace(limits, jobs=1), lambda done, total: None)
+    asked = [put(invariants[n].expr) for n in left]
+    found = batch.decided(asked, facts, {}, limits, lambda: CanonicalForms({}).of({}, asked, facts))
     holds = [True] * len(invariants)
     for n, d in zip(left, found, strict=True):
         holds[n] = d.follows

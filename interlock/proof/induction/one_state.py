@@ -95,30 +95,32 @@ class States:
     def told(self, goals: Sequence[Expr], after: bool) -> tuple[Mapping[Name, Expr], Sequence[Expr]]:
         """What is defined and known of one state.
 
-        After a step: not why a next value is what it is, unless a goal names it or a lamp that shows it, and nothing
-        of places that depends on routes.
+        After a step: why a next value is what it is if a goal names a lamp that shows it, or names the value, which no
+        route decides; and nothing of places that depends on routes.
         """
         if not after:
             return {}, self.hypotheses
         relation, indexed, timers = self.relation, self.where.routes.indexed, self.relation.timers
-        asked = dict.fromkeys(variables(goals))
-        lit = [relation.definitions[v] for v in asked if v in self._shown]
-        asked |= dict.fromkeys(variables(lit))
+        names = variables(goals)
+        lit = {v: relation.definitions[v] for v in names if v in self._shown}
+        shown = {**lit, **variables(lit.values())}
+        kept = self._kept - shown.keys()
+        asked = names.keys() - kept | shown.keys()
         definitions: dict[Name, Expr] = {}
         seen: set[str] = set()
-        todo = list(asked)
+        todo = [*names, *shown]
         while todo:
             v = todo.pop()
             if v in seen:
                 continue
             seen.add(v)
             x = relation.definitions.get(v)
-            if x is None or (v not in asked and v in self._kept):
+            if x is None or (v in kept and v not in names):
                 if v in timers:  # its input is true while it is (A-TON)
                     todo.append(timers[v].input)
                 continue
             reads = tuple(variables((x,)))
-            if v not in asked and v not in indexed and any(u in indexed for u in reads):
+            if v not in asked and (v in kept or v not in indexed) and any(u in indexed for u in reads):
                 continue
             definitions[v] = x
             todo += reads
