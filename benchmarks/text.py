@@ -25,7 +25,8 @@ from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
 from interlock.proof.equivalence.python_text import compare_runtime
 from interlock.proof.equivalence.structured_text import compare_dialect
-from interlock.st.dialects import BY_NAME, DIALECTS, core, write_st
+from interlock.st.delivery import core, write_st
+from interlock.st.dialects import BY_NAME
 from interlock.st.lint import lint, rows_of
 from interlock.st.lower import lower_st
 
@@ -49,7 +50,7 @@ def dialects() -> None:
         checked = check_file(str(path))
         assert checked.layout is not None and checked.table is not None
         controller = lower(checked.layout, checked.table)
-        for d in DIALECTS:
+        for d in BY_NAME.values():
             files = write_st(controller, d, ["interlock"])
             unit = core(controller, d, ["interlock"])
             *blocks, main = [b for b in d.form(unit).blocks if b.body]

@@ -11,7 +11,8 @@ import pytest
 
 from interlock.app.certify import certify_file
 from interlock.app.compile import compile_file
-from interlock.app.texts import writers, written_for
+from interlock.app.texts import writers
+from interlock.app.writing import written_for
 from interlock.emit.io import CROSS_REFERENCE
 from tests.layouts import built
 

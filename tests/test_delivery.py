@@ -21,7 +21,8 @@ from interlock.model.layout import Layout
 from interlock.proof.equivalence.cabinet import compare_delivery
 from interlock.proof.equivalence.tags import BadTags, read_tags
 from interlock.st.ast import Unit
-from interlock.st.dialects import BY_NAME, write_delivery
+from interlock.st.delivery import write_delivery
+from interlock.st.dialects import BY_NAME
 from interlock.st.meaning import Execution, Numbers
 from interlock.st.program import parted
 from interlock.st.restart import RESTART

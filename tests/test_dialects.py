@@ -19,7 +19,9 @@ from interlock.proof.equivalence.cabinet import compare_delivery
 from interlock.proof.equivalence.python_text import compare_runtime
 from interlock.proof.equivalence.structured_text import compare_dialect, compare_unit
 from interlock.st.ast import Call, Unit
-from interlock.st.dialects import BY_NAME, DIALECTS, Dialect, core, write_delivery, write_st
+from interlock.st.delivery import core, write_delivery, write_st
+from interlock.st.dialects import BY_NAME
+from interlock.st.dialects.dialect import Dialect
 from interlock.st.lint import RULES, lint, rows_of
 from interlock.st.lower import lower_st
 from interlock.st.meaning import Execution, Numbers
@@ -30,7 +32,7 @@ from tests.campaigns.text_edits import alike, one_edit, python
 from tests.layouts import SHIPPED, built
 from tests.test_equal import random_inputs
 
-ALL = [d.name for d in DIALECTS]
+ALL = list(BY_NAME)
 
 
 @pytest.mark.parametrize("name", SHIPPED)
@@ -194,7 +196,7 @@ def test_edits_of_any_dialect_are_refuted_unless_they_change_nothing() -> None:
     _, _, controller = built("fig2_2")
     found = []
     while len(found) < 70:
-        edited = one_edit(controller, rng.choice((*DIALECTS, None)), rng)
+        edited = one_edit(controller, rng.choice((*BY_NAME.values(), None)), rng)
         if edited is not None:
             found.append(edited)
     assert not [e for e in found if e.fate == "MISSED"]
@@ -280,7 +282,7 @@ def test_what_a_tool_may_read_otherwise_is_refused(dialect: str, which: str) -> 
         assert not compare_dialect(controller, BY_NAME[dialect], {**files, name: text}).proved
 
 
-@pytest.mark.parametrize("dialect", [d.name for d in DIALECTS if d.restart])
+@pytest.mark.parametrize("dialect", [n for n, d in BY_NAME.items() if d.restart])
 def test_a_restart_that_is_not_noticed_in_the_first_scan_is_refuted(dialect: str) -> None:
     """After a load a controller may run before anything has set RESTART."""
     _, _, controller = built("fig2_2")
@@ -434,7 +436,7 @@ def test_a_restart_that_forgets_something_is_refuted() -> None:
 @pytest.mark.parametrize("name", SHIPPED)
 def test_emitted_texts_pass_our_own_checks(name: str) -> None:
     _, _, controller = built(name)
-    for rows in {d.rows for d in DIALECTS}:
+    for rows in {d.rows for d in BY_NAME.values()}:
         unit = lower_st(controller, [], rows)
         assert lint(unit) == ()
         assert max(map(rows_of, unit.blocks[:-1])) <= 500

@@ -22,7 +22,8 @@ from interlock.proof.system.loop import closed_loop
 from interlock.proof.system.transition import System
 from interlock.sim.run import Simulator
 from interlock.st.ast import Unit
-from interlock.st.dialects import BY_NAME, write_st
+from interlock.st.delivery import write_st
+from interlock.st.dialects import BY_NAME
 from interlock.st.meaning import Execution, Numbers
 from tests.layouts import SHIPPED, built
 

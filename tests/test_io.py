@@ -23,7 +23,8 @@ from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.proof.equivalence.cabinet import compare_program
 from interlock.st.ast import Unit
-from interlock.st.dialects import BY_NAME, write_st
+from interlock.st.delivery import write_st
+from interlock.st.dialects import BY_NAME
 from interlock.st.lint import lint
 from interlock.st.lower import lower_st
 from interlock.st.meaning import Execution, Numbers

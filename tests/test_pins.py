@@ -20,7 +20,7 @@ from click.testing import CliRunner
 from interlock.app.check import check_file
 from interlock.app.init import line
 from interlock.app.pin import repinned
-from interlock.app.texts import _mapping
+from interlock.app.writing import _mapping
 from interlock.cli.main import cli
 from interlock.diag import Sink, render
 from interlock.emit.io import channels_csv

@@ -19,7 +19,8 @@ from interlock.proof.equivalence.structured_text import compare_dialect
 from interlock.proof.induction.verdict import Verdict
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
-from interlock.st.dialects import BY_NAME, write_st
+from interlock.st.delivery import write_st
+from interlock.st.dialects import BY_NAME
 from tests.grow import grow
 from tests.grow_all import grow_all, words
 from tests.layouts import built, grown

@@ -33,7 +33,8 @@ from interlock.logic.sentences import sentence
 from interlock.model.portable import beside, portable
 from interlock.proof.equivalence.c_text import compare_c
 from interlock.proof.equivalence.cabinet import compare_delivery
-from interlock.st.dialects import BY_NAME, DIALECTS, write_delivery
+from interlock.st.delivery import write_delivery
+from interlock.st.dialects import BY_NAME
 from tests.certified import certified
 
 SPACES = Path("tests/layouts_for_tests/spaces.yaml")
@@ -104,7 +105,7 @@ def test_plan_and_report_are_well_formed_and_no_id_has_a_space(made: tuple[Ready
     assert "<option>Signal 1 W-Signal 11 P</option>" in files["index.html"].decode()
 
 
-@pytest.mark.parametrize("dialect", [d.name for d in DIALECTS if d.name != "iec"])
+@pytest.mark.parametrize("dialect", [n for n in BY_NAME if n != "iec"])
 def test_every_dialect_is_read_back_and_proved(made: tuple[Ready, dict[str, bytes]], dialect: str) -> None:
     ready, _ = made
     assert ready.controller is not None and ready.allocation is not None and ready.layout is not None

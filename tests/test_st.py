@@ -23,7 +23,8 @@ from interlock.logic.lower import lower
 from interlock.logic.order import by_place
 from interlock.proof.equivalence.structured_text import Scan, compare_scan, compare_st, wires
 from interlock.st.ast import Assign, Expression, Nary, Not
-from interlock.st.dialects import BY_NAME, write_st
+from interlock.st.delivery import write_st
+from interlock.st.dialects import BY_NAME
 from interlock.st.lower import MAX_OPERANDS, lower_st
 from interlock.st.meaning import Symbol, Symbols
 from interlock.st.parser import NotInSubset, parse_block, parse_unit

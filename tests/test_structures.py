@@ -13,7 +13,8 @@ from interlock.checker.check import agree
 from interlock.checker.reading import loaded
 from interlock.proof.equivalence.structured_text import compare_dialect, compare_st
 from interlock.st import shared, structures
-from interlock.st.dialects import BY_NAME, write_st
+from interlock.st.delivery import write_st
+from interlock.st.dialects import BY_NAME
 from interlock.st.lower import lower_st
 from interlock.st.printer import print_unit
 from interlock.st.shared import names_in

@@ -23,7 +23,7 @@ from interlock.checker.said import Published
 from interlock.checker.specification import shipped as specification
 from interlock.checker.told import Telling
 from interlock.checker.written import written
-from interlock.st.dialects import DIALECTS
+from interlock.st.dialects import BY_NAME
 from interlock.verify import Rejected, check_files
 from tests.certified import signed
 from tests.layouts import grown
@@ -39,7 +39,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The certificate of a small layout in every form that there is."""
     top = tmp_path_factory.mktemp("made")
     shutil.copy(FIG, top)
-    compile_file(str(top / FIG.name), top / "generated", dialects=[*(d.name for d in DIALECTS), "c99"])
+    compile_file(str(top / FIG.name), top / "generated", dialects=[*BY_NAME, "c99"])
     assert certify_file(str(top / FIG.name), top / "generated", top / "proofs").ok
     return top / "proofs/fig2_2"
 

@@ -28,7 +28,8 @@ from interlock.proof.equivalence.structured_text import compare_dialect
 from interlock.proof.mutation.lines import Lines
 from interlock.proof.mutation.switched import Switched
 from interlock.proof.system.transition import System
-from interlock.st.dialects import BY_NAME, DIALECTS, write_st
+from interlock.st.delivery import write_st
+from interlock.st.dialects import BY_NAME
 from interlock.verify import Rejected
 from tests.layouts import SHIPPED, built
 from tests.refusals import hostile_hour, module_of
@@ -204,7 +205,7 @@ def assigned(text: str, name: str, old: str, new: str) -> str:
     return re.sub(rf"(\bL +){block}{old}(;.*\n +T +{block}{name};)", rf"\g<1>{said}\g<2>", text, count=1)
 
 
-@pytest.mark.parametrize("dialect", [d.name for d in DIALECTS])
+@pytest.mark.parametrize("dialect", list(BY_NAME))
 def test_a_text_with_another_word_is_refused(dialect: str) -> None:
     _, _, c = built("fig2_2")
     d = BY_NAME[dialect]

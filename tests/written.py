@@ -14,7 +14,8 @@ from interlock.proof.claims import Facts, strengthening
 from interlock.proof.claims import claims as claimed
 from interlock.proof.prover import start_claim
 from interlock.proof.system.transition import System
-from interlock.st.dialects import BY_NAME, write_st
+from interlock.st.delivery import write_st
+from interlock.st.dialects import BY_NAME
 from tests.layouts import grown
 
 

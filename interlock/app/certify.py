@@ -10,7 +10,8 @@ from pathlib import Path
 from interlock.app.check import derive_file
 from interlock.app.compile import ELSEWHERE, build_derived, finish
 from interlock.app.proved import Proved
-from interlock.app.texts import C99, written_for
+from interlock.app.texts import C99
+from interlock.app.writing import written_for
 from interlock.diag import Diagnostic, Severity
 from interlock.emit.bundle import MANIFEST as OUTPUTS
 from interlock.emit.bundle import differences, not_replaced, strangers, write_folder

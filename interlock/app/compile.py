@@ -19,7 +19,7 @@ from interlock.app.making import claims_json
 from interlock.app.prove import prove_derived
 from interlock.app.proved import Proved
 from interlock.app.target import target_notes
-from interlock.app.texts import written_for
+from interlock.app.writing import written_for
 from interlock.diag import Diagnostic, Severity, Sink, Span
 from interlock.emit.bundle import differences, not_replaced, strangers, with_manifest, write_folder
 from interlock.emit.drawing import opening, place, plan_svg

@@ -154,9 +154,9 @@ def compile(layout: Layout, *, jobs: int = 1, dialects: tuple[str, ...] = (), pr
     """
     from interlock.app.compile import build_derived, finish
     from interlock.app.texts import C99
-    from interlock.st.dialects import DIALECTS
+    from interlock.st.dialects import BY_NAME
 
-    _one_of(dialects, (*(d.name for d in DIALECTS), C99), "dialect")
+    _one_of(dialects, (*BY_NAME, C99), "dialect")
     _positive(jobs=jobs)
     begun = derived(layout.name, layout, Source(layout.name, ""), Sink())
     proved, files = build_derived(begun, limits=Limits(jobs=jobs), progress=progress, dialects=dialects)

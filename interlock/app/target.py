@@ -8,7 +8,8 @@ from interlock.logic.cabinet import allocate
 from interlock.logic.controller import Controller
 from interlock.model.layout import Layout
 from interlock.model.target import Target
-from interlock.st.dialects import BY_NAME, delivered
+from interlock.st.delivery import delivered
+from interlock.st.dialects import BY_NAME
 from interlock.st.sizes import CAVEAT, RULE, SOURCE, TIA_RULE, TIA_SOURCE, Size, size_of
 
 DIALECT, TIA_DIALECT = "scl300", "scl1500"

@@ -26,7 +26,7 @@ from interlock.cli.common import (
 )
 from interlock.diag.extras import install
 from interlock.proof.engines.limits import Limits
-from interlock.st.dialects import DIALECTS
+from interlock.st.dialects import BY_NAME
 
 
 @click.command("compile")
@@ -44,7 +44,7 @@ from interlock.st.dialects import DIALECTS
     "--dialect",
     "dialects",
     multiple=True,
-    type=click.Choice([*(d.name for d in DIALECTS), "all", C99]),
+    type=click.Choice([*BY_NAME, "all", C99]),
     help="Write the PLC text for this tool as well (several times, or `all` PLC texts); iec is always written.  "
     "c99 is the C runtime, which `all` leaves out.",
 )
@@ -63,7 +63,7 @@ def command(
     form: str,
 ) -> None:
     """Derive the tables, prove the controller, and write all outputs."""
-    tools = (*dialects, *(d.name for d in DIALECTS)) if "all" in dialects else dialects
+    tools = (*dialects, *BY_NAME) if "all" in dialects else dialects
     if C99 in dialects and find_spec("pycparser") is None:
         raise click.UsageError(f"c99 needs the extra `c99`: {install('c99')}")
     clashes = names_twice(layouts) if len(layouts) > 1 else ()

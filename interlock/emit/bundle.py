@@ -40,6 +40,21 @@ def _contents(name: str, data: bytes) -> bytes:
     return b"".join(b"%d %s %d\n%s" % (len(part), part, len(body), body) for part, body in parts)
 
 
+def reproducible(data: bytes) -> bytes:
+    """The same archive, compressed and with fixed dates.  Its contents are the same everywhere; its bytes depend on the
+    machine's zlib, and are therefore never compared."""
+    out = io.BytesIO()
+    with (
+        zipfile.ZipFile(io.BytesIO(data)) as old,
+        zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as new,
+    ):
+        for item in old.infolist():
+            fresh = zipfile.ZipInfo(item.filename, (2000, 1, 1, 0, 0, 0))
+            fresh.compress_type = zipfile.ZIP_DEFLATED
+            new.writestr(fresh, old.read(item))
+    return out.getvalue()
+
+
 def _same(name: str, there: bytes, wanted: bytes) -> bool:
     try:
         return there == wanted or _contents(name, there) == _contents(name, wanted)

@@ -15,7 +15,8 @@ import sys
 from pathlib import Path
 
 from interlock.logic.cabinet import allocate
-from interlock.st.dialects import BY_NAME, write_delivery
+from interlock.st.delivery import write_delivery
+from interlock.st.dialects import BY_NAME
 from tests.campaigns.foreign import against_schema
 from tests.layouts import SHIPPED, built
 

@@ -35,7 +35,8 @@ from interlock.proof.prover import prove
 from interlock.proof.system.loop import closed_loop
 from interlock.proof.system.transition import System
 from interlock.proof.witnesses.availability import Manner, availability
-from interlock.st.dialects import BY_NAME, write_st
+from interlock.st.delivery import write_st
+from interlock.st.dialects import BY_NAME
 from interlock.table.rows import InterlockingTable
 from tests.grow_all import grow_all, words
 from tests.layouts import grown

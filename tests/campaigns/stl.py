@@ -25,7 +25,8 @@ from random import Random
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.cabinet import allocate
 from interlock.proof.equivalence.cabinet import compare_delivery
-from interlock.st.dialects import BY_NAME, write_delivery
+from interlock.st.delivery import write_delivery
+from interlock.st.dialects import BY_NAME
 from tests.foreign.recording import Railway, Recorder, Recording
 from tests.foreign.wiring import Wiring, changed, differences
 from tests.layouts import SHIPPED, built

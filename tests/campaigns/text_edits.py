@@ -28,7 +28,9 @@ from interlock.proof.equivalence.c_text import compare_c
 from interlock.proof.equivalence.python_text import compare_runtime
 from interlock.proof.equivalence.structured_text import compare_dialect
 from interlock.proof.mutation.texts import PYTHON_EDITS, ST_EDITS
-from interlock.st.dialects import DIALECTS, Dialect, write_st
+from interlock.st.delivery import write_st
+from interlock.st.dialects import BY_NAME
+from interlock.st.dialects.dialect import Dialect
 from interlock.st.meaning import Execution, Numbers
 from interlock.st.restart import RESTART
 from tests.c_driver import RESTART as POWER_ON
@@ -171,9 +173,10 @@ def main() -> None:
     rng = random.Random(given.seed)
     controllers = {n: built(n)[2] for n in LAYOUTS}
     found: list[Edited] = []
+    dialects = (*BY_NAME.values(), None)
     while len(found) < given.count:
         controller = controllers[rng.choice(LAYOUTS)]
-        edited = one_c_edit(controller, rng) if given.c99 else one_edit(controller, rng.choice((*DIALECTS, None)), rng)
+        edited = one_c_edit(controller, rng) if given.c99 else one_edit(controller, rng.choice(dialects), rng)
         if edited is not None:
             found.append(edited)
     keys: dict[str, Callable[[Edited], str]] = {"text": lambda e: e.text, "edit": lambda e: e.kind}

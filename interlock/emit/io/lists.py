@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from datetime import datetime
 
-from interlock.emit.tables.workbook import reproducible
+from interlock.emit.bundle import reproducible
 from interlock.logic.cabinet import Allocation, Channel
 from interlock.logic.controller import Controller
 from interlock.logic.words import SAID

@@ -7,12 +7,12 @@ Sheets are written row by row; of a large table the reasons of hostile pairs and
 from __future__ import annotations
 
 import io
-import zipfile
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
 
+from interlock.emit.bundle import reproducible
 from interlock.emit.tables.export import matrix_rows, printed_rows, reason_rows
 from interlock.emit.tables.paper import (
     MARGIN_IN,
@@ -192,18 +192,3 @@ def _spans(wide: Sequence[float], count: int, least: float) -> list[tuple[int, i
         out.append((first, last))
         first = last + 1
     return out
-
-
-def reproducible(data: bytes) -> bytes:
-    """The same archive, compressed and with fixed dates.  Its contents are the same everywhere; its bytes depend on the
-    machine's zlib, and are therefore never compared (`emit/bundle.py`)."""
-    out = io.BytesIO()
-    with (
-        zipfile.ZipFile(io.BytesIO(data)) as old,
-        zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as new,
-    ):
-        for item in old.infolist():
-            fresh = zipfile.ZipInfo(item.filename, (2000, 1, 1, 0, 0, 0))
-            fresh.compress_type = zipfile.ZIP_DEFLATED
-            new.writestr(fresh, old.read(item))
-    return out.getvalue()

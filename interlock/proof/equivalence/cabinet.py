@@ -21,7 +21,7 @@ from interlock.model.portable import portable
 from interlock.proof.equivalence.structured_text import Difference, compare_unit
 from interlock.proof.equivalence.tags import BadTags, read_tags
 from interlock.st.ast import Assign, Block, Bool, Call, Expression, Name, Nary, Not, Unit
-from interlock.st.dialects import Dialect, Files
+from interlock.st.dialects.dialect import Dialect, Files
 from interlock.st.parser import NotInSubset, parse_unit
 from interlock.st.program import BEAT, INSTANCE, Runs, io_task, parted, watch_name, watches
 from interlock.st.restart import RESTART

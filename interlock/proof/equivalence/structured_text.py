@@ -25,7 +25,8 @@ from interlock.proof.engines import Answer
 from interlock.proof.engines.minisat import MiniSat
 from interlock.proof.engines.tseitin import Cnf
 from interlock.st.ast import Unit
-from interlock.st.dialects import BY_NAME, Dialect, Files
+from interlock.st.dialects import BY_NAME
+from interlock.st.dialects.dialect import Dialect, Files
 from interlock.st.meaning import BadText, Cases, Constant, Execution, Instance, Symbol, Symbols, Term
 from interlock.st.parser import NotInSubset
 from interlock.st.restart import RESTART

@@ -17,7 +17,8 @@ from interlock.proof.equivalence.python_text import compare_runtime
 from interlock.proof.equivalence.structured_text import compare_dialect
 from interlock.proof.mutation.judge import Fate, Verdict
 from interlock.proof.mutation.points import Mutation
-from interlock.st.dialects import DIALECTS, write_st
+from interlock.st.delivery import write_st
+from interlock.st.dialects import BY_NAME
 
 _ST = re.compile(r"\(\*.*?\*\)|<documentation>.*?</documentation>|<\?xml.*?\?>|<fileHeader.*?/>", re.S)
 _PYTHON = re.compile(r"^#.*$|  # .*$|\"\"\"[^\"]*\"\"\"", re.M)
@@ -123,7 +124,7 @@ TEXT_FAMILIES = frozenset([*ST_EDITS, *PYTHON_EDITS])
 
 def text_mutants(controller: Controller, sample: int) -> Iterator[tuple[Mutation, Verdict]]:
     """Up to `sample` evenly spread edits of each kind (0: all), in the portable text and in the Python runtime."""
-    iec = next(d for d in DIALECTS if d.name == "iec")
+    iec = BY_NAME["iec"]
     files = write_st(controller, iec, ["edited"])
     runtime = runtime_py(controller, ["edited"])
     for kind, edit in (*ST_EDITS.items(), *PYTHON_EDITS.items()):

@@ -1,4 +1,4 @@
-"""PLCopen XML (TC6): 2.01 for Beremiz, TwinCAT and others; 2.00 as CODESYS itself writes it."""
+"""PLCopen XML (TC6): 2.01 for Beremiz, TwinCAT and others; 2.00, as CODESYS itself writes it, is `codesys.py`."""
 
 from __future__ import annotations
 
@@ -258,9 +258,6 @@ def _literal(x: Expression) -> str:
     raise Unsupported(f"an initial value that is no literal: {x}")
 
 
-_TC6_201, _TC6_200 = PlcOpen("0201", False), PlcOpen("0200", True)
+_TC6_201 = PlcOpen("0201", False)
 
 DIALECT = Dialect("plcopen", "PLCopen XML TC6 2.01: Beremiz and others", _TC6_201.write, _TC6_201.read, form=structured)
-CODESYS = Dialect(
-    "codesys", "CODESYS V3 and TwinCAT, PLCopen XML TC6 2.00", _TC6_200.write, _TC6_200.read, form=structured
-)
