@@ -55,7 +55,7 @@ TABLES = ("INPUTS", "STATE", "TIMERS", "OUTPUTS", "ROUTES", "CANCELLED_AFTER", "
 RESERVED = _names(FIXED) | {"bool", "dict", "map", "zip", "OUTPUTS", "Controller", "__debug__"}
 
 
-_ASSIGNED = re.compile(r"^ {8}([A-Za-z_][A-Za-z0-9_]*) = ([^#\n]*?)(?:  #.*)?$")
+_ASSIGNED = re.compile(r"^ {8}([A-Za-z_][A-Za-z0-9_]*) = ([^#\n]*)(?:  #.*)?$")
 _ENTRY = re.compile(r"^ {12}'([A-Za-z_][A-Za-z0-9_]*)': bool\((.*)\),$")
 _NAMES = re.compile(r"^ {12}[A-Za-z_][A-Za-z0-9_]*(?:, [A-Za-z_][A-Za-z0-9_]*)*,$")
 _READ = "        ) = map(read.__getitem__, INPUTS)"

@@ -156,13 +156,9 @@ def words(controller: Controller) -> dict[str, Term]:
     return found
 
 
-def _following(state: Name) -> Name:
-    return spelled(f"next {state}")
-
-
 def _next(state: Name) -> Expr:
     """The next value of a state variable, by a name that no text can have."""
-    return var(_following(state))
+    return var(state.next)
 
 
 def forget(inst: Instance[Term]) -> None:
@@ -281,7 +277,7 @@ def _codes(x: Term, told: Mapping[str, dict[int, Expr]]) -> dict[int, Expr]:
 
 def _different(controller: Controller, pairs: list[tuple[str, Expr, Expr]]) -> list[Difference]:
     """Pairs of expressions that differ for some inputs and state, every wire's name written out."""
-    meaning = controller.expanded | {_following(n): x for n, x in controller.next_state.items()}
+    meaning = controller.expanded | {n.next: x for n, x in controller.next_state.items()}
     put = Substitution(meaning)
     open_ = [(n, x, y) for n, a, b in pairs if (x := put(a)) is not (y := put(b))]
     cnf = Cnf()
