@@ -16,10 +16,8 @@ from interlock.logic.expr import AND, FALSE, Expr, conj, disj, implies, neg, reb
 from interlock.logic.names import Form, Name, Owner
 from interlock.logic.names import Kind as ElementKind
 from interlock.model.bits import bits, bits_of
-from interlock.proof.abstraction.indexed import GuardedClause, IndexedVariable, Kind
+from interlock.proof.abstraction.indexed import GuardedClause, IndexedVariable
 from interlock.proof.abstraction.local import Focus, LocalAbstraction, LocalAbstractions, Occurrences, families_in
-
-_DEFINED = Kind.DEFINED
 
 SHORT = 3  # names that a meaning reads which is there for goals that name many elements
 
@@ -99,19 +97,15 @@ class _Cone:
         inside = set(map(homes.get, self.names)) - {None}
         mine, states = self.names, self._local.places.state_homes
         for n in facts:
-            new = [v for v in names_of[n] if v not in mine]
-            if new:
-                for v in next_to[n]:
-                    if v not in mine and states.get(v) not in inside:
-                        break
-                else:
-                    self._reach(new, (), ())
+            for v in next_to[n]:
+                if v not in mine and states.get(v) not in inside:
+                    break
+            else:
+                self._reach([v for v in names_of[n] if v not in mine], (), ())
 
     def _is_told(self, names: Sequence[Name]) -> bool:
-        """Whether a fact about names in the cone is told: in a truncated one for far goals, of elements where it ends,
-        what is said in few words of a name that has a meaning."""
-        if not self._truncated or not self._far:
-            return True
+        """Whether a fact about names in a truncated cone for far goals is told: of elements where the cone ends, what
+        is said in few words of a name that has a meaning."""
         leads = self._local.places.leads
         return any(self._is_here(v) or (v in leads and len(names) <= SHORT) for v in names)
 
@@ -129,8 +123,10 @@ class _Cone:
         cone = set(self.names)
         names_of = self._local.places.names_of
         found |= _at(self._local.places.alone_at, self.names)
-        told = [m.plain[n][0] for n in found if cone.issuperset(names_of[n]) and self._is_told(names_of[n])]
-        return told, [m.mixed[n][0] for n in _at(self._local.places.mixed_at, self.names)]
+        told = [n for n in found if cone.issuperset(names_of[n])]
+        if self._truncated and self._far:
+            told = [n for n in told if self._is_told(names_of[n])]
+        return [m.plain[n][0] for n in told], [m.mixed[n][0] for n in _at(self._local.places.mixed_at, self.names)]
 
     def clauses(self) -> list[GuardedClause]:
         """The guarded clauses of which all names are in the cone.
@@ -156,13 +152,11 @@ class _Partition:
         self.blocks: list[int] = []
         self.alone: dict[int, int] = {}
         """Blocks of one member that goals speak of, and all members that are like it: the rest is the block after."""
-        self.guarded: dict[Name, list[GuardedClause]] = {}
-        """The guarded clauses of which the abstraction has all names, by their family."""
+        self.told = frozenset(clauses)
+        """The guarded clauses of which the abstraction has all names."""
         self.whole: dict[Name, int] = {}
         """By family the members of which the abstraction can tell the definition, all of it."""
         self.nodes: dict[Expr, Occurrences] = {}
-        for t in clauses:
-            self.guarded.setdefault(t.family, []).append(t)
         self._refine(focus, kept, clauses)
 
     def _refine(self, focus: Focus, kept: Iterable[Expr], clauses: Sequence[GuardedClause]) -> None:
@@ -181,12 +175,11 @@ class _Partition:
         every = 0
         for some in marks:
             every |= some
-        told = set(clauses)
-        fulls = list(self._local.clauses.full_at.get(None, ()))
-        fulls += [f for t in told for f in self._local.clauses.full_at.get(t, ()) if told.issuperset(f.named)]
+        told, full_at = self.told, self._local.clauses.full_at
+        fulls = [f for t in (None, *clauses) for f in full_at.get(t, ()) if told.issuperset(f.named)]
         for f in fulls:
             self.whole[f.family] = self.whole.get(f.family, 0) | f.members
-        guarded = [t.members for those in self.guarded.values() for t in those]
+        guarded = [t.members for t in clauses]
         classes = [every] if every else []
         cuts = dict.fromkeys(
             [some & every for some in (*marks, *guarded, *self._local.clauses.bare, *(f.members for f in fulls))]
@@ -219,7 +212,8 @@ class _Quotient:
         facts, mixed = cone.collect()
         meaning = self._members.meaning
         defined = {v: meaning[v] for v in cone.names if v in meaning}
-        kept = [*(x for _, x in focus.whole), *defined.values(), *mixed]
+        speak = [v for v in defined if self._local.places.leads[v][1]]
+        kept = [*(x for _, x in focus.whole), *(defined[v] for v in speak), *mixed]
         self._parts = _Partition(self._local, focus, kept, cone.clauses())
         asked: list[tuple[Expr, tuple[int, ...]]] = [(self._merged(x), (n,)) for n, x in focus.whole]
         for x, numbers in focus.pieces:
@@ -227,8 +221,9 @@ class _Quotient:
                 if (those & -those).bit_length() - 1 in numbers:
                     goals = {n: None for i in bits_of(those) for n in numbers[i]}
                     asked.append((self._over(x, block), tuple(goals)))
-        self._definitions |= {v: self._merged(x) for v, x in defined.items()}
-        self._facts += [*facts, *map(self._merged, mixed)]
+        self._definitions |= defined
+        self._definitions |= {v: self._merge(defined[v]) for v in speak}
+        self._facts += [*facts, *map(self._merge, mixed)]
         told: set[IndexedVariable] = set()
         while len(told) < len(self._reached):
             for key in [k for k in self._reached if k not in told]:
@@ -280,16 +275,14 @@ class _Quotient:
         i = first.bit_length() - 1
         single = members == first
         x = self._use(family, block)
-        mine = [t for t in self._parts.guarded.get(family, ()) if t.members & first]
-        defining = self._members.defining.get((family, i)) or []
+        said = [*self._members.telling.get((family, i), ())]
+        defining = self._members.defining.get((family, i)) or ()
         if single and self._parts.whole.get(family, 0) & first:
             self._definitions[x.name] = conj(self._over(t.expr, block) for t in defining)
         else:
-            told = set(mine)
-            self._imply([t for t in defining if (t in told or not t.names) and (single or t.lifts)], block)
-        facts = [t for t in self._members.telling.get((family, i), ()) if not t.names]
-        facts += [t for t in mine if t.kind is not _DEFINED]
-        self._imply([t for t in facts if single or t.lifts], block)
+            said += defining
+        told = self._parts.told
+        self._imply([t for t in said if (t in told or not t.names) and (single or t.lifts)], block)
 
     def _imply(self, guarded: Iterable[GuardedClause], block: int) -> None:
         """A block's variable implies what is said of its members."""
