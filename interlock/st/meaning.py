@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Generic, Protocol, TypeVar
 
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, eq, neg, var
@@ -28,6 +29,7 @@ from interlock.st.ast import (
     Statement,
     Time,
     Unit,
+    node,
 )
 
 V = TypeVar("V")
@@ -285,21 +287,27 @@ class Numbers:
         return x
 
 
-@dataclass(frozen=True)
+@node
 class Constant:
     """An integer or time constant in symbolic execution."""
 
     value: int
 
 
-@dataclass(frozen=True)
+@cache
+def constant(value: int) -> Constant:
+    """The constant of a value: one object, so that what holds many is soon compared."""
+    return Constant(value)
+
+
+@node
 class Symbol:
     """A named integer in symbolic execution."""
 
     name: str
 
 
-@dataclass(frozen=True)
+@node
 class Cases:
     """An integer by cases in symbolic execution: the value beside the first condition that holds, else the last."""
 
@@ -335,7 +343,7 @@ class Symbols:
         """Constants."""
         if isinstance(x, Bool):
             return TRUE if x.value else FALSE
-        return Constant(x.ms if isinstance(x, Time) else x.value)
+        return constant(x.ms if isinstance(x, Time) else x.value)
 
     def _bool(self, x: Term) -> Expr:
         if not isinstance(x, Expr):
