@@ -398,29 +398,31 @@ class _Reader:
 
     def expression(self) -> Expression:
         tokens, variables = self.tokens, self._variables
-        began, op = self.at, ""
+        began = at = self.at
+        op = ""
         args: list[Expression] = []
         while True:
-            at = self.at
             negated = tokens[at] == "NOT"
-            at += negated
-            known = variables.get(tokens[at])
-            word = tokens[at + 1]
+            known = variables.get(tokens[at + negated])
+            word = tokens[at + negated + 1]
             if known is not None and word in _AFTER:  # most of a text: a variable that was met, negated or not
-                self.at = at + 1
+                at += negated + 1
                 args.append(known[negated])
             else:
+                self.at = at
                 args.append(self._comparison())
-                word = tokens[self.at]
+                at = self.at
+                word = tokens[at]
             if word != op or not op:
                 word = word.upper()
                 if word not in _JOINING:
+                    self.at = at
                     return Nary(op, tuple(args)) if op else args[0]
                 if op and word != op:
                     self.at = began  # several kinds without brackets between them
                     return self._joined("OR", self._exclusive)
                 op = word
-            self.at += 1
+            at += 1
 
     def _exclusive(self) -> Expression:
         return self._joined("XOR", self._all)
