@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import cache
 from typing import Generic, Protocol, TypeVar
 
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, eq, neg, var
@@ -294,12 +293,6 @@ class Constant:
     value: int
 
 
-@cache
-def constant(value: int) -> Constant:
-    """The constant of a value: one object, so that what holds many is soon compared."""
-    return Constant(value)
-
-
 @node
 class Symbol:
     """A named integer in symbolic execution."""
@@ -343,7 +336,7 @@ class Symbols:
         """Constants."""
         if isinstance(x, Bool):
             return TRUE if x.value else FALSE
-        return constant(x.ms if isinstance(x, Time) else x.value)
+        return Constant(x.ms if isinstance(x, Time) else x.value)
 
     def _bool(self, x: Term) -> Expr:
         if not isinstance(x, Expr):

@@ -23,7 +23,7 @@ from interlock.logic.controller import Controller
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, eq, neg, var
 from interlock.logic.names import spelled
 from interlock.proof.equivalence.structured_text import Difference, Scan, Translation, compare_scan, wires, words
-from interlock.st.meaning import Cases, Symbol, Symbols, Term, constant
+from interlock.st.meaning import Cases, Constant, Symbol, Symbols, Term
 
 
 class BadRuntime(Exception):
@@ -231,7 +231,7 @@ class _Reader:
                 return told[part]
             if not part.isdigit() or str(int(part)) != part:
                 raise self._bad(f"{part[:60]!r} is no word and no number")
-            return constant(int(part))
+            return Constant(int(part))
 
         cases = tuple((self._value(c), value(v)) for c, v in zip(parts[:-1:2], parts[1::2], strict=True))
         return Cases(cases, value(parts[-1]))

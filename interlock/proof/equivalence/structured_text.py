@@ -26,7 +26,7 @@ from interlock.proof.engines.minisat import MiniSat
 from interlock.proof.engines.tseitin import Cnf
 from interlock.st.ast import Unit
 from interlock.st.dialects import BY_NAME, Dialect, Files
-from interlock.st.meaning import BadText, Cases, Constant, Execution, Instance, Symbol, Symbols, Term, constant
+from interlock.st.meaning import BadText, Cases, Constant, Execution, Instance, Symbol, Symbols, Term
 from interlock.st.parser import NotInSubset
 from interlock.st.restart import RESTART
 
@@ -150,7 +150,7 @@ def words(controller: Controller) -> dict[str, Term]:
     for w in controller.words.words:
         for value in (*[c.value for c in w.cases], w.otherwise):
             if value not in told:
-                told[value] = constant(value) if isinstance(value, int) else Symbol(value)
+                told[value] = Constant(value) if isinstance(value, int) else Symbol(value)
         found[w.name] = Cases(tuple([(put(c.condition), told[c.value]) for c in w.cases]), told[w.otherwise])
     return found
 
