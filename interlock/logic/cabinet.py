@@ -302,7 +302,8 @@ class _Room:
         if not new:
             return
         own = [c for c in self.cards if (c.substation, c.direction) == (station, direction)]
-        while (len(new) + self._used(own)) * (1 + SPARE) > len(own) * CARD:
+        count = len(new) + self._used(own)
+        while count * (1 + SPARE) > len(own) * CARD:
             slot = 1 + max((c.slot for c in self.cards if c.substation == station), default=0)
             own.append(Card(station, slot, direction, self._first(direction)))
             self._add(own[-1])
