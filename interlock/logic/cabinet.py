@@ -302,8 +302,7 @@ class _Room:
         if not new:
             return
         own = [c for c in self.cards if (c.substation, c.direction) == (station, direction)]
-        count = len(new) + self._used(own)
-        while count * (1 + SPARE) > len(own) * CARD:
+        while (len(new) + self._used(own)) * (1 + SPARE) > len(own) * CARD:
             slot = 1 + max((c.slot for c in self.cards if c.substation == station), default=0)
             own.append(Card(station, slot, direction, self._first(direction)))
             self._add(own[-1])

@@ -224,7 +224,7 @@ class _Released:
     """
 
     def __init__(self, b: Block, main: bool, blocks: Mapping[str, Block], known: Mapping[str, Declaration]) -> None:
-        self.b, self.blocks = b, blocks
+        self.b, self.main, self.blocks = b, main, blocks
         own = [d for n, d in known.items() if main and n not in (GIVEN, SHOWN)]
         self.seen = (*b.handed, *own)
         self.structures = {d.name for d in self.seen}
@@ -249,6 +249,8 @@ class _Released:
         called = [s.instance for s in self.b.body if isinstance(s, Call)]
         if left := [n for n in self.instances if called.count(n) != 1]:
             raise NotInSubset(f"{self.b.name}: {left[0]} is not called once")
+        if self.main and len(self.instances) < len(body):  # members would be variables of its own there
+            raise NotInSubset(f"{self.b.name} does something else than call blocks")
         own = (*self.own, *(Declaration(n, kind) for n, kind in self.instances.items()))
         return Block(self.b.name, (), (), own, body, handed=self.seen)
 
