@@ -114,6 +114,16 @@ EDITS: dict[str, tuple[str, str]] = {
         r"(?s)  B01 : IL_fig2_2_B01;[^\n]*\n(.*?)  B01\([^)]*\);",
         r"\1  IL_fig2_2_B01();",
     ),
+    "called a second time by a type in small letters": (
+        r"(  B01 : IL_fig2_2_B01;)((?s:.*?)  B01\([^)]*\);)",
+        r"\1\n  X : il_fig2_2_b01;\2\n  X();",
+    ),
+    "a member without its structure": (r"(  G01\(INP := INP)", r"  RSTI := FALSE;\n\1"),
+    "an input is written": (r"  (D1\.RSTI := )", r"  INP.VALID := TRUE;\n  \1"),
+    "a structure under another name": (
+        r"(?s)(IL_fig2_2_T01\n.*?\nVAR\n)(.*?IN := )D1\.",
+        r"\1  X : IL_fig2_2_D1;\n\2X.",
+    ),
     "a member of a structure that the block does not get": (r"(?s)(IL_fig2_2_T01\n.*?)IN := D1\.", r"\1IN := D2."),
 }
 

@@ -13,13 +13,13 @@ _T = TypeVar("_T")
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
-def _node(cls: type[_T]) -> type[_T]:
+def node(cls: type[_T]) -> type[_T]:
     """A node, which nobody changes: the type checker sees to it.  A large text has a million of them, and a class that
     sees to it itself takes three times as long to make one."""
     return dataclass(slots=True, unsafe_hash=True)(cls)
 
 
-@_node
+@node
 class Name:
     """A variable, or an output of an instance: `x` or `inst.x`."""
 
@@ -30,35 +30,35 @@ class Name:
         return parts[0] if len(parts) == 1 else ".".join(parts)
 
 
-@_node
+@node
 class Bool:
     """TRUE or FALSE."""
 
     value: bool
 
 
-@_node
+@node
 class Int:
     """An integer literal."""
 
     value: int
 
 
-@_node
+@node
 class Time:
     """A time literal in milliseconds."""
 
     ms: int
 
 
-@_node
+@node
 class Not:
     """NOT x."""
 
     arg: Expression
 
 
-@_node
+@node
 class Nary:
     """AND, OR or XOR of two or more; `notes` stand beside the operands as comments."""
 
@@ -67,7 +67,7 @@ class Nary:
     notes: tuple[str, ...] = field(default=(), compare=False)
 
 
-@_node
+@node
 class Compare:
     """A comparison of two integers."""
 
@@ -79,7 +79,7 @@ class Compare:
 Expression = Name | Bool | Int | Time | Not | Nary | Compare
 
 
-@_node
+@node
 class Assign:
     """target := value."""
 
@@ -88,7 +88,7 @@ class Assign:
     note: str = field(default="", compare=False)
 
 
-@_node
+@node
 class Call:
     """instance(param := value, ...)."""
 
@@ -97,7 +97,7 @@ class Call:
     note: str = field(default="", compare=False)
 
 
-@_node
+@node
 class If:
     """IF condition THEN ... ELSIF condition THEN ... ELSE ... END_IF; `elsif`: conditions, and what is done then."""
 
@@ -115,7 +115,7 @@ class If:
 Statement = Assign | Call | If
 
 
-@_node
+@node
 class Declaration:
     """One variable: name, type, initial value, comment, and in a program its address."""
 
@@ -156,7 +156,7 @@ class Block:
         return frozenset(d.name for d in self.outputs)
 
 
-@_node
+@node
 class Task:
     """A CONFIGURATION with one resource, in which one task runs an instance of a program at an interval in ms.
 
@@ -173,7 +173,7 @@ class Task:
     startup: str = ""
 
 
-@_node
+@node
 class Unit:
     """A file: function blocks, callees first; the last one is the interlocking.  `task`: what runs a program.  `index`:
     lines that say in which block what belongs to an element stands."""

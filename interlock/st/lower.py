@@ -247,23 +247,21 @@ def _equation(e: Equation, where: dict[str, Name], extra: list[Declaration]) -> 
     """One equation; more operands than allowed are joined in steps."""
     op = "AND" if e.join is Join.ALL else "OR"
     out: list[Statement] = []
-    operands: list[tuple[Expression, str]] = []
+    operands: list[Expression] = []
+    notes: list[str] = []
     for t in e.terms:
         x = t.expr
         if (x is TRUE or x is FALSE) and len(e.terms) > 1 and (x is TRUE) == (e.join is Join.ALL):
             continue
-        operands.append((_short(x, where, extra, out), _told(t)))
+        operands.append(_short(x, where, extra, out))
+        notes.append(_told(t))
     if not operands:
-        operands = [(Bool(e.join is Join.ALL), "nothing")]
+        operands, notes = [Bool(e.join is Join.ALL)], ["nothing"]
     while len(operands) > MAX_OPERANDS:
-        first, operands = operands[:MAX_OPERANDS], operands[MAX_OPERANDS:]
         temp = _temp(extra)
-        out.append(Assign(temp, Nary(op, tuple(x for x, _ in first), tuple(n for _, n in first))))
-        operands.insert(0, (temp, ""))
-    if len(operands) == 1:
-        value: Expression = operands[0][0]
-    else:
-        value = Nary(op, tuple(x for x, _ in operands), tuple(n for _, n in operands))
+        out.append(Assign(temp, Nary(op, tuple(operands[:MAX_OPERANDS]), tuple(notes[:MAX_OPERANDS]))))
+        operands[:MAX_OPERANDS], notes[:MAX_OPERANDS] = [temp], [""]
+    value = operands[0] if len(operands) == 1 else Nary(op, tuple(operands), tuple(notes))
     out.append(Assign(where[e.name], value, e.note))
     return out
 

@@ -28,6 +28,7 @@ from interlock.st.ast import (
     Statement,
     Time,
     Unit,
+    node,
 )
 
 V = TypeVar("V")
@@ -53,12 +54,20 @@ class Algebra(Protocol[V]):
 
 @dataclass
 class Instance(Generic[V]):
-    """A function block instance: its variables and inner instances."""
+    """A function block instance: its variables and inner instances.
+
+    holder: where members of structures lie that are handed to it (`handed`): itself, or whoever calls it.
+    """
 
     block: Block
     values: dict[str, V]
     inner: dict[str, Instance[V]]
     path: str
+    handed: frozenset[str]
+    holder: Instance[V] = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.holder = self
 
 
 class Execution(Generic[V]):
@@ -71,7 +80,21 @@ class Execution(Generic[V]):
             raise BadText("two blocks of one name")
         if own := STANDARD & set(self.blocks):
             raise BadText(f"the text defines {min(own)} itself")
+        self.lies = self._lies(unit)
         self.main = self._instance(unit.blocks[-1], "")
+
+    def _lies(self, unit: Unit) -> dict[str, str]:
+        """By each member of the structures that are handed on the one name that its structure has everywhere."""
+        types: dict[str, str] = {}
+        for d in (d for b in unit.blocks for d in b.handed):
+            kind = d.type.upper()
+            if types.setdefault(d.name, kind) != kind or kind not in self.blocks or self.blocks[kind].kind != "STRUCT":
+                raise BadText(f"{d.name} is no structure, or several")
+        members = [(d.name, n) for n, kind in types.items() for d in self.blocks[kind].locals]
+        lies = dict(members)
+        if len(lies) < len(members):
+            raise BadText("two members of one name")
+        return lies
 
     def _instance(self, block: Block, path: str) -> Instance[V]:
         values: dict[str, V] = {}
@@ -94,11 +117,13 @@ class Execution(Generic[V]):
                 if d.initial is not None and not isinstance(d.initial, Bool | Int):
                     raise BadText(f"{block.name}: the initial value of {d.name} is no literal")
                 values[d.name] = self.algebra.literal(d.initial if d.initial is not None else default)
-            elif kind in self.blocks:
+            elif kind in self.blocks and self.blocks[kind].kind != "STRUCT":
                 inner[d.name] = self._instance(self.blocks[kind], f"{path}{d.name}.")
             else:
                 raise BadText(f"{block.name}: unknown type {d.type}")
-        return Instance(block, values, inner, path)
+        made = Instance(block, values, inner, path, frozenset(d.name for d in block.handed))
+        _hold(made, made)
+        return made
 
     def scan(self, inputs: Mapping[str, V]) -> dict[str, V]:
         """One call of the main block."""
@@ -116,14 +141,22 @@ class Execution(Generic[V]):
     def _run(self, inst: Instance[V], body: tuple[Statement, ...]) -> None:
         for s in body:
             if isinstance(s, Assign):
-                name = s.target.parts[0]
-                if len(s.target.parts) != 1 or name not in inst.values:
-                    raise BadText(f"{inst.block.name}: cannot assign to {s.target}")
-                inst.values[name] = self.algebra.assigned(name, self._value(inst, s.value))
+                values, name = self._place(inst, s.target)
+                values[name] = self.algebra.assigned(name, self._value(inst, s.value))
             elif isinstance(s, Call):
                 self._invoke(inst, s)
             else:
                 self._branch(inst, s)
+
+    def _place(self, inst: Instance[V], target: Name) -> tuple[dict[str, V], str]:
+        """What is assigned to: a variable of the block, or a member of a structure that is no input."""
+        parts, last, holder = target.parts, target.parts[-1], inst.holder
+        if len(parts) == 1 and last in inst.values:
+            return inst.values, last
+        member = len(parts) == 2 and parts[0] in inst.handed and self.lies.get(last) == parts[0]
+        if member and last in holder.values and last not in holder.block.input_names:
+            return holder.values, last
+        raise BadText(f"{inst.block.name}: cannot assign to {target}")
 
     def _invoke(self, inst: Instance[V], s: Call) -> None:
         given = {n: self._value(inst, x) for n, x in s.params}
@@ -139,35 +172,33 @@ class Execution(Generic[V]):
 
     def _branch(self, inst: Instance[V], s: If) -> None:
         """Each arm is carried out from where all begin; of what they leave behind the first that holds has its way."""
-        a, values = self.algebra, inst.values
+        a = self.algebra
         conditions = [self._value(inst, c) for c, _ in s.arms]
-        targets = _targets(inst.block, s)
-        before = {n: values[n] for n in targets if n in values}
-        left: list[dict[str, V]] = []
+        places = [self._place(inst, n) for n in _targets(inst.block, s).values()]
+        before = [values[n] for values, n in places]
+        left: list[list[V]] = []
         for body in (*(then for _, then in s.arms), s.otherwise):
             self._run(inst, body)
-            left.append({n: values[n] for n in before})
-            values.update(before)
+            left.append([values[n] for values, n in places])
+            for (values, n), v in zip(places, before, strict=True):
+                values[n] = v
         found = left.pop()
         for condition, then in zip(reversed(conditions), reversed(left), strict=True):
-            found = {n: v if then[n] is v else a.choose(condition, then[n], v) for n, v in found.items()}
-        values.update({n: a.assigned(n, v) for n, v in found.items()})
+            found = [v if x is v else a.choose(condition, x, v) for x, v in zip(then, found, strict=True)]
+        for (values, n), v in zip(places, found, strict=True):
+            values[n] = a.assigned(n, v)
 
     def _value(self, inst: Instance[V], x: Expression) -> V:
         a = self.algebra
         if isinstance(x, Name):
-            found = inst.values.get(x.parts[0]) if len(x.parts) == 1 else None
-            return found if found is not None else self._named(inst, x)
+            return self._named(inst, x)
         if isinstance(x, Not):
             return a.neg(self._value(inst, x.arg))
         if isinstance(x, Nary):
             args: list[V] = []
-            values = inst.values
             for y in x.args:
                 z = y.arg if isinstance(y, Not) else y
-                known = values.get(z.parts[0]) if isinstance(z, Name) and len(z.parts) == 1 else None
-                if known is None:
-                    known = self._value(inst, z)
+                known = self._named(inst, z) if isinstance(z, Name) else self._value(inst, z)
                 args.append(known if z is y else a.neg(known))
             return a.nary(x.op, args)
         if isinstance(x, Compare):
@@ -175,23 +206,40 @@ class Execution(Generic[V]):
         return a.literal(x)
 
     def _named(self, inst: Instance[V], x: Name) -> V:
-        """The value of an output of an instance; or the name is unknown."""
-        if len(x.parts) == 2 and x.parts[0] in inst.inner:
-            inner = inst.inner[x.parts[0]]
-            if x.parts[1] not in inner.block.output_names:
+        """The value of a variable, of a member of a structure, or of an output of an instance."""
+        parts = x.parts
+        found: V | None = None
+        if len(parts) == 1:
+            found = inst.values.get(parts[0])
+        elif len(parts) == 2 and parts[0] in inst.handed:
+            if self.lies.get(parts[1]) == parts[0]:
+                found = inst.holder.values.get(parts[1])
+        elif len(parts) == 2 and parts[0] in inst.inner:
+            inner = inst.inner[parts[0]]
+            if parts[1] not in inner.block.output_names:
                 raise BadText(f"{inst.block.name}: {x} is no output")
-            return inner.values[x.parts[1]]
-        if str(x) in inst.values:
-            return inst.values[str(x)]
-        raise BadText(f"{inst.block.name}: unknown name {x}")
+            found = inner.values[parts[1]]
+        else:
+            found = inst.values.get(str(x))
+        if found is None:
+            raise BadText(f"{inst.block.name}: unknown name {x}")
+        return found
 
 
-def _targets(block: Block, s: If) -> dict[str, None]:
+def _hold(inst: Instance[V], holder: Instance[V]) -> None:
+    """What is handed on to a block that an instance calls lies where what is handed to the instance does."""
+    for inner in inst.inner.values():
+        if inst.handed and inner.handed:
+            inner.holder = holder
+            _hold(inner, holder)
+
+
+def _targets(block: Block, s: If) -> dict[tuple[str, ...], Name]:
     """What is written under an IF, where nothing may be called."""
-    found: dict[str, None] = {}
+    found: dict[tuple[str, ...], Name] = {}
     for x in (*(x for _, then in s.arms for x in then), *s.otherwise):
         if isinstance(x, Assign):
-            found[x.target.parts[0]] = None
+            found[x.target.parts] = x.target
         elif isinstance(x, If):
             found |= _targets(block, x)
         else:
@@ -238,21 +286,21 @@ class Numbers:
         return x
 
 
-@dataclass(frozen=True)
+@node
 class Constant:
     """An integer or time constant in symbolic execution."""
 
     value: int
 
 
-@dataclass(frozen=True)
+@node
 class Symbol:
     """A named integer in symbolic execution."""
 
     name: str
 
 
-@dataclass(frozen=True)
+@node
 class Cases:
     """An integer by cases in symbolic execution: the value beside the first condition that holds, else the last."""
 

@@ -128,7 +128,7 @@ class _Reader:
         self.at = 0
         self._variables: dict[str, tuple[Name, Not]] = {}
         """By its token each variable that was met, as it is and negated."""
-        self._good: set[str] = set()
+        self._good: dict[str, str] = {}
         self._plain: dict[str, Declaration] = {}
         self._scan()
 
@@ -171,16 +171,18 @@ class _Reader:
         self.at += 1
 
     def _name(self) -> str:
-        token = self.tokens[self.at]
-        self._check(token)
+        found = self._checked(self.tokens[self.at])
         self.at += 1
-        return token
+        return found
 
-    def _check(self, name: str) -> None:
-        if name not in self._good:
+    def _checked(self, name: str) -> str:
+        """A name, the same object wherever it stands."""
+        found = self._good.get(name)
+        if found is None:
             if not name.isidentifier() or name.upper() in _RESERVED:
                 self._fail("a name")
-            self._good.add(name)
+            found = self._good[name] = name
+        return found
 
     def end(self) -> None:
         """Nothing may follow."""
@@ -328,9 +330,8 @@ class _Reader:
         token, mark = self.tokens[self.at], self.style.local
         if not token.startswith(mark):
             self._fail(f"a variable with {mark}")
-        parts = token[len(mark) :].split(".")
-        for part in parts[bool(mark) :]:
-            self._check(part)
+        first, *rest = token[len(mark) :].split(".")
+        parts = [first if mark else self._checked(first), *map(self._checked, rest)]
         self.at += 1
         if self.tokens[self.at] != ".":
             name = Name(tuple(parts))
@@ -338,10 +339,7 @@ class _Reader:
             return name
         while self.tokens[self.at] == ".":
             self.at += 1
-            more = self.tokens[self.at].split(".")
-            for part in more:
-                self._check(part)
-            parts += more
+            parts += map(self._checked, self.tokens[self.at].split("."))
             self.at += 1
         return Name(tuple(parts))
 
@@ -400,29 +398,31 @@ class _Reader:
 
     def expression(self) -> Expression:
         tokens, variables = self.tokens, self._variables
-        began, op = self.at, ""
+        began = at = self.at
+        op = ""
         args: list[Expression] = []
         while True:
-            at = self.at
             negated = tokens[at] == "NOT"
-            at += negated
-            known = variables.get(tokens[at])
-            word = tokens[at + 1]
+            known = variables.get(tokens[at + negated])
+            word = tokens[at + negated + 1]
             if known is not None and word in _AFTER:  # most of a text: a variable that was met, negated or not
-                self.at = at + 1
+                at += negated + 1
                 args.append(known[negated])
             else:
+                self.at = at
                 args.append(self._comparison())
-                word = tokens[self.at]
+                at = self.at
+                word = tokens[at]
             if word != op or not op:
                 word = word.upper()
                 if word not in _JOINING:
+                    self.at = at
                     return Nary(op, tuple(args)) if op else args[0]
                 if op and word != op:
                     self.at = began  # several kinds without brackets between them
                     return self._joined("OR", self._exclusive)
                 op = word
-            self.at += 1
+            at += 1
 
     def _exclusive(self) -> Expression:
         return self._joined("XOR", self._all)

@@ -179,7 +179,7 @@ class _Body:
 
     def assign(self, s: Assign, indent: str) -> list[str]:
         """An assignment; operands with notes stand on lines of their own."""
-        head = f"{indent}{self.local}{s.target} :="
+        head = f"{indent}{self.expression(s.target, 0)} :="
         notes = s.value.notes if isinstance(s.value, Nary) else ()
         line = "" if any(notes) else f"{head} {self.expression(s.value, 0)};"
         told = f" {comment(s.note)}" if s.note else ""

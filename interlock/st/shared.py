@@ -13,8 +13,7 @@ block's own variable, or in the mapping program a terminal.
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
@@ -263,12 +262,13 @@ def flat(unit: Unit, several: bool = False) -> Unit:
     The blocks' statements stand in the order in which they are carried out; what is temporary in a block has a name
     that no text can have, so that nobody else reads it.
     """
+    by_name: dict[str, Block] = {}
+    for b in unit.blocks:
+        if by_name.setdefault(b.name.upper(), b) is not b:
+            raise NotInSubset(f"{b.name} is there twice")
     main = unit.blocks[0].name.removesuffix(INPUTS)
-    data = {b.name: b.locals for b in unit.blocks if b.kind == "DATA_BLOCK"}
-    if left := [main + x for x in NOTES if main + x not in data]:
-        raise NotInSubset(f"no data block {left[0]}")
     called: set[str] = set()
-    core = Core(unit, main, called, {x: {main + x: data[main + x]} for x in NOTES}, lambda _: data)
+    core = _Core(unit, main, called)
     block = core.block()
     programs = [b for b in unit.blocks if b.name == f"{main}_IO"]
     rest = [b for b in unit.blocks if b.kind == "WIRES"]
@@ -276,18 +276,17 @@ def flat(unit: Unit, several: bool = False) -> Unit:
     if {b.name for b in unit.blocks if b.kind == "DATA_BLOCK"} != known:
         raise NotInSubset(f"data blocks are not {', '.join(sorted(known))}")
     if not programs and not rest:
-        all_called(unit, called)
+        _all_called(unit, called)
         return Unit((block,), task=unit.task)
     if len(programs) != 1 or len(rest) != 1:
         raise NotInSubset("not one mapping program with its terminals")
     program = _Program(unit, main, called, rest[0].locals, several).block(programs[0])
-    all_called(unit, called | {programs[0].name})
+    _all_called(unit, called | {programs[0].name})
     helpers = [b for b in unit.blocks if b.kind == "FUNCTION_BLOCK" and b.name not in core.timing]
     return Unit((*helpers, block, program), task=unit.task)
 
 
-def all_called(unit: Unit, called: set[str]) -> None:
-    """Raises `NotInSubset` for what is never called."""
+def _all_called(unit: Unit, called: set[str]) -> None:
     left = [b.name for b in unit.blocks if b.kind in ("FUNCTION", "INSTANCE") and b.name not in called]
     if left:
         raise NotInSubset(f"{left[0]} is never called")
@@ -371,28 +370,16 @@ class _Walk:
         self.called.add(name)
 
 
-class Core(_Walk):
-    """The interlocking as one function block.
+class _Core(_Walk):
+    """The interlocking as one function block."""
 
-    data: by the part of it, and by the names by which blocks know them, the variables that lie together.  seen: the
-    names of these that a block may use.
-    """
-
-    def __init__(
-        self,
-        unit: Unit,
-        main: str,
-        called: set[str],
-        data: Mapping[str, Mapping[str, Sequence[Declaration]]],
-        seen: Callable[[Block], Collection[str]],
-    ) -> None:
+    def __init__(self, unit: Unit, main: str, called: set[str]) -> None:
         super().__init__(unit, main, called)
-        names = [b.name.upper() for b in unit.blocks]
-        if twice := [n for n, times in Counter(names).items() if times > 1]:
-            raise NotInSubset(f"{twice[0]} is there twice")
-        self.seen = seen
-        self.inputs, self.outputs, inner = (tuple([d for ds in data[x].values() for d in ds]) for x in NOTES)
-        self.members = {d.name: (n, pair(d.name)) for part in data.values() for n, ds in part.items() for d in ds}
+        try:
+            self.inputs, self.outputs, inner = (self.data[main + x] for x in NOTES)
+        except KeyError as missing:
+            raise NotInSubset(f"no data block {missing}") from missing
+        self.members = {d.name: (main + x, pair(d.name)) for x in NOTES for d in self.data[main + x]}
         if len(self.members) != len(self.inputs) + len(self.outputs) + len(inner):
             raise NotInSubset("two variables of one name")
         self.given = {d.name for d in self.inputs}
@@ -418,13 +405,13 @@ class Core(_Walk):
                 raise NotInSubset(f"{b.name}: {d.name} is declared twice, or otherwise than as its own")
             own[d.name] = d.name if d.type == "TON" else f"{b.name} {d.name}"
             self.locals.append(Declaration(own[d.name], d.type, None, d.note, d.address))
-        seen, members = self.seen(b), self.members
+        members = self.members
 
         def place(parts: tuple[str, ...]) -> tuple[Name, Not]:
             first, last = parts[0], parts[-1]
             if first in own and (len(parts) == 1 or last == "Q"):
                 return pair(own[first], *parts[1:])
-            if len(parts) == 2 and last in members and members[last][0] == first and first in seen:
+            if len(parts) == 2 and last in members and members[last][0] == first:
                 return members[last][1]
             raise NotInSubset(f"{b.name}: {Name(parts)} is not declared")
 

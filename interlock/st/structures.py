@@ -2,8 +2,8 @@
 
 A main block that hands each value on grows with the station.  Here inputs, outputs and words, and all that is computed
 or kept are members of a structure each (`_I`, `_Q`, `_D`); every block gets those that it uses as VAR_IN_OUT, and none
-a value.  What belongs where, and which group calls what, is as in the data blocks of `interlock.st.shared`, by way of
-which a text is also read back.  The main block gets inputs and outputs from whoever calls it, and holds the rest.
+a value.  What belongs where, and which group calls what, is as in the data blocks of `interlock.st.shared`.  The main
+block gets inputs and outputs from whoever calls it, and holds the rest.
 
 What is computed or kept lies in several structures (`_D1`, `_D2`, ...) where one would have more than MEMBERS members:
 a compiler that carries out VAR_IN_OUT by copying keeps a copy of each structure in each block that gets it.  What the
@@ -25,10 +25,8 @@ from interlock.st.shared import (
     INPUTS,
     NOTES,
     OUTPUTS,
-    Core,
+    PLAIN,
     Renaming,
-    all_called,
-    instance,
     members,
     names_in,
     pair,
@@ -163,8 +161,12 @@ def _program(program: Block, main: str) -> Block:
 
 
 def plain(unit: Unit) -> Unit:
-    """What a unit of this form does, as one function block with parameters, with its mapping program, or the mapping
-    program alone; raises `NotInSubset`."""
+    """What a unit of this form does, its main block with inputs and outputs as parameters, with its mapping program, or
+    the mapping program alone; raises `NotInSubset`.
+
+    The blocks that the main block calls stay as they are, and so do the structures: each has one name everywhere, and
+    its members are the variables of the main block.
+    """
     names = [b.name.upper() for b in unit.blocks]
     if twice := [n for n, times in Counter(names).items() if times > 1 or n in STANDARD]:
         raise NotInSubset(f"{twice[0]} is there twice, or a type that every tool has")
@@ -187,31 +189,42 @@ def plain(unit: Unit) -> Unit:
     if set(structures) != {main + x for x in named(len(structures) - 2).values()}:
         raise NotInSubset("structures are not those of inputs, outputs and all else")
     there = {n: structures[main + ending] for n, ending in named(len(structures) - 2).items()}
-    released = Unit(tuple(_released(main, {n: Declaration(n, s.name) for n, s in there.items()}, core)))
-    given, shown, *rest = ((n, s.locals) for n, s in there.items())
-    data = {INPUTS: dict([given]), OUTPUTS: dict([shown]), INNER: dict(rest)}
-    called: set[str] = set()
-    block = Core(released, main, called, data, lambda b: {d.name for d in b.handed}).block()
-    all_called(released, called)
-    return Unit((*helpers, block, *program), task=unit.task)
-
-
-def _released(main: str, known: Mapping[str, Declaration], core: Sequence[Block]) -> Iterator[Block]:
-    """The blocks as if they saw their structures (`handed`) without being handed them, and the instances of those with
-    timers.  known: all structures, in the order in which they are handed on."""
+    known = {n: Declaration(n, s.name) for n, s in there.items()}
     blocks = {b.name: b for b in core}
-    for b in core:
-        made = _Released(b, b.name == main, blocks, known).block()
-        yield made
-        if made.kind == "FUNCTION_BLOCK":
-            yield Block(instance(b.name), (), (), (Declaration("OF", b.name),), (), kind="INSTANCE")
+    _each_once(main, blocks)
+    made = {b.name: _Released(b, b.name == main, blocks, known).block() for b in core}
+    whole = made.pop(main)
+    given, shown, *rest = (s.locals for s in there.values())
+    own = (*(d for part in rest for d in part), *whole.locals)
+    whole = Block(main, given, shown, own, whole.body, handed=whole.handed)
+    return Unit((*helpers, *there.values(), *made.values(), whole, *program), task=unit.task)
+
+
+def _each_once(main: str, blocks: Mapping[str, Block]) -> None:
+    """Each block but the main one has one instance, in one other block; raises `NotInSubset`."""
+    if main not in blocks:
+        raise NotInSubset(f"no block {main}")
+    called = {main}
+    todo = [main]
+    while todo:
+        for d in blocks[todo.pop()].locals:
+            if d.type in called:
+                raise NotInSubset(f"{d.type} is called twice")
+            if d.type in blocks:
+                called.add(d.type)
+                todo.append(d.type)
+    if left := [n for n in blocks if n not in called]:
+        raise NotInSubset(f"{left[0]} is never called")
 
 
 class _Released:
-    """A block of this form on its way back; `main`: it is the one that holds the rest."""
+    """A block of this form on its way back; `main`: it is the one that holds the rest.
+
+    known: all structures, in the order in which they are handed on.
+    """
 
     def __init__(self, b: Block, main: bool, blocks: Mapping[str, Block], known: Mapping[str, Declaration]) -> None:
-        self.b, self.blocks = b, blocks
+        self.b, self.main, self.blocks = b, main, blocks
         own = [d for n, d in known.items() if main and n not in (GIVEN, SHOWN)]
         self.seen = (*b.handed, *own)
         self.structures = {d.name for d in self.seen}
@@ -226,32 +239,28 @@ class _Released:
             or len(set(names)) != len(names)
             or {d.name for d in b.locals if known.get(d.name) == d} != {d.name for d in own}
             or any(d.initial is not None or d.address for d in b.locals)
+            or any(d.type not in PLAIN for d in self.own)
         ):
             raise NotInSubset(f"{b.name}: declared otherwise than as a block of this form")
 
     def block(self) -> Block:
-        """It, with calls as in a unit with data blocks."""
+        """It, without saying at each call that all structures are handed on."""
         body = tuple([self._called(s) if isinstance(s, Call) else s for s in self.b.body])
         called = [s.instance for s in self.b.body if isinstance(s, Call)]
         if left := [n for n in self.instances if called.count(n) != 1]:
             raise NotInSubset(f"{self.b.name}: {left[0]} is not called once")
-        kind = "FUNCTION_BLOCK" if _timed(self.b) else "FUNCTION"
-        return Block(self.b.name, (), (), tuple(self.own), body, kind=kind, handed=self.seen)
+        if self.main and len(self.instances) < len(body):  # members would be variables of its own there
+            raise NotInSubset(f"{self.b.name} does something else than call blocks")
+        own = (*self.own, *(Declaration(n, kind) for n, kind in self.instances.items()))
+        return Block(self.b.name, (), (), own, body, handed=self.seen)
 
     def _called(self, s: Call) -> Call:
         if s.instance not in self.instances:
-            if all(d.name != s.instance for d in self.own):
-                raise NotInSubset(f"{self.b.name}: {s.instance} is not declared")
             return s
-        kind = self.blocks[self.instances[s.instance]]
-        handed = [d.name for d in kind.handed]
+        handed = [d.name for d in self.blocks[self.instances[s.instance]].handed]
         if s.params != tuple((n, Name((n,))) for n in handed) or not self.structures.issuperset(handed):
             raise NotInSubset(f"{self.b.name}: {s.instance} is handed something else than its structures")
-        return Call(instance(kind.name) if _timed(kind) else kind.name, ())
-
-
-def _timed(b: Block) -> bool:
-    return any(d.type == "TON" for d in b.locals)
+        return Call(s.instance, ())
 
 
 def _mapping(program: Block, main: str) -> Block:

@@ -18,10 +18,10 @@ WIDTH = 120  # columns of lines that hold several names
 def _code(x: Expr, outer: bool = False, kept: Collection[Name] = ()) -> str:
     """An expression; outer: something stands before or behind it that binds more strongly than `and` and `or`; kept:
     the state, where its value after the scan is meant."""
-    if x is TRUE or x is FALSE:
-        return str(x is TRUE)
     if x.op is VAR:
         return computed(x.name) if x.name in kept else x.name
+    if x is TRUE or x is FALSE:
+        return str(x is TRUE)
     if x.op is EQ:
         return f"({x.name} == {x.value})"
     if x.op is NOT:
