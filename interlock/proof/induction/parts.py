@@ -12,9 +12,10 @@ from __future__ import annotations
 
 from collections import Counter, deque
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property, partial
 from itertools import chain
+from typing import NamedTuple
 
 from interlock.logic.expr import TRUE, Expr, variables
 from interlock.logic.names import Name
@@ -36,8 +37,7 @@ SAMPLE, RUN = 16, 100  # so many runs of so many goals tell how much the goals o
 HUB = 60  # a variable in more facts than this says nothing about what lies together
 
 
-@dataclass(frozen=True, slots=True)
-class Goal:
+class Goal(NamedTuple):
     """What is to be shown: an expression about a step, or about the state one step later."""
 
     expr: Expr
@@ -342,7 +342,7 @@ class Inquiry:
             self.found[n] = answer
         for goals in question.equal if isinstance(question, Question) else ():
             for n, answer in zip(goals, answers, strict=True):
-                self.found[n] = replace(answer, seconds=0.0)
+                self.found[n] = Decision(answer.follows, 0.0)
 
     def _conclude(self) -> None:
         """What all batches have shown follows."""
