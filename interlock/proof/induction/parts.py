@@ -31,6 +31,7 @@ from interlock.proof.system.relation import TransitionRelation
 SMALL = 9_500  # so many goals are asked of one solver
 GOALS = 4000  # in a part: fewer would encode the same definitions more often
 FEW = 800  # at first a part of fewer goals is joined with the next place: neighbours share what they depend on
+LEFT = 8  # afterwards one of fewer: more facts lie around each, and few goals are left at a place
 NEAR = 3000  # a part of a place that depends on more names than this is joined with those of the next places
 LARGE = 8000  # goals of a part that depends on more names than this are first asked of one state, or of one place
 SAMPLE, RUN = 16, 100  # so many runs of so many goals tell how much the goals of a system depend on
@@ -263,7 +264,7 @@ class Inquiry:
         found: dict[str, list[list[int]]] = {}
         wide: list[int] = []
         most = max(1, min(GOALS, -(-len(left) // self.limits.jobs)))
-        for goals, seen in self._parts(FEW if rings == 1 else 1, most):
+        for goals, seen in self._parts(FEW if rings == 1 else LEFT, most):
             if large is not None and len(seen) > large:
                 wide += goals
                 continue
