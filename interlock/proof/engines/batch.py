@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from interlock.logic.expr import Expr, parts_of
 from interlock.logic.names import Name
@@ -18,8 +18,7 @@ from interlock.proof.engines.limits import Limits
 from interlock.proof.engines.plaisted_greenbaum import OneSided
 
 
-@dataclass(frozen=True, slots=True)
-class Decision:
+class Decision(NamedTuple):
     """Whether a goal follows, and the seconds that the question took."""
 
     follows: bool

@@ -12,9 +12,10 @@ from __future__ import annotations
 
 from collections import Counter, deque
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property, partial
 from itertools import chain
+from typing import NamedTuple
 
 from interlock.logic.expr import TRUE, Expr, variables
 from interlock.logic.names import Name
@@ -30,14 +31,14 @@ from interlock.proof.system.relation import TransitionRelation
 SMALL = 9_500  # so many goals are asked of one solver
 GOALS = 4000  # in a part: fewer would encode the same definitions more often
 FEW = 800  # at first a part of fewer goals is joined with the next place: neighbours share what they depend on
+LEFT = 8  # afterwards one of fewer: more facts lie around each, and few goals are left at a place
 NEAR = 3000  # a part of a place that depends on more names than this is joined with those of the next places
 LARGE = 8000  # goals of a part that depends on more names than this are first asked of one state, or of one place
 SAMPLE, RUN = 16, 100  # so many runs of so many goals tell how much the goals of a system depend on
 HUB = 60  # a variable in more facts than this says nothing about what lies together
 
 
-@dataclass(frozen=True, slots=True)
-class Goal:
+class Goal(NamedTuple):
     """What is to be shown: an expression about a step, or about the state one step later."""
 
     expr: Expr
@@ -263,7 +264,7 @@ class Inquiry:
         found: dict[str, list[list[int]]] = {}
         wide: list[int] = []
         most = max(1, min(GOALS, -(-len(left) // self.limits.jobs)))
-        for goals, seen in self._parts(FEW if rings == 1 else 1, most):
+        for goals, seen in self._parts(FEW if rings == 1 else LEFT, most):
             if large is not None and len(seen) > large:
                 wide += goals
                 continue
@@ -342,7 +343,7 @@ class Inquiry:
             self.found[n] = answer
         for goals in question.equal if isinstance(question, Question) else ():
             for n, answer in zip(goals, answers, strict=True):
-                self.found[n] = replace(answer, seconds=0.0)
+                self.found[n] = Decision(answer.follows, 0.0)
 
     def _conclude(self) -> None:
         """What all batches have shown follows."""
