@@ -14,7 +14,7 @@ from interlock.proof.induction import parts
 from interlock.proof.induction.parts import Goal, Inquiry
 from interlock.proof.mutation.weakenings import KINDS
 from interlock.proof.system.transition import System
-from tests.layouts import grown
+from tests.layouts import built, grown
 
 A, B, C, X, Y, Z = (var(n) for n in "abcxyz")
 
@@ -111,3 +111,20 @@ def test_parts_do_not_grow_with_a_line(monkeypatch: pytest.MonkeyPatch) -> None:
         inquiry = inquiry_of(System(made[0], lower(made[0], made[1])), monkeypatch, 3000)
         largest.append(max(len(seen) for _, seen in inquiry._parts(1, parts.GOALS)))
     assert largest[1] < 1.2 * largest[0]
+
+
+@pytest.mark.parametrize("jobs", [1, 3])
+def test_goals_of_a_small_system_are_asked_beside_each_other(monkeypatch: pytest.MonkeyPatch, jobs: int) -> None:
+    """No process waits for one that asks them all, and no solver is told what all of them say."""
+    layout, _, controller = built("fig2_1")
+    system = System(layout, controller)
+    kept = [i.expr for i in strengthening(Facts(system))]
+    goals = [Goal(x, later=True) for x in kept] + [Goal(c.expr) for c in claims(Facts(system))] + [Goal(neg(TRUE))]
+    monkeypatch.setattr(parts, "TOGETHER", len(goals) // 2 + 1)
+    inquiry = Inquiry(system.relation, system.where, kept, goals, Limits(jobs=jobs))
+    first = inquiry.first()
+    assert sorted(n for q in first for n in q.goals) == [n for n, g in enumerate(goals) if g.expr is not TRUE]
+    assert len(first) == max(2, jobs)
+    for q in first:
+        inquiry.note(q, inquiry.ask(q))
+    assert [n for n, d in enumerate(inquiry.found) if not d.follows] == [len(goals) - 1]

@@ -255,6 +255,7 @@ def choice(name: Name) -> Name:
 
 def computed(name: Name) -> Name:
     """Where the text of a program computes the next value of a state variable."""
+    name = spelled(name)
     found = name._computed
     if found is None:
         found = name._computed = _of_form(Form.COMPUTED, name)

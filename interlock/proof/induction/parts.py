@@ -28,7 +28,8 @@ from interlock.proof.induction.one_state import OfState, States
 from interlock.proof.system.neighbourhood import Neighbourhood
 from interlock.proof.system.relation import TransitionRelation
 
-SMALL = 9_500  # so many goals are asked of one solver
+SMALL = 9_500  # so many goals are asked with all facts
+TOGETHER = 2_000  # goals at most of a question with all facts: its solver reads the denials of all of them
 GOALS = 4000  # in a part: fewer would encode the same definitions more often
 FEW = 800  # at first a part of fewer goals is joined with the next place: neighbours share what they depend on
 LEFT = 8  # afterwards one of fewer: more facts lie around each, and few goals are left at a place
@@ -259,7 +260,9 @@ class Inquiry:
         """
         left = [n for n, d in enumerate(self.found) if not d.follows]
         if not left or not rings:
-            return [Question(left, 0)] if left else []
+            count = max(self.limits.jobs, -(-len(left) // TOGETHER))
+            size = max(1, -(-len(left) // count))
+            return [Question(left[k : k + size], 0) for k in range(0, len(left), size)]
         self.parts.prepare()
         found: dict[str, list[list[int]]] = {}
         wide: list[int] = []
@@ -317,7 +320,7 @@ class Inquiry:
             yield goals, seen
 
     def first(self) -> list[Asked]:
-        """The questions to begin with: one of all goals where they are few."""
+        """The questions to begin with: with all facts where the goals are few."""
         left = [n for n, d in enumerate(self.found) if not d.follows]
         if self._is_wide(left):
             return self._wide(left)
