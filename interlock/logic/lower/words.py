@@ -13,7 +13,7 @@ from itertools import chain
 from interlock.diag.called import called
 from interlock.logic import names, rules
 from interlock.logic.controller import Equation, Join, Term
-from interlock.logic.expr import AND, FALSE, NOT, OR, TRUE, VAR, Expr, conj, disj, neg, var
+from interlock.logic.expr import AND, FALSE, NOT, OR, TRUE, VAR, Expr, conj, disj, neg, parts_of, var
 from interlock.logic.lower.draft import Draft
 from interlock.logic.names import Family, Name, computed
 from interlock.logic.sentences import RULES, SENTENCES, about, sentence
@@ -221,14 +221,11 @@ class _Writer:
 
 def conditions(x: Expr) -> Iterator[Expr]:
     """The parts of a term that must all hold."""
-    if x.op is AND:
-        for y in x.args:
-            yield from conditions(y)
-    elif x.op is NOT and x.args[0].op is OR:
-        for y in x.args[0].args:
-            yield from conditions(neg(y))
-    else:
+    parts = parts_of(x)
+    if not parts:
         yield x
+    for y in parts:
+        yield from conditions(y)
 
 
 def fails(x: Expr) -> Expr:

@@ -24,7 +24,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
-from interlock.logic.expr import AND, NOT, OR, TRUE, Expr, disj, eq, implies, neg, var
+from interlock.logic.expr import OR, TRUE, Expr, disj, eq, implies, neg, parts_of, var
 from interlock.logic.names import Name
 from interlock.proof.claims import Claim, Invariant
 from interlock.proof.system.relation import TransitionRelation
@@ -36,25 +36,16 @@ def split(x: Expr) -> list[Expr]:
 
     A conjunction falls into its parts; a disjunction with one conjunction in it is distributed over that one.
     """
-    together = _conjuncts(x)
-    if together is not None:
+    together = parts_of(x)
+    if together:
         return [y for a in together for y in split(a)]
     if x.op is OR:
-        inner = [(i, c) for i, a in enumerate(x.args) if (c := _conjuncts(a)) is not None]
+        inner = [(i, c) for i, a in enumerate(x.args) if (c := parts_of(a))]
         if len(inner) == 1:
             i, those = inner[0]
             rest = x.args[:i] + x.args[i + 1 :]
             return [y for b in those for y in split(disj((*rest, b)))]
     return [] if x is TRUE else [x]
-
-
-def _conjuncts(x: Expr) -> Sequence[Expr] | None:
-    """The parts of a conjunction, or None."""
-    if x.op is AND:
-        return x.args
-    if x.op is NOT and x.args[0].op is OR:
-        return [neg(a) for a in x.args[0].args]
-    return None
 
 
 def halves(name: Name, x: Expr) -> list[Expr]:
