@@ -3,6 +3,8 @@
 Each run is a process of its own with two processes for the induction (`-j 2`), witnesses and comparison of the texts
 included; the growth exponent is that of the seconds between two sizes of one kind.  How quick the machine is at that
 time, a loop tells that is the same before each run.
+
+`python -m benchmarks.scale --older FOLDER` times `prove` in turn with an older version that is unpacked in a folder.
 """
 
 from __future__ import annotations
@@ -17,6 +19,7 @@ import sys
 import tempfile
 import time
 from pathlib import Path
+from statistics import median
 
 from interlock.app.init import line, yard
 
@@ -60,11 +63,53 @@ def run(path: Path, *more: str) -> tuple[float, float, dict[str, object]]:
     return seconds, used.ru_maxrss / 1024 / 1024, body
 
 
+PAIRED = (("cn6502", 7), ("yard 124", 5), ("yard 372", 1), ("line 250", 1))
+"""What is timed in turn with an older version, and how often."""
+
+
+def timed(version: Path, path: Path) -> tuple[float, float]:
+    """Seconds on the clock and of processor time of `prove` of a version."""
+    args = [sys.executable, "-m", "interlock.cli.main", "prove", str(path), "-j", "2"]
+    own = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"} | {"PYTHONPATH": str(version)}
+    began = time.perf_counter()
+    child = subprocess.Popen(args, cwd=version, env=own, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    _, status, used = os.wait4(child.pid, 0)
+    child.returncode = os.waitstatus_to_exitcode(status)
+    if child.returncode:
+        raise SystemExit(f"{version} does not prove {path}")
+    return time.perf_counter() - began, used.ru_utime + used.ru_stime
+
+
+def compare(older: Path) -> None:
+    """Both versions in turn, each on its own cn6502 and on the same yards and lines; each once beforehand, so that
+    Python has its compiled modules."""
+    print("| layout | older, s | now, s | ratio, median (processor) | pairs |\n|---|---|---|---|---|")
+    with tempfile.TemporaryDirectory() as folder:
+        for name, count in PAIRED:
+            paths = [version / "layouts" / f"{name}.yaml" for version in (older, TOP)]
+            if " " in name:
+                kind, size = name.split()
+                paths = [Path(folder) / f"{kind}{size}.yaml"] * 2
+                paths[0].write_text(line(int(size)) if kind == "line" else yard(int(size)))
+            else:
+                timed(older, paths[0]), timed(TOP, paths[1])
+            pairs = [(timed(older, paths[0]), timed(TOP, paths[1])) for _ in range(count)]
+            clock, processor = (median(new[k] / old[k] for old, new in pairs) for k in (0, 1))
+            before, now = (median(pair[k][0] for pair in pairs) for k in (0, 1))
+            print(f"| {name} | {before:.2f} | {now:.2f} | {clock:.2f} ({processor:.2f}) | {count} |", flush=True)
+
+
 def main() -> None:
     """Print the page."""
     parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--older", type=Path, help="the folder of an older version, to be timed in turn with this one")
     parser.add_argument("--most", type=int, default=20_000, help="leave out layouts of more routes than this, about")
     given = parser.parse_args()
+    if given.older is not None:
+        if not (given.older / "interlock").is_dir():
+            parser.error(f"no version is unpacked in {given.older}")
+        compare(given.older.resolve())
+        return
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=TOP, capture_output=True, text=True).stdout
     kind = (
         f"{platform.machine()}, {os.cpu_count()} cores, {platform.python_implementation()} {platform.python_version()}"
