@@ -29,6 +29,11 @@ PLAIN = {
     "lucky": 0,
     "walk": 0,
     "shrink": 0,  # more hints for shorter clauses
+    "eagersubsume": 0,
+    "reduce": 0,  # what is learnt is little, and may show a later goal
+    "compact": 0,
+    "rephase": 0,
+    "restart": 0,  # a goal takes a conflict or two
     "stabilize": 0,  # else what is met first comes first in every other phase
     "chrono": 0,  # a goal that is decided is the first decision, and is undone with all others
     "reimply": 0,
