@@ -143,6 +143,27 @@ def test_a_boundary_on_which_a_train_that_has_left_still_stands_foul_is_told(old
     assert ("IL3041" in {d.code for d in sink.diagnostics}) is told
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("", "", True),
+        ("overlap_release_s: 60", "overlap_release_s: 85", True),  # 1200 m at 60 km/h, the last of them braking: 85.9 s
+        ("overlap_release_s: 60", "overlap_release_s: 86", False),
+        ("s1 1200", "s1 700", False),  # 55.9 s
+        ("s1 1200", "s1 100", False),  # 18.3 s, the whole way braking
+        ("line_speed_kmh: 60", "line_speed_kmh: 90", True),  # 68.8 s
+        ("overlap_m: 100", "overlap_m: 0", False),
+        ("signals:", "overlaps: {X: {length: 100, release_by_length: yes}}\nsignals:", False),
+        ("signals:", "overlaps: {X: {length: 100, release: 80}}\nsignals:", True),
+    ],
+)
+def test_an_overlap_that_is_released_while_the_fastest_train_runs_is_told(old: str, new: str, told: bool) -> None:
+    text = Path("tests/diagnostics/IL3035.yaml").read_text("utf-8").replace(old, new)
+    sink = Sink()
+    load_text("demo.yaml", text, sink)
+    assert ("IL3035" in {d.code for d in sink.diagnostics}) is told
+
+
 def test_foul_joints_are_claimed_and_a_missing_exclusion_is_killed() -> None:
     from interlock.logic.lower import lower
     from interlock.proof.engines.limits import Limits

@@ -92,6 +92,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3026": (_E, "blades of a slip are placed where there is no choice"),
     "IL3025": (_I, "a road that is no berth, for what lies over it"),
     "IL3031": (_W, "a berth is denied where there is none"),
+    "IL3035": (_W, "an overlap is released while the fastest train still runs"),
     "IL3037": (_W, "a section that a train may run through unseen"),
     "IL3040": (_W, "a principle that no railway keeps"),
     "IL3041": (_W, "a boundary that is foul of a point or diamond"),

@@ -128,15 +128,30 @@ def _restart(layout: Layout) -> int:
     return halt_ms(rules, fastest) + round(1000 * metres / (rules.line_speed_kmh / 3.6 / 2))
 
 
-def before(layout: Layout, g: SignalId) -> Passage | None:
-    """The shortest way through the section before a signal, at the highest speed there; None at a boundary."""
+def _ways_to(layout: Layout, g: SignalId) -> tuple[SectionId, list[float]] | None:
+    """The section before a signal, and the metres of each way through it to the signal; None at a boundary."""
     signal, topo = layout.signalling.signal[g], topology(layout)
     section = topo.beyond(layout.track.section_of(signal.into), signal.node)
-    if section is None:
-        return None
-    ways = [t for t in topo.traversals[section] if t.exit == signal.node]
-    metres = min((sum(layout.track.edge[e].length for e in t.edges) for t in ways), default=0.0)
-    return Passage(section, metres, _speed(layout, section))
+    return None if section is None else (section, [t.length for t in topo.traversals[section] if t.exit == signal.node])
+
+
+def before(layout: Layout, g: SignalId) -> Passage | None:
+    """The shortest way through the section before a signal, at the highest speed there; None at a boundary."""
+    found = _ways_to(layout, g)
+    return None if found is None else Passage(found[0], min(found[1], default=0.0), _speed(layout, found[0]))
+
+
+def standing_s(layout: Layout, g: SignalId) -> float:
+    """How long a train is in the section before a signal, until it stands there: one that comes in at the highest
+    speed, runs its longest way and brakes as late as it can (R4); 0 at a boundary."""
+    found = _ways_to(layout, g)
+    if found is None:
+        return 0.0
+    metres, speed = max(found[1], default=0.0), _speed(layout, found[0]) / 3.6
+    braking = layout.principles.braking_ms2
+    if metres < speed**2 / (2 * braking):  # it has begun to brake before
+        return float((2 * metres / braking) ** 0.5)
+    return metres / speed + speed / (2 * braking)
 
 
 def turning_s(layout: Layout) -> float:

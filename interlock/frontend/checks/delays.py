@@ -1,4 +1,5 @@
-"""Delays that are shorter than the world needs, overlaps that cannot swing in time (R4, R8, R16).  IL3023, IL3024."""
+"""Delays that are shorter than the world needs, overlaps that cannot swing in time (R4, R8, R16).  IL3023, IL3024,
+IL3035."""
 
 from __future__ import annotations
 
@@ -8,7 +9,8 @@ from interlock.diag import Element
 from interlock.frontend.context import Context
 from interlock.model.elements import SignalId
 from interlock.model.layout import Layout
-from interlock.model.needs import before, needs, turning_s
+from interlock.model.needs import before, needs, standing_s, turning_s
+from interlock.model.times import overlap_release_s
 
 
 def check_delays(ctx: Context, layout: Layout) -> None:
@@ -18,6 +20,7 @@ def check_delays(ctx: Context, layout: Layout) -> None:
     halt = "until whatever ran at a power cut stands at a signal at stop: the longest way to one"
     halt += f", at half of {rules.line_speed_kmh:g} km/h"
     _signals(ctx, layout)
+    _released_early(ctx, layout)
     timed = dict(layout.signalling.releases)
     trains = [least.stop[g.id] for g in layout.signalling.signals if g.main and g.id not in timed]
     shunts = [least.shunt for g in layout.signalling.signals if g.shunt and g.id not in timed][:1]
@@ -37,14 +40,12 @@ def check_delays(ctx: Context, layout: Layout) -> None:
         need = max(found, default=0)
         if round(own * 1000) < need:
             spoken = "principles" in ctx.file.model_fields_set
-            stated = getattr(ctx.file.principles, name) is not None
-            at = ("principles", name) if stated else ("principles",) if spoken else ("name",)
             wanted = f"{name}: {-(-need // 1000)}"
             slower = "" if name == "restart_delay_s" else ", or the lower speeds that are run there"
             ctx.add(
                 "IL3023",
                 f"{name} is {own:g} s, and {need / 1000:.1f} s are needed {words}",
-                ctx.at_key(*at),
+                ctx.at_key(*_stated(ctx, name)),
                 f"state {f'`{wanted}` under `principles`' if spoken else f'`principles: {{{wanted}}}`'}{slower}",
             )
     for g, own in layout.overlaps.releases:
@@ -68,6 +69,29 @@ def check_delays(ctx: Context, layout: Layout) -> None:
             why, fix = _not_in_time(layout, o.signal)
             text = f"the overlap of {o.signal} cannot swing: {why}"
             ctx.add("IL3024", text, ctx.at_key("overlaps", o.signal), f"give up `swing`, {fix}")
+
+
+def _released_early(ctx: Context, layout: Layout) -> None:
+    """Overlaps that are given up while the fastest train still runs to the signal: it is in the section before it for
+    longer than their release takes."""
+    for o in layout.overlaps.all:
+        g = o.signal
+        own, need = overlap_release_s(layout, g), standing_s(layout, g) if o.length else 0.0
+        if own < need:
+            way = before(layout, g)
+            assert way is not None  # a train runs there
+            text = f"the overlap of {g} is released after {own:g} s, while even the fastest train still runs to {g}: "
+            text += f"at {way.kmh:g} km/h it takes {need:.1f} s from coming into {way.section} to standing before {g}"
+            at = ("overlaps", g) if g in ctx.file.overlaps else _stated(ctx, "overlap_release_s")
+            fix = f"state `overlaps: {{{g}: {{release_by_length: yes}}}}`, or a `release` of at least {ceil(need)} s"
+            ctx.add("IL3035", text, ctx.at_key(*at), fix)
+
+
+def _stated(ctx: Context, principle: str) -> tuple[str, ...]:
+    """Where a principle is stated, or could be."""
+    if getattr(ctx.file.principles, principle) is not None:
+        return "principles", principle
+    return ("principles",) if "principles" in ctx.file.model_fields_set else ("name",)
 
 
 def _not_in_time(layout: Layout, g: SignalId) -> tuple[str, str]:
