@@ -21,7 +21,7 @@ from interlock.proof.claims import CLAIMS, Claim, Facts, claims, strengthening
 from interlock.proof.engines import Answer, solver
 from interlock.proof.engines.batch import Decision
 from interlock.proof.engines.limits import Limits
-from interlock.proof.engines.pool import Task, run
+from interlock.proof.engines.pool import Begun, Task
 from interlock.proof.engines.tseitin import Cnf
 from interlock.proof.induction.inductive import decided, holding_at_restart, keep, left_open, made_true, restart_values
 from interlock.proof.induction.parts import Goal, Inquiry
@@ -51,21 +51,11 @@ def prove(
     goals = [*(Goal(i.expr, later=True) for i in found), *(Goal(c.expr) for c in wanted)]
     inquiry = Inquiry(system.relation, system.where, [i.expr for i in found], goals, limits)
     questions = inquiry.first()
-    tasks: list[Task] = [partial(witnesses, system.loop), partial(holding_at_restart, system, found, limits)]
-    tasks.append(partial(_start, system, limits))
-    first = len(tasks)  # what comes before takes longer than the last questions
-    tasks += [partial(inquiry.ask, q) for q in questions]
-    done = 0
-
-    def report(n: int) -> None:
-        nonlocal done
-        done += len(questions[n - first]) if n >= first else 0
-        progress("proving", min(done, len(goals)), len(goals))
-
-    runs, at_restart, start, *answers = run(tasks, limits.jobs, report)
-    for question, those in zip(questions, answers, strict=True):
-        inquiry.note(question, those)
-    decisions = inquiry.finish(partial(progress, "proving"))
+    others: list[Task] = [partial(witnesses, system.loop), partial(holding_at_restart, system, found, limits)]
+    with Begun([*others, partial(_start, system, limits)], min(limits.jobs - 1, 1)) as beside:
+        inquiry.settle(questions, partial(progress, "proving"))
+        decisions = inquiry.finish(partial(progress, "proving"))
+        runs, at_restart, start = beside.results()
     steps = [d.follows for d in decisions[: len(found)]]
     kept, dropped, obligations = keep(system, found, at_restart, steps, limits, progress)
     verdicts = decisions[len(found) :]
