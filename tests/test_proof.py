@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from interlock.app.check import check_file
 from interlock.logic.plant import ASSUMPTIONS
 from interlock.model.elements import SectionId
 from interlock.model.traversal import Topology
@@ -21,6 +22,7 @@ from interlock.proof.prover import prove
 from interlock.proof.system.neighbourhood import walked
 from interlock.proof.system.transition import System
 from tests.campaigns.assumptions import CASES, OTHERS, harm
+from tests.certified import accepted, certified
 from tests.layouts import SHIPPED, built
 
 SHORT = Limits(search_depth=12, search_s=60)
@@ -45,6 +47,14 @@ def test_other_engines_come_to_the_same_verdicts(name: str, engine: str) -> None
     limits = Limits(engine=engine)
     kept, dropped, _ = inductive(system, limits)
     assert not dropped and not open_claims(system, kept, claims(Facts(system)), limits)
+
+
+def test_a_token_that_no_route_needs_is_proved_and_certified(tmp_path: Path) -> None:
+    """No train leaves over E, where shunting movements end before the boundary: T-LINE was UNKNOWN."""
+    path = Path("tests/layouts_for_tests/token_unused.yaml")
+    assert accepted(certified(path, tmp_path))
+    fix = next(d.fix for d in check_file(str(path)).diagnostics if d.code == "IL7004")
+    assert fix == "add a signal that leads there, or say `trains: in`, without a direction token"
 
 
 def test_a_wrong_waiver_is_refuted_with_a_story() -> None:

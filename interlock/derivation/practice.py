@@ -140,7 +140,8 @@ def _check_places(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
                 "IL7004",
                 f"no route leads out at {b.node}, though trains may leave there",
                 None,
-                "add a signal that leads there, or say `trains: in`",
+                "add a signal that leads there, or say `trains: in`"
+                + (", without a direction token" if b.block == "token" else ""),
                 about=Element("boundaries", str(b.node)),
             )
     for place in [*dict.fromkeys([*onward, *backward])]:

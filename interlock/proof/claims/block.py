@@ -5,7 +5,7 @@ from __future__ import annotations
 from interlock.logic import names
 from interlock.logic.expr import Expr, conj, disj, iff, implies, neg, var
 from interlock.logic.plant import accepted, came, has_token, lamp, line, o, rests, seen_by, telegram
-from interlock.model.elements import NodeId
+from interlock.model.elements import NodeId, SectionId
 from interlock.proof.claims.kinds import Facts, Invariant
 from interlock.proof.claims.overlaps import overrun
 
@@ -65,6 +65,16 @@ def _departing(f: Facts, b: NodeId) -> list[tuple[str, Expr]]:
             ]
             out.append((f"K-GOES:{r.id}:{t}", implies(conj((*ahead, f.seen.been(t))), here)))
         if f.track.berth(s):  # a train counts as arrived there, and goes on all the same
-            on = conj((f.locking.lock(s, n), o(s), came(s, f.track.way(s, n)[0]), neg(rests(s))))
-            out.append((f"K-GOES:{r.id}", implies(on, here)))
-    return out
+            out.append((f"K-GOES:{r.id}", implies(_goes_on(f, s, n), here)))
+    return out or _staying(f, b)
+
+
+def _staying(f: Facts, b: NodeId) -> list[tuple[str, Expr]]:
+    """Where no train is ever called towards the boundary: a shunting movement that ends before it goes no further."""
+    ends = {r.path.ways[-1] for r in f.sym.routes if f.track.way(*r.path.ways[-1])[1] == b}
+    return [(f"K-STAYS:{s}", neg(_goes_on(f, s, n))) for s, n in sorted(ends) if f.track.berth(s)]
+
+
+def _goes_on(f: Facts, s: SectionId, n: int) -> Expr:
+    """A movement that has come into a section over a way that is locked to its end is not at rest."""
+    return conj((f.locking.lock(s, n), o(s), came(s, f.track.way(s, n)[0]), neg(rests(s))))
