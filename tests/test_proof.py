@@ -49,11 +49,15 @@ def test_other_engines_come_to_the_same_verdicts(name: str, engine: str) -> None
     assert not dropped and not open_claims(system, kept, claims(Facts(system)), limits)
 
 
-def test_a_token_that_no_route_needs_is_proved_and_certified(tmp_path: Path) -> None:
-    """No train leaves over E, where shunting movements end before the boundary: T-LINE was UNKNOWN."""
-    path = Path("tests/layouts_for_tests/token_unused.yaml")
-    assert accepted(certified(path, tmp_path))
-    fix = next(d.fix for d in check_file(str(path)).diagnostics if d.code == "IL7004")
+@pytest.mark.parametrize("name", ["token_unused", "limits_of_shunt"])
+def test_what_was_unknown_is_proved_and_certified(name: str, tmp_path: Path) -> None:
+    """A token that no route needs: T-LINE; limits of shunt on both sides of a berth: T-COLLISION and more."""
+    assert accepted(certified(Path(f"tests/layouts_for_tests/{name}.yaml"), tmp_path))
+
+
+def test_a_line_with_a_token_over_which_no_route_leads_out_is_told_what_helps() -> None:
+    told = check_file("tests/layouts_for_tests/token_unused.yaml").diagnostics
+    fix = next(d.fix for d in told if d.code == "IL7004")
     assert fix == "add a signal that leads there, or say `trains: in`, without a direction token"
 
 

@@ -359,11 +359,15 @@ def _signal(f: Facts, g: SignalId, shunt: bool) -> Iterator[tuple[str, Expr]]:
     mark = "G-SHUNT" if shunt else "G"
     went = accepted(g, shunt)
     shown = disj((f.sym.aspects.signal(g, shunt), lamp(g, shunt)))
+    routes = f.sym.routes.of_signal.get(SignalId(g), [])
+    passing = f.sym.routes.passing(g, shunt)
+    if passing is FALSE and all(r.shunt is not shunt for r in routes):  # a limit of shunt, say
+        yield f"{mark}-NEVER", neg(disj((shown, went)))
+        return
     kind = neg(f.locking.train(t)) if shunt else f.locking.train(t)
     locked = conj((f.locking.firm(t), f.locking.locked_in(t, j), kind))
     ready = conj((locked, neg(f.seen.passed(t))))
     fresh = conj((ready, implies(f.seen.been(t), conj((o(t), across(j, rear))))))
-    passing = f.sym.routes.passing(g, shunt)
     if passing is FALSE:
         yield f"{mark}-SHOWN", implies(shown, fresh)
     else:
@@ -387,7 +391,6 @@ def _signal(f: Facts, g: SignalId, shunt: bool) -> Iterator[tuple[str, Expr]]:
         yield f"{mark}-REPORTED", implies(went, image(rear))
     if rear in f.sym.sections.restart:
         yield f"{mark}-REAR", _from_rear(f, j, SectionId(rear), disj((shown, went)))
-    routes = f.sym.routes.of_signal.get(SignalId(g), [])
     active = disj(var(r.active) for r in routes)
     seen = disj(var(r.shown) for r in routes)
     yield f"{mark}-MEMORY", implies(conj((active, disj((went, lamp(g, shunt))))), seen)
