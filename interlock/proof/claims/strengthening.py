@@ -271,6 +271,8 @@ def _joint(f: Facts, j: str, s: str, t: str, past: bool) -> Iterator[tuple[str, 
                 ),
             ),
         )
+    if not past and not f.track.berth(t):
+        yield from _apart(f, j, s, t)
     yield "J-ON", implies(out, into)
     yield "J-FIRM", implies(conj((out, f.locking.firm(s))), f.locking.firm(t))
     yield "J-NOT-FIRM", implies(conj((out, f.locking.firm(t))), f.locking.firm(s))
@@ -287,6 +289,21 @@ def _joint(f: Facts, j: str, s: str, t: str, past: bool) -> Iterator[tuple[str, 
                 f"J-AHEAD:{n}",
                 implies(conj((goes, o(s), came(s, a), neg(_stays(f, s)), neg(across(j, s)))), neg(f.seen.been(t))),
             )
+
+
+def _apart(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Expr]]:
+    """Ways that meet at a joint without a signal, but of which no route has both: the author excludes it."""
+    before = [(n, _over(f, s, n)) for n, _ in f.locking.of(s) if f.track.way(s, n)[1] == j]
+    after = [(m, _over(f, t, m)) for m, _ in f.locking.of(t) if f.track.way(t, m)[0] == j]
+    for n, those in before:
+        for m, others in after:
+            if those.isdisjoint(others):
+                yield f"J-APART:{n}:{m}", neg(conj((f.locking.lock(s, n), f.locking.lock(t, m))))
+
+
+def _over(f: Facts, s: str, n: int) -> set[int]:
+    """The numbers of the routes over a way."""
+    return {r.number for r in f.sym.routes.over.get((SectionId(s), n), ())}
 
 
 def _crossing_joint(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Expr]]:
