@@ -292,6 +292,7 @@ def _passing(d: Draft, r: RouteRow) -> None:
             Term(d.sections.occupied(first), "first section occupied", f"{first} occupied"),
             *ways.passing_terms(d, r),
             *_beside(d, r),
+            *_identifier(d, r),
         ),
         f"route {r.id}",
     )
@@ -318,13 +319,18 @@ def _withdrawn(r: RouteRow) -> Expr:
     return conj((var(names.ACTIVE(r.number)), disj((var(names.CANCEL(r.entry)), var(names.CANCELLING(r.entry))))))
 
 
+def _identifier(d: Draft, r: RouteRow) -> list[Term]:
+    """The signal that a route leads past shows its identifier light."""
+    return [
+        Term(var(names.OPENS(x.number)), "identifier shown", f"{x.entry} shows its identifier light")
+        for x in d.routes.onward(r)[:1]
+    ]
+
+
 def _past(d: Draft, r: RouteRow) -> list[Term]:
     """Past a signal: a route that leads past it opens while it shows its identifier light; that shows first while such
     a route is set, and then while the section before it stays firmly locked towards it."""
-    shown = []
-    for onward in d.routes.onward(r)[:1]:
-        note = f"{onward.entry} shows its identifier light"
-        shown.append(Term(var(names.OPENS(onward.number)), "identifier shown", note))
+    shown = _identifier(d, r)
     if r.kind is not RouteKind.IDENTIFIER:
         return shown
     before = d.signals.before(r.entry)
