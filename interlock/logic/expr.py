@@ -303,6 +303,9 @@ def _gather(stack: list[Expr], found: dict[Name, None], done: set[Expr]) -> None
     while stack:
         node = stack.pop()
         args = node.args
+        if len(args) == 1:  # NOT, of anything but NOT
+            (node,) = args
+            args = node.args
         if args:
             if node not in done:
                 done.add(node)
