@@ -9,6 +9,7 @@ table of its own, which ends with it, so that a process that proves one layout a
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from enum import IntEnum
@@ -67,7 +68,7 @@ class UniqueTable:
     __slots__ = ("ands", "below", "names", "negations", "ors", "values", "vars")
 
     def __init__(self) -> None:
-        self.names: Made = {}
+        self.names: Made = defaultdict(dict)
         self.vars: dict[Name, Expr] = {}
         self.values: dict[tuple[Name, int], Expr] = {}
         self.negations: dict[Expr, Expr] = {}
