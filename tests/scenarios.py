@@ -94,7 +94,7 @@ def run_to(scenario: Scenario) -> tuple[System, Run] | None:
     """The shortest run in which a scenario happens in the last step."""
     layout, _, controller = built(scenario.layout)
     system = System(layout, controller)
-    never = Claim("scenario", scenario.layout, neg(scenario.happens()), True)
+    never = Claim("scenario", scenario.layout, neg(scenario.happens()))
     found = search(system, [never], DEPTH, 60)
     return None if found is None else (system, found)
 

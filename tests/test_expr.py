@@ -8,7 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from interlock.logic.bits import Bits
-from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, evaluate, neg, var
+from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, eq, evaluate, neg, settled, var
+from interlock.logic.names import spelled
 from interlock.proof.engines import Answer, solver
 from interlock.proof.engines.plaisted_greenbaum import OneSided
 from interlock.proof.engines.tseitin import Cnf
@@ -27,6 +28,20 @@ ROWS = list(product((0, 1), repeat=len(NAMES)))
 def holds(x: Expr, row: tuple[int, ...]) -> bool:
     values = dict(zip(NAMES, row, strict=True))
     return evaluate(x, values.__getitem__, {})
+
+
+@given(expressions, st.dictionaries(st.sampled_from(NAMES), st.booleans()))
+def test_what_some_variables_settle_is_so_whatever_the_others_are(x: Expr, known: dict[str, bool]) -> None:
+    rows = [r for r in ROWS if all(r[NAMES.index(n)] == value for n, value in known.items())]
+    told = settled(x, {spelled(n): value for n, value in known.items()})
+    assert told is None or all(holds(x, row) is told for row in rows)
+    assert told is not None or len(known) < len(NAMES)
+
+
+def test_a_number_is_never_settled() -> None:
+    """Nothing is known of it: what it may be compared with stays open."""
+    number = spelled("n")
+    assert settled(disj((eq(number, 1), var("a"))), {number: True, spelled("a"): False}) is None
 
 
 @given(st.lists(expressions, min_size=1, max_size=5))

@@ -271,7 +271,7 @@ def test_a_word_that_is_not_so_is_found(change: str, code: int) -> None:
         OPEN: (Case(var(c.symbols.routes[0].active), OPEN), *word.cases[1:]),
         FREE: word.cases[:-1],
         REFUSED: (*word.cases, Case(TRUE, last.value)),
-        0: (first, *(replace(x, value=c.words.words[0].name) for x in word.cases[1:])),
+        0: (first, *(x._replace(value=c.words.words[0].name) for x in word.cases[1:])),
     }[code]
     wrong = replace(word, cases=cases)
     told = Words(tuple(wrong if w is word else w for w in c.words.words), c.words.reasons, c.words.routes)

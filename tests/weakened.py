@@ -40,7 +40,7 @@ def _read_as(values: Callable[[Controller], Mapping[str, Expr]], *prefixes: str)
         def change(e: Equation) -> Equation:
             if prefixes and not _is(e, *prefixes):
                 return e
-            return replace(e, terms=tuple(replace(t, expr=put(t.expr)) for t in e.terms))
+            return replace(e, terms=tuple(t._replace(expr=put(t.expr)) for t in e.terms))
 
         return _changed(c, change)
 

@@ -9,6 +9,7 @@ table of its own, which ends with it, so that a process that proves one layout a
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from enum import IntEnum
@@ -67,7 +68,7 @@ class UniqueTable:
     __slots__ = ("ands", "below", "names", "negations", "ors", "values", "vars")
 
     def __init__(self) -> None:
-        self.names: Made = {}
+        self.names: Made = defaultdict(dict)
         self.vars: dict[Name, Expr] = {}
         self.values: dict[tuple[Name, int], Expr] = {}
         self.negations: dict[Expr, Expr] = {}
@@ -155,16 +156,18 @@ def neg(x: Expr) -> Expr:
 
 
 def _nary(op: Op, known: dict[tuple[Expr, ...], Expr], unit: Expr, zero: Expr, args: tuple[Expr, ...]) -> Expr:
+    if len(args) < 2:
+        return args[0] if args else unit
     found = known.get(args)  # the operands of a node as they are: most nodes are built many times
     if found is not None:
         return found
     flat: dict[Expr, None] = {}
-    inverse = False
+    inverse = joined = False
     for x in args:
         kind = x.op
         if kind is op:
             flat.update(dict.fromkeys(x.args))
-            inverse = True
+            inverse = joined = True
         elif kind > 1:  # no constant
             flat[x] = None
             if kind is NOT:
@@ -175,14 +178,14 @@ def _nary(op: Op, known: dict[tuple[Expr, ...], Expr], unit: Expr, zero: Expr, a
         for y in flat:
             if y.op is NOT and y.args[0] in flat:
                 return zero
-    if not flat:
-        return unit
-    if len(flat) == 1:
-        return next(iter(flat))
-    args = tuple(flat)
-    found = known.get(args)
-    if found is None:
-        found = known[args] = Expr(op, args)
+    if joined or len(flat) < len(args):
+        if len(flat) < 2:
+            return next(iter(flat), unit)
+        args = tuple(flat)
+        found = known.get(args)
+        if found is not None:
+            return found
+    found = known[args] = Expr(op, args)
     return found
 
 
@@ -301,6 +304,9 @@ def _gather(stack: list[Expr], found: dict[Name, None], done: set[Expr]) -> None
     while stack:
         node = stack.pop()
         args = node.args
+        if len(args) == 1:  # NOT, of anything but NOT
+            (node,) = args
+            args = node.args
         if args:
             if node not in done:
                 done.add(node)
@@ -336,6 +342,30 @@ def evaluate(root: Expr, value: Callable[[Name], int], memo: dict[int, bool]) ->
         else:
             memo[id(node)] = node is TRUE
     return memo[id(root)]
+
+
+def settled(root: Expr, known: Mapping[Name, bool]) -> bool | None:
+    """The truth of an expression whatever the variables are that are not known; None if it may depend on them.
+
+    Kleene's three values: of what is not known, no two occurrences are taken for the same.
+    """
+    op = root.op
+    if op is VAR:
+        return known.get(root.name)
+    if op is NOT:
+        value = settled(root.args[0], known)
+        return None if value is None else not value
+    if op is AND or op is OR:
+        decides = op is OR
+        found: bool | None = not decides
+        for a in root.args:
+            value = known.get(a.name) if a.op is VAR else settled(a, known)
+            if value is decides:
+                return decides
+            if value is None:
+                found = None
+        return found
+    return None if op is EQ else root is TRUE
 
 
 Truth = Callable[[Mapping[str, int]], bool]

@@ -5,6 +5,7 @@ Families are in `names.py`, and so are the names of this module for whoever make
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Mapping
 from enum import Enum, StrEnum
 from importlib import import_module
@@ -189,10 +190,10 @@ class Family:
 
     def __call__(self, *at: Part) -> Name:
         """The name of the variable at some element."""
-        found = _names.get((self, at))
+        found = _names[self].get(at)
         if found is None:
             parts = [x if isinstance(x, int) else portable(x) if self.portable else joined(x) for x in at]
-            found = _names[self, at] = Name._made(self.pattern.format(*parts), self, at)
+            found = _names[self][at] = Name._made(self.pattern.format(*parts), self, at)
         return found
 
     def each(self, primed: bool) -> Name:
@@ -215,7 +216,7 @@ class Family:
 
 
 # names that were made, by family and parts: a table of the piece of work that makes them (see `expr.interning`)
-Made = dict[tuple[Family, tuple[Part, ...]], Name]
+Made = defaultdict[Family, dict[tuple[Part, ...], Name]]
 _names: Made
 
 
@@ -225,7 +226,7 @@ def use(made: Made) -> None:
     _names = made
 
 
-use({})
+use(defaultdict(dict))
 
 
 def each(name: Name) -> Name:

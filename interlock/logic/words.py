@@ -18,6 +18,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import NamedTuple
 
 from interlock.logic.expr import TRUE, Expr, conj, disj, neg, variables
 from interlock.logic.names import WHY_NOT_CLEAR, Name
@@ -38,8 +39,7 @@ Value = int | Name
 """A code, or the word that has it."""
 
 
-@dataclass(frozen=True, slots=True)
-class Case:
+class Case(NamedTuple):
     """The value of a word while a condition holds, if none before it does."""
 
     condition: Expr

@@ -296,10 +296,10 @@ class MachineIndex:
         return tuple(self._layout.machines)
 
     @cached_property
-    def powered(self) -> tuple[MachineId, ...]:
+    def powered(self) -> dict[MachineId, None]:
         """Point machines that the controller drives: no devices, no points worked by hand."""
         by_hand = self._layout.machines.by_hand
-        return tuple(m for m in self.all if m not in self._layout.machines.device and m not in by_hand)
+        return dict.fromkeys(m for m in self.all if m not in self._layout.machines.device and m not in by_hand)
 
     def sections_of(self, machine: MachineId) -> tuple[SectionId, ...]:
         """The sections in which a machine's ends lie."""

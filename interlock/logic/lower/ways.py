@@ -61,7 +61,7 @@ def availability(d: Draft) -> None:
 def _availability(d: Draft, t: TraversalRow) -> list[Term]:
     terms = []
     for ex in t.exclusions:
-        if ex.section not in d.sections.all:
+        if ex.section not in d.sections.locks_of:
             continue
         if ex.whole:
             held = neg(var(names.FREE(ex.section)))
@@ -333,7 +333,7 @@ def swing_terms(d: Draft, g: SignalId, key: TraversalKey) -> list[Term]:
     free = conj([neg(var(names.RESTART_LOCK(s))), *others])
     terms = [Term(free, "overlap free", f"{s} free for another overlap of {g}"), *not_blocked(s)]
     for ex in t.exclusions:
-        if ex.section in d.sections.all:
+        if ex.section in d.sections.locks_of:
             held: list[Expr] = [var(names.RESTART_LOCK(ex.section))]
             if ex.whole:
                 held += [d.sections.lock(*x.key) for x in d.sections.locks_of[ex.section]]

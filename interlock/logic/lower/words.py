@@ -86,14 +86,7 @@ class _Writer:
 
     def _value(self, x: Expr, t: Term, held: MachineId | None) -> Value:
         """What a condition that does not hold is called: by a word of its own, or by its number."""
-        if held is not None:
-            said = self._text(x, t)
-            if x.op is VAR and self._name(x).family is names.LONG_CLEAR:
-                said = f"{called('section', str(self._name(x).at[0]))} is occupied, or not clear for long enough"
-            return self._code(
-                x, f"{self._called(held)} cannot move: {said}", rules.POINTS, (f"m:{held}", *self._at(x)), held
-            )
-        if x.op is VAR:
+        if held is None and x.op is VAR:
             name = self._name(x)
             place = name.at
             if name.family is names.LONG_CLEAR:
@@ -104,7 +97,17 @@ class _Writer:
             if own is not None and name in self.equations:
                 e = self.equations[name]
                 return self._word(own(*place), e, self._cases(e.terms))
-        return self._code(x, self._text(x, t), self._rule(x, t), self._at(x))
+        known = self.codes.get((x, held or ""))
+        if known is not None:
+            return known
+        said = self._text(x, t)
+        if held is None:
+            return self._code(x, said, self._rule(x, t), self._at(x))
+        if x.op is VAR and self._name(x).family is names.LONG_CLEAR:
+            said = f"{called('section', str(self._name(x).at[0]))} is occupied, or not clear for long enough"
+        return self._code(
+            x, f"{self._called(held)} cannot move: {said}", rules.POINTS, (f"m:{held}", *self._at(x)), held
+        )
 
     def _word(self, name: Name, e: Equation, cases: Iterator[Case]) -> Name:
         """A word for a place, made once: which of its conditions does not hold; UNKNOWN while all do."""
@@ -115,10 +118,13 @@ class _Writer:
     def _not_clear(self, name: Name) -> Value:
         """A section does not count as clear: reported occupied, its detector faulty, or clear not yet for long."""
         s = str(name.at[0])
+        word = names.WHY_NOT_CLEAR(s)
+        if word in self.words:
+            return word
         e = self.equations[names.OCCUPIED(s)]
         wanted = [Term(neg(t.expr), t.kind, t.note, t.rule) for t in e.terms if t.expr is not neg(var(names.VALID))]
         late = self._code(var(name), sentence(name, False), SENTENCES[names.LONG_CLEAR].rule, about(name))
-        return self._word(names.WHY_NOT_CLEAR(s), e, chain(self._cases(wanted), (Case(neg(var(name)), late),)))
+        return self._word(word, e, chain(self._cases(wanted), (Case(neg(var(name)), late),)))
 
     def _held(self, m: MachineId) -> Value:
         """A machine lies otherwise and may not move; that inputs are valid is asked for before it."""

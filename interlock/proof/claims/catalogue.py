@@ -6,6 +6,7 @@ Train level: T-...; signal level: S-...; locking level: L-...; points: P-....
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import chain, starmap
 
 from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, eq, iff, implies, neg, var
@@ -131,34 +132,31 @@ CLAIMS: dict[str, str] = {
 
 def claims(f: Facts) -> tuple[Claim, ...]:
     """Every instance of every claim, but for places at which there is nothing to claim."""
-    out: list[Claim] = []
-    for h in f.plant.hazards:
-        out.append(Claim(f"T-{h.id}", h.place, neg(h.expr), True))
-    for name, place, expr, physical in (
-        *((*x, x[0] == "T-FLANK") for x in flank(f)),
-        *((*x, x[0] == "T-SCISSORS") for x in scissors(f)),
-        *((*x, True) for x in _zones(f)),
-        *((*x, False) for x in flank_space(f)),
-        *((*x, False) for x in _pairs(f)),
-        *((*x, False) for x in excluded(f)),
-        *((*x, False) for x in declared(f)),
-        *((*x, False) for x in demanded(f)),
-        *((*x, False) for x in held(f)),
-        *((*x, False) for x in _signals(f)),
-        *((*x, False) for x in terminals(f)),
-        *((*x, False) for x in distants(f)),
-        *((*x, False) for x in _again(f)),
-        *((*x, False) for x in _requests(f)),
-        *((*x, False) for x in _set(f)),
-        *((*x, False) for x in _boards(f)),
-        *((*x, False) for x in identifiers(f)),
-        *((*x, False) for x in reasons(f)),
-        *((*x, False) for x in _locks(f)),
-        *((*x, False) for x in _points(f)),
-    ):
-        out.append(Claim(name, place, expr, physical))
-    order = list(CLAIMS)
-    return tuple(sorted((c for c in out if _says(c)), key=lambda c: (order.index(c.id), c.place)))
+    found = chain(
+        ((f"T-{h.id}", h.place, neg(h.expr)) for h in f.plant.hazards),
+        flank(f),
+        scissors(f),
+        _zones(f),
+        flank_space(f),
+        _pairs(f),
+        excluded(f),
+        declared(f),
+        demanded(f),
+        held(f),
+        _signals(f),
+        terminals(f),
+        distants(f),
+        _again(f),
+        _requests(f),
+        _set(f),
+        _boards(f),
+        identifiers(f),
+        reasons(f),
+        _locks(f),
+        _points(f),
+    )
+    order = {id_: n for n, id_ in enumerate(CLAIMS)}
+    return tuple(sorted(filter(_says, starmap(Claim, found)), key=lambda c: (order[c.id], c.place)))
 
 
 def _says(c: Claim) -> bool:

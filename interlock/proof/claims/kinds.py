@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
@@ -20,22 +19,16 @@ from interlock.proof.system.loop import ClosedLoop
 from interlock.proof.system.transition import System
 
 
-@dataclass(frozen=True, slots=True)
-class Claim:
-    """One instance of a claim: `expr` must hold in every step from a reachable state.
-
-    `expr` speaks of the old state and the inputs of the step.  `physical` claims speak of trains and points;
-    the others of what the controller does.
-    """
+class Claim(NamedTuple):
+    """One instance of a claim: `expr`, of the old state and the inputs of a step, must hold in every step from a
+    reachable state."""
 
     id: str
     place: str
     expr: Expr
-    physical: bool
 
 
-@dataclass(frozen=True, slots=True)
-class Invariant:
+class Invariant(NamedTuple):
     """A strengthening invariant: holds initially and is kept by every step; proved, never assumed."""
 
     id: str

@@ -119,7 +119,7 @@ class States:
                 if v in timers:  # its input is true while it is (A-TON)
                     todo.append(timers[v].input)
                 continue
-            reads = tuple(variables((x,)))
+            reads = relation.reads[v]
             if v not in asked and (v in kept or v not in indexed) and any(u in indexed for u in reads):
                 continue
             definitions[v] = x

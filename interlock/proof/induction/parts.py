@@ -56,7 +56,6 @@ class Parts:
         self.facts = [*hypotheses, *(a.expr for a in relation.assumptions)]
         self._forms = CanonicalForms(relation.definitions)
         self._names: dict[Expr, tuple[Name, ...]] = {}
-        self._inputs: dict[Name, tuple[Name, ...]] = {}
 
     def names_in(self, x: Expr) -> tuple[Name, ...]:
         """What a fact or goal reads, looked up once."""
@@ -79,19 +78,9 @@ class Parts:
                 found.setdefault(v, []).append(n)
         return found
 
-    def inputs_of(self, name: Name) -> tuple[Name, ...]:
-        """What a name's definition reads, looked up once; nothing if it has none."""
-        found = self._inputs.get(name)
-        if found is None:
-            x = self.relation.definitions.get(name)
-            found = self._inputs[name] = () if x is None else tuple(variables((x,)))
-        return found
-
     def prepare(self) -> None:
         """Read everything once, so that processes inherit it."""
-        _ = self.readers
-        for name in self.relation.definitions:
-            self.inputs_of(name)
+        _ = self.readers, self.relation.reads
 
     def read_by(self, goal: Goal) -> tuple[Name, ...]:
         """What a goal reads."""
@@ -114,19 +103,19 @@ class Parts:
     def _at(self, names: Iterable[Name]) -> set[int]:
         """Where names belong, or else the nearest of what they depend on."""
         while not (at := _places(names, self.where.places)):
-            names = dict.fromkeys(chain.from_iterable(map(self.inputs_of, names)))
+            names = dict.fromkeys(chain.from_iterable(self.relation.reads.get(v, ()) for v in names))
             if not names:
                 break
         return at
 
     def cone(self, names: Iterable[Name], seen: dict[Name, None]) -> None:
         """Everything that the names depend on within the step."""
-        todo = list(names)
+        todo, reads = list(names), self.relation.reads
         while todo:
             v = todo.pop()
             if v not in seen:
                 seen[v] = None
-                todo += self.inputs_of(v)
+                todo += reads.get(v, ())
 
     def around(self, seen: dict[Name, None], rings: int) -> list[int]:
         """The facts so many steps around what is seen, which grows by what they depend on; 0 rings: all facts."""

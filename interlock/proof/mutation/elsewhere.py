@@ -65,7 +65,7 @@ def _remembering(c: Controller, late: Mapping[Name, Name], lasts: bool) -> Contr
     put = Substitution({n: disj((var(n), var(o))) if lasts else var(o) for n, o in late.items()})
 
     def wrong(e: Equation) -> Equation:
-        return replace(e, terms=tuple(replace(t, expr=put(t.expr)) for t in e.terms))
+        return replace(e, terms=tuple(t._replace(expr=put(t.expr)) for t in e.terms))
 
     state = (*c.state, *(StateVar(o, False, "a scan ago") for o in late.values()))
     own = (Equation(o, Join.ALL, (Term(var(n), "as it was"),), "a scan ago") for n, o in late.items())

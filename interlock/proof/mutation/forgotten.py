@@ -114,6 +114,6 @@ def let_go(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     for r in c.symbols.routes:
         for e in c.next:
             if e.name == r.added:
-                early = (e.terms[0], replace(e.terms[1], expr=disj((var(names.GRANTED(r.number)), var(r.active)))))
+                early = (e.terms[0], e.terms[1]._replace(expr=disj((var(names.GRANTED(r.number)), var(r.active)))))
                 following = tuple(replace(e, terms=early) if x is e else x for x in c.next)
                 yield r.id, replace(c, next=following)

@@ -80,7 +80,7 @@ class Judge:
         self.controller = controller
         self.system = System(layout, controller)
         self.lines = Lines.of(self.system)
-        self.reads = {n: frozenset(variables((x,))) for n, x in self.lines.definitions.items()}
+        self.reads = {n: frozenset(names) for n, names in self.system.relation.reads.items()}
         self._renew()
         facts = [*self.lines.assumptions, *(x for _, x in self.lines.invariants)]
         self.patterns = Patterns(self.lines.definitions, facts, (*self.lines.claims, *self.lines.functions))

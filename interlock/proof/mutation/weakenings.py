@@ -110,7 +110,7 @@ def _validity_not_wired(layout: Layout, table: InterlockingTable) -> Iterator[Mu
     always = Substitution({c.symbols.valid: TRUE})
 
     def blind(e: Equation) -> Equation:
-        return replace(e, terms=tuple(replace(t, expr=always(t.expr)) for t in e.terms))
+        return replace(e, terms=tuple(t._replace(expr=always(t.expr)) for t in e.terms))
 
     steps = tuple(blind(s) if isinstance(s, Equation) else s for s in c.steps)
     yield names.VALID, replace(c, steps=steps, next=tuple(blind(e) for e in c.next))
@@ -164,7 +164,7 @@ def _unguarded(kind: str) -> Callable[[Layout, InterlockingTable], Iterator[Muta
             for i, t in enumerate(e.terms):
                 if t.kind == kind and e.name.family is names.DEMANDED:
                     free = Substitution({names.MOVABLE(e.name.at[0]): TRUE})
-                    more = replace(e, terms=(*e.terms[:i], replace(t, expr=free(t.expr)), *e.terms[i + 1 :]))
+                    more = replace(e, terms=(*e.terms[:i], t._replace(expr=free(t.expr)), *e.terms[i + 1 :]))
                     yield f"{e.name} although {t.note or t.kind}", _with(c, e, more)
 
     return make
@@ -184,7 +184,7 @@ def _call_on_again(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]
         if r.call_on:
             old = next(e for e in c.next if e.name == r.want)
             asked = conj((c.symbols.requests.asked(r.number), var(r.locked)))
-            terms = (replace(old.terms[0], expr=disj((old.terms[0].expr, asked))), *old.terms[1:])
+            terms = (old.terms[0]._replace(expr=disj((old.terms[0].expr, asked))), *old.terms[1:])
             yield r.id, _with(c, old, replace(old, terms=terms))
 
 
@@ -192,7 +192,7 @@ def _call_on_trusted(layout: Layout, table: InterlockingTable) -> Iterator[Mutan
     c = lower(layout, table)
     granted = Substitution({names.GRANTED(r.number): FALSE for r in c.symbols.routes if r.call_on})
     for e in c.next:
-        terms = tuple(replace(t, expr=granted(t.expr)) for t in e.terms)
+        terms = tuple(t._replace(expr=granted(t.expr)) for t in e.terms)
         if e.name.family is names.STALE and terms != e.terms:
             yield e.name, _with(c, e, replace(e, terms=terms))
 
@@ -299,7 +299,7 @@ def _overlap_flank_not_held(layout: Layout, table: InterlockingTable) -> Iterato
     c = lower(layout, table)
     put = Substitution(dict.fromkeys(c.symbols.overlaps.held.values(), FALSE))
     for e in c.equations:
-        terms = tuple(replace(t, expr=put(t.expr)) if t.kind == "flank not held" else t for t in e.terms)
+        terms = tuple(t._replace(expr=put(t.expr)) if t.kind == "flank not held" else t for t in e.terms)
         if e.name.family is names.MOVABLE and any(a.expr is not b.expr for a, b in zip(terms, e.terms, strict=True)):
             yield e.name, _with(c, e, replace(e, terms=terms))
 

@@ -14,7 +14,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from interlock.logic import names
-from interlock.logic.expr import variables
 from interlock.logic.names import Form, Kind, Name, Owner
 from interlock.model.elements import SectionId, SignalId
 from interlock.model.traversal import Topology
@@ -142,10 +141,10 @@ class Neighbourhood:
             ):
                 found[name] = owner
         readers: dict[Name, set[Owner]] = {}
-        for name, x in self._relation.definitions.items():
+        for name, read in self._relation.reads.items():
             home = found.get(name)
             if home is not None:
-                for v in variables((x,)):
+                for v in read:
                     readers.setdefault(v, set()).add(home)
         for name in inputs:
             those = readers.get(name, ())

@@ -12,11 +12,11 @@ the state after that step.  (Substitution lemma; priming: Manna and Pnueli, *Tem
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from interlock.logic.controller import Timer
-from interlock.logic.expr import Expr, Substitution, var
+from interlock.logic.expr import Expr, Substitution, var, variables
 from interlock.logic.names import Name
 from interlock.logic.plant import Assumption
 
@@ -42,6 +42,17 @@ class TransitionRelation:
     def later(self) -> Mapping[Name, Name]:
         """The names of next values by those of the state."""
         return {n: n.next for n in self.state}
+
+    @cached_property
+    def reads(self) -> Mapping[Name, tuple[Name, ...]]:
+        """The names that each definition reads."""
+        return {n: tuple(variables((x,))) for n, x in self.definitions.items()}
+
+    def under(self, changed: Mapping[Name, Expr]) -> TransitionRelation:
+        """The same with other definitions of some names; what the rest reads is not sought again."""
+        other = replace(self, definitions={**self.definitions, **changed})
+        vars(other)["reads"] = {**self.reads, **{n: tuple(variables((x,))) for n, x in changed.items()}}
+        return other
 
 
 def primed(state: Sequence[Name]) -> Callable[[Expr], Expr]:

@@ -94,7 +94,7 @@ class System:
         as_before = not any(n.base in outputs for n in changed) and self.initial.kept.unchanged(changed)
         other = copy(self)
         other.loop = replace(self.loop, controller=controller)
-        other.relation = replace(self.relation, definitions={**self.relation.definitions, **changed})
+        other.relation = self.relation.under(changed)
         other.where = Neighbourhood(other.loop, other.relation)
         if not as_before:
             other.initial = initial_condition(other.loop, other.ties, other.relation)
@@ -106,12 +106,7 @@ def _check_closed(loop: ClosedLoop, relation: TransitionRelation) -> None:
     known = {*relation.state, *relation.inputs, *relation.definitions}
     if len(known) < len(relation.state) + len(relation.inputs) + len(relation.definitions):
         raise MalformedController("a name stands for two things in the system")
-    parts = [
-        *relation.definitions.values(),
-        *(h.expr for h in loop.plant.hazards),
-        *loop.plant.initial,
-        *(a.expr for a in relation.assumptions),
-    ]
-    unknown = sorted(set(variables(parts)) - known)
+    said = (*(h.expr for h in loop.plant.hazards), *loop.plant.initial, *(a.expr for a in relation.assumptions))
+    unknown = sorted(set().union(variables(said), *relation.reads.values()) - known)
     if unknown:
         raise MalformedController(f"undefined variables in the system: {', '.join(unknown[:5])}")
