@@ -157,17 +157,15 @@ def missing(controller: Controller, equation: str, value: Callable[[str], int]) 
 def independent(controller: Controller) -> list[list[Timer]]:
     """The timers in order, in groups of which no input reads a timer of the same group."""
     groups: list[list[Timer]] = []
-    names: set[str] = set()
-    over: dict[str, frozenset[str]] = {}  # the timers that a step waits for
+    after: dict[str, int] = {}
+    """The number of groups of which a step waits for a timer, and those before them."""
     for step in controller.steps:
         reads = step.reads if isinstance(step, Equation) else (step.input,)
-        waits = frozenset().union(*(over[n] for n in reads if n in over))
-        over[step.name] = waits
+        waits = max([after.get(n, 0) for n in reads], default=0)
         if isinstance(step, Timer):
-            over[step.name] |= {step.name}
-            if not groups or waits & names:
+            if waits == len(groups):
                 groups.append([])
-                names = set()
             groups[-1].append(step)
-            names.add(step.name)
+            waits = len(groups)
+        after[step.name] = waits
     return groups
