@@ -338,6 +338,28 @@ def evaluate(root: Expr, value: Callable[[Name], int], memo: dict[int, bool]) ->
     return memo[id(root)]
 
 
+def settled(x: Expr, known: Mapping[Name, bool]) -> bool | None:
+    """The value that an expression has under values of some variables, whatever the others are: of Kleene's three the
+    third is None."""
+    op = x.op
+    if op is VAR:
+        return known.get(x.name)
+    if op is NOT:
+        value = settled(x.args[0], known)
+        return None if value is None else not value
+    if op is AND or op is OR:
+        decides = op is OR
+        found: bool | None = not decides
+        for a in x.args:
+            value = settled(a, known)
+            if value is decides:
+                return value
+            if value is None:
+                found = None
+        return found
+    return None if op is EQ else x is TRUE
+
+
 Truth = Callable[[Mapping[str, int]], bool]
 """The truth of one expression under values of its variables."""
 

@@ -15,7 +15,7 @@ from collections import Counter
 from collections.abc import Sequence
 from functools import partial
 
-from interlock.logic.expr import TRUE, Expr, conj, neg, var
+from interlock.logic.expr import TRUE, Expr, conj, neg, settled, var
 from interlock.model.elements import Position
 from interlock.proof.claims import CLAIMS, Claim, Facts, claims, strengthening
 from interlock.proof.engines import Answer, solver
@@ -23,7 +23,7 @@ from interlock.proof.engines.batch import Decision
 from interlock.proof.engines.limits import Limits
 from interlock.proof.engines.pool import Task, run
 from interlock.proof.engines.tseitin import Cnf
-from interlock.proof.induction.inductive import decided, holding_at_restart, keep, left_open, made_true, restart_values
+from interlock.proof.induction.inductive import decided, holding_at_restart, keep, left_open, restart_values
 from interlock.proof.induction.parts import Goal, Inquiry
 from interlock.proof.induction.search import search
 from interlock.proof.induction.story import tell
@@ -133,7 +133,7 @@ def _start(system: System, limits: Limits) -> ClaimResult:
     """The restart: nothing commanded, all signals at stop, every section locked."""
     began = time.monotonic()
     wanted = start_claim(system.loop)
-    ok = made_true(wanted, {name: x is TRUE for name, x in restart_values(system.initial)[0].items()})
+    ok = settled(wanted, {name: x is TRUE for name, x in restart_values(system.initial)[0].items()})
     if not ok:
         cnf = Cnf()
         cnf.require(system.initial.whole)

@@ -8,10 +8,10 @@ subset of them.  (Floyd, 1967; Manna and Pnueli, *Temporal Verification of React
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import partial
 
-from interlock.logic.expr import AND, FALSE, NOT, OR, TRUE, VAR, Expr, Substitution
+from interlock.logic.expr import FALSE, NOT, TRUE, VAR, Expr, Substitution, settled
 from interlock.logic.names import Name
 from interlock.proof.abstraction.canonical import CanonicalForms
 from interlock.proof.claims import Claim, Facts, Invariant, strengthening
@@ -84,7 +84,7 @@ def holding_at_restart(system: System, invariants: Sequence[Invariant], limits: 
     if solver(limits.engine, cnf, limits.query_ms).ask() is not Answer.SAT:
         raise RuntimeError("the restart states contradict each other")
     known = {name: x is TRUE for name, x in fixed.items()}
-    left = [n for n, i in enumerate(invariants) if not made_true(i.expr, known)]
+    left = [n for n, i in enumerate(invariants) if not settled(i.expr, known)]
     asked = [put(invariants[n].expr) for n in left]
     found = batch.decided(asked, facts, {}, limits, lambda: CanonicalForms({}).of({}, asked, facts))
     holds = [True] * len(invariants)
@@ -104,19 +104,6 @@ def restart_values(initial: InitialCondition) -> tuple[dict[Name, Expr], list[Ex
         elif fixed.setdefault(leaf.name, value) is not value:
             raise RuntimeError("the restart states contradict each other")
     return fixed, others
-
-
-def made_true(x: Expr, known: Mapping[Name, bool], wanted: bool = True) -> bool:
-    """Whether values of some variables make an expression come out as wanted, whatever the others are."""
-    op = x.op
-    if op is VAR:
-        return known.get(x.name) is wanted
-    if op is NOT:
-        return made_true(x.args[0], known, not wanted)
-    if op is AND or op is OR:
-        enough = any if (op is OR) is wanted else all
-        return enough(made_true(a, known, wanted) for a in x.args)
-    return x is (TRUE if wanted else FALSE)
 
 
 def open_claims(

@@ -20,7 +20,7 @@ from functools import cached_property
 
 from interlock.logic import names
 from interlock.logic.controller import Controller, Timer
-from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, iff, neg, var
+from interlock.logic.expr import Expr, conj, iff, neg, settled, var
 from interlock.logic.names import Name
 from interlock.proof.system.clocks import Tie
 from interlock.proof.system.loop import ClosedLoop
@@ -34,18 +34,12 @@ class Kept:
     """The variables whose start value every scan keeps, and what was known in each round in which they were found."""
 
     names: frozenset[Name]
-    rounds: tuple[Mapping[Name, Expr], ...]
+    rounds: tuple[Mapping[Name, bool], ...]
 
     def unchanged(self, changed: Mapping[Name, Expr]) -> bool:
         """Whether the same is found where some names stand for other expressions: these have in each round the value
         that was known, or none as before."""
-        for known in self.rounds:
-            put = Substitution(known)
-            for name, x in changed.items():
-                value = put(x)
-                if known.get(name) is not (value if value is TRUE or value is FALSE else None):
-                    return False
-        return True
+        return all(known.get(name) is settled(x, known) for known in self.rounds for name, x in changed.items())
 
 
 @dataclass(frozen=True)
@@ -69,25 +63,25 @@ def initial_condition(loop: ClosedLoop, ties: Iterable[Tie], relation: Transitio
     start = _at_power_up(loop, ties)
     following = {x: relation.definitions[x] for n, x in relation.later.items() if n in start}
     kept = kept_values(loop.controller, start, following)
-    known = [var(n) if start[n] is TRUE else neg(var(n)) for n in start if n in kept.names]
+    known = [var(n) if start[n] else neg(var(n)) for n in start if n in kept.names]
     shown = [iff(var(x.name), x.expr) for x in loop.controller.outputs if x.name not in kept.names]
     return InitialCondition((*known, *shown, *loop.plant.initial), kept)
 
 
-def _at_power_up(loop: ClosedLoop, ties: Iterable[Tie]) -> dict[Name, Expr]:
+def _at_power_up(loop: ClosedLoop, ties: Iterable[Tie]) -> dict[Name, bool]:
     """What the controller, its outputs and what is remembered of them are at power-up."""
     controller = loop.controller
-    start = {x.name: TRUE if x.initial else FALSE for x in controller.state}
-    start |= {x.name: TRUE if x.restrictive else FALSE for x in controller.outputs}
-    start |= dict.fromkeys((names.BEEN(s) for s in loop.topo.sections), FALSE)
-    start |= dict.fromkeys((names.SHUT(r.number) for r in controller.symbols.routes), FALSE)
-    start |= dict.fromkeys((t.covered for t in ties), TRUE)
-    start |= dict.fromkeys((n for n in loop.plant.state if n.family in _REMEMBERED), FALSE)
+    start = {x.name: bool(x.initial) for x in controller.state}
+    start |= {x.name: bool(x.restrictive) for x in controller.outputs}
+    start |= dict.fromkeys((names.BEEN(s) for s in loop.topo.sections), False)
+    start |= dict.fromkeys((names.SHUT(r.number) for r in controller.symbols.routes), False)
+    start |= dict.fromkeys((t.covered for t in ties), True)
+    start |= dict.fromkeys((n for n in loop.plant.state if n.family in _REMEMBERED), False)
     return start
 
 
-def kept_values(controller: Controller, start: Mapping[Name, Expr], following: Mapping[Name, Expr]) -> Kept:
-    """The variables of `start` (constants by name) whose value every scan keeps while the restart delay runs.
+def kept_values(controller: Controller, start: Mapping[Name, bool], following: Mapping[Name, Expr]) -> Kept:
+    """The variables of `start` whose value every scan keeps while the restart delay runs.
 
     `following`: the definitions of their next values, in an order in which each reads only next values before it.
     """
@@ -95,15 +89,14 @@ def kept_values(controller: Controller, start: Mapping[Name, Expr], following: M
     while True:
         known = dict(kept)
         rounds.append(known)
-        put = Substitution(known)
-        known[controller.symbols.start.restart_timer] = FALSE
+        known[controller.symbols.start.restart_timer] = False
         for step in controller.steps:
             if not isinstance(step, Timer):
-                _note(known, step.name, put(step.expr))
-            elif known.get(step.input) is FALSE:
-                known[step.name] = FALSE
+                _note(known, step.name, settled(step.expr, known))
+            elif known.get(step.input) is False:
+                known[step.name] = False
         for name, x in following.items():
-            _note(known, name, put(x))
+            _note(known, name, settled(x, known))
         lost = [name for name, value in kept.items() if known.get(name.next) is not value]
         if not lost:
             return Kept(frozenset(kept), tuple(rounds))
@@ -111,6 +104,6 @@ def kept_values(controller: Controller, start: Mapping[Name, Expr], following: M
             del kept[name]
 
 
-def _note(known: dict[Name, Expr], name: Name, value: Expr) -> None:
-    if value is TRUE or value is FALSE:
+def _note(known: dict[Name, bool], name: Name, value: bool | None) -> None:
+    if value is not None:
         known[name] = value
