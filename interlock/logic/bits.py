@@ -24,7 +24,7 @@ class Bits:
         """`stages`: the roots of each; one name means one expression.  `meaning`: names that stand for expressions; no
         name reads itself."""
         self._kinds = bytearray()
-        self._args: list[list[int]] = []
+        self._args: list[tuple[int, ...]] = []
         """What each node reads: nodes by number, and denied ones by the complement of theirs."""
         self._denied = bytearray()
         """Whether anybody reads a node denied."""
@@ -87,7 +87,7 @@ class Bits:
                 readers[n if n >= 0 else ~n].append(at)
             readers.append([])
             kinds.append(op)
-            args_of.append(args)
+            args_of.append(tuple(args))
             self._denied.append(0)
 
     def forget(self) -> None:
