@@ -141,17 +141,20 @@ class Simulator:
 def missing(controller: Controller, equation: str, value: Callable[[str], int]) -> list[str]:
     """The terms of an equation that are false, in words; instead of one that is a wire of which every term must hold,
     those of its own terms, if they are told in words."""
-    every = {e.name: e for e in controller.equations if e.join is Join.ALL and all(t.note for t in e.terms)}
-    sub = Substitution(controller.expanded)
     memo: dict[int, bool] = {}
+
+    def meant(name: str) -> int:
+        e = controller.equation.get(name)
+        return value(name) if e is None else evaluate(e.expr, meant, memo)
 
     def those(e: Equation) -> Iterator[str]:
         for t in e.terms:
-            if not evaluate(sub(t.expr), value, memo):
-                under = every.get(t.expr.name) if t.expr.op is VAR else None
-                yield from those(under) if under is not None else (t.note or t.kind,)
+            if not evaluate(t.expr, meant, memo):
+                under = controller.equation.get(t.expr.name) if t.expr.op is VAR else None
+                told = under is not None and under.join is Join.ALL and all(x.note for x in under.terms)
+                yield from those(under) if under is not None and told else (t.note or t.kind,)
 
-    return list(dict.fromkeys(those(next(e for e in controller.equations if e.name == equation))))
+    return list(dict.fromkeys(those(controller.equation[equation])))
 
 
 def independent(controller: Controller) -> list[list[Timer]]:
