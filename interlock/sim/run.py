@@ -142,10 +142,13 @@ def missing(controller: Controller, equation: str, value: Callable[[str], int]) 
     """The terms of an equation that are false, in words; instead of one that is a wire of which every term must hold,
     those of its own terms, if they are told in words."""
     memo: dict[int, bool] = {}
+    wires: dict[str, int] = {}
 
     def meant(name: str) -> int:
-        e = controller.equation.get(name)
-        return value(name) if e is None else evaluate(e.expr, meant, memo)
+        return wires[name] if name in wires else value(name)
+
+    for e in controller.leading_to(equation):
+        wires[e.name] = evaluate(e.expr, meant, memo)
 
     def those(e: Equation) -> Iterator[str]:
         for t in e.terms:
