@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from itertools import product
+from itertools import pairwise, product
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from interlock.logic.bits import Bits
+from interlock.logic.controller import Controller, Equation, Input, Join, Term
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, eq, evaluate, neg, settled, var
 from interlock.logic.names import spelled
 from interlock.proof.engines import Answer, solver
 from interlock.proof.engines.plaisted_greenbaum import OneSided
 from interlock.proof.engines.tseitin import Cnf
+from interlock.sim.run import missing
 
 NAMES = ("a", "b", "c", "d")
 leaves = st.sampled_from([TRUE, FALSE, *(var(n) for n in NAMES)])
@@ -69,7 +71,7 @@ def test_what_is_computed_where_something_has_changed_is_as_if_all_were(
         vectors = {**vectors, name: vector}
         if again:
             run.forget()
-        found = run(vectors, mask)
+        found = run(vectors if again else {name: vector}, mask)
         assert found == Bits(named)(vectors, mask)
         assert again or run.changed == {n: x for n, x in found.items() if x != told[n]}
         assert not again or run.changed == found
@@ -99,6 +101,19 @@ def test_a_later_stage_computes_with_what_is_read_then(
         assert found == Bits(one | two)(vectors, mask)
         assert {n: x for n, x in found.items() if x != told.get(n)}.items() <= run.changed.items()
         before, told = vectors, dict(found)
+
+
+def test_a_name_may_stand_for_names_as_deep_as_a_zone_is_long() -> None:
+    """A count of sections reads the count before it: neither a run nor its explanation goes down by recursion."""
+    wires = [spelled(f"w{n}") for n in range(4000)]
+    meaning = {w: conj((var(before), var(spelled("a")))) for before, w in pairwise(wires)}
+    meaning[wires[0]] = neg(var(spelled("b")))
+    assert Bits({"": meaning[wires[-1]]}, meaning=meaning)({"a": 6, "b": 1}, 7) == {"": 6}
+    steps = [Equation(w, Join.ALL, (Term(meaning[w], "counts", f"term of {w}"),), "") for w in wires]
+    inputs = tuple(Input(spelled(n), "") for n in ("a", "b"))
+    controller = Controller("deep", inputs, (), tuple(steps), (), (), symbols=None)  # type: ignore[arg-type]
+    assert missing(controller, wires[-1], {"a": 1, "b": 0}.__getitem__) == []
+    assert missing(controller, wires[-1], {"a": 1, "b": 1}.__getitem__) == [f"term of {wires[-1]}"]
 
 
 @settings(deadline=None)

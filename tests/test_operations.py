@@ -7,9 +7,10 @@ from dataclasses import replace
 import pytest
 
 from interlock.logic.controller import Controller, Join, Term
-from interlock.logic.expr import FALSE, Expr
+from interlock.logic.expr import FALSE, Expr, Substitution, variables
 from interlock.proof.system.loop import closed_loop
 from interlock.proof.witnesses.operations import OPERATIONS, operations
+from interlock.sim.lanes import Lanes
 from tests.layouts import SHIPPED, built
 
 
@@ -19,6 +20,19 @@ def test_every_operation_works_with_every_route_that_a_train_can_take(name: str)
     found = operations(closed_loop(layout, controller))
     assert found and all(those.keys() == OPERATIONS.keys() for those in found.values())
     assert {(r, what, why) for r, those in found.items() for what, why in those.items() if why is not None} == set()
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_inputs_tell_of_movements_that_read_no_inputs(name: str) -> None:
+    """A run of many reads its inputs once, after the railway has moved: from the step before there is nothing left."""
+    layout, _, controller = built(name)
+    lanes = Lanes(controller, closed_loop(layout, controller).plant)
+    flat = Substitution(lanes.plant.events.definitions)
+    todo, read = {*lanes.told.values()}, set()
+    while todo:
+        read |= {*variables(todo)}
+        todo = {flat(x) for x in todo} - todo
+    assert lanes.told and read.isdisjoint({x.name for x in (*controller.inputs, *controller.timers)})
 
 
 def put(controller: Controller, name: str, x: Expr) -> Controller:

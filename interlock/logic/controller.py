@@ -211,6 +211,11 @@ class Controller:
         return tuple(s for s in self.steps if isinstance(s, Equation))
 
     @cached_property
+    def equation(self) -> dict[str, Equation]:
+        """The wires by name."""
+        return {e.name: e for e in self.equations}
+
+    @cached_property
     def expanded(self) -> dict[Name, Expr]:
         """Every wire as an expression over inputs, old state and timer outputs alone."""
         known: dict[Name, Expr] = {}

@@ -13,8 +13,8 @@ from operator import or_
 
 from interlock.logic import names
 from interlock.logic.bits import Bits
-from interlock.logic.controller import Controller
-from interlock.logic.expr import Substitution, var
+from interlock.logic.controller import Controller, Timer
+from interlock.logic.expr import FALSE, Expr, Substitution, disj, neg, var
 from interlock.logic.names import Name
 from interlock.logic.plant import Plant
 from interlock.model.elements import Position
@@ -86,7 +86,7 @@ class Lanes:
             names.choice(names.MACHINE_STARTS(m, x)): sym.machines.drive[m, x.other] for m, x in sym.machines.drive
         }
         self._arrivals = [c for c in plant.choices if c.family is names.MACHINE_ARRIVES]
-        moves = {n: e for n, e in plant.next.items() if n.family in _MOVES}
+        self._choices = {c.base: c for c in plant.choices if c.form is names.Form.CHOICE}
         self._timers = [*independent(controller)]
         waits = [{t.name: var(t.input) for t in group} for group in self._timers]
         scan = {e.name: e.expr for e in controller.next}
@@ -97,8 +97,10 @@ class Lanes:
         self._kept, self._hazards = frozenset(roots), tuple(hazards)
         self._rules = dict(zip(rules, (a.id for a in plant.assumptions), strict=True))
         self._wires = {e.name: e.expr for e in controller.equations} if record is not None else {}
-        self._computed = Bits(moves, *waits, roots | rules | hazards | self._wires, meaning=meaning)
-        """How the railway moves, what timers wait for, then all that is next."""
+        self.told = self._told()
+        """What inputs tell of how the railway moves."""
+        self._computed = Bits(self.told, *waits, roots | rules | hazards | self._wires, meaning=meaning)
+        """What inputs tell, what timers wait for, then all that is next."""
         self.state: dict[str, int] = {}
         self.last: dict[str, int] = {}
         self.troubles: dict[str, int] = {}
@@ -126,6 +128,7 @@ class Lanes:
         self.troubles = {}
         self._held = None
         self._running: dict[str, list[tuple[int, int]]] = {t.name: [] for t in self.controller.timers}
+        self._waiting: set[str] = set()
         self._clock = 0
         self.state[names.POWERED] = self.mask
         symbols, longest = self.controller.symbols, max(t.preset_ms for t in self.controller.timers)
@@ -133,6 +136,10 @@ class Lanes:
         for name in (symbols.start.restart_timer, *symbols.sections.release_timer.values()):
             self._running[name] = [(-longest, self.mask)]
         self._undisturbed = self._as_if_undisturbed()
+        self._values: dict[str, int] = {}
+        self._new = self.state | self._undisturbed
+        """What is read anew: of what the last step has read all else stays as it was."""
+        self._disturbed: set[str] = set()
         lanes = [Lane(self, n) for n in range(len(starts))]
         runs: list[Driver] = [d(lane) for d, lane in zip(drivers, lanes, strict=True)]
         outcomes: list[tuple[str | None, int]] = [(None, 0)] * len(starts)
@@ -165,8 +172,20 @@ class Lanes:
                     runs ^= lowest
         return self._held
 
+    def _told(self) -> dict[Name, Expr]:
+        """What inputs tell of how the railway moves: no movement reads an input."""
+        moves = {n: e for n, e in self.plant.next.items() if n.family in _MOVES}
+        sym = self.controller.symbols
+        told = {name: neg(moves.get(names.STANDS(s), FALSE)) for s, name in sym.sections.clear.items()}
+        told |= {name: moves[names.LIES(m, x)] for (m, x), name in sym.machines.detected.items()}
+        for b, wire in sym.token.items():
+            gives, there = moves[names.TELEGRAM(b, "gives")], [moves.get(n, FALSE) for n in self.plant.on_line(b)]
+            told |= {wire.gives: gives, wire.has: moves[names.TELEGRAM(b, "has")]}
+            told |= {wire.keeps: neg(gives), wire.clear: neg(disj(there))}
+        return told
+
     def _as_if_undisturbed(self) -> dict[str, int]:
-        """What is read of an undisturbed railway in every step, whatever has happened."""
+        """What is read of an undisturbed railway, at first."""
         sym, m = self.controller.symbols, self.mask
         values: dict[str, int] = dict.fromkeys(self.plant.choices, 0)
         for i in self.controller.inputs:
@@ -184,64 +203,75 @@ class Lanes:
         return values | dict.fromkeys((*sym.condition.values(), *sym.sections.healthy.values(), *lamps), m)
 
     def _step(self, wanted: list[tuple[Lane, Wish]]) -> None:
-        sym = self.controller.symbols
         m = self.mask
-        values = self.state | self._undisturbed
         for choice, command in self._moves.items():
-            values[choice] = self.state[command]
+            self._new[choice] = self._undisturbed[choice] = self.state[command]
         for lane, wish in wanted:
             lane.count += 1
             for e in wish.events:
-                if names.choice(e) in values:
-                    values[names.choice(e)] |= lane.bit
-        moved = self._computed(values, m)
-        for s, name in sym.sections.clear.items():
-            there = moved.get(names.STANDS(s), 0)
-            values[name] = m ^ there if there else m
-        for (machine, x), name in sym.machines.detected.items():
-            values[name] = moved[names.LIES(machine, x)]
-        for b, wire in sym.token.items():
-            values |= {wire.gives: moved[names.TELEGRAM(b, "gives")], wire.has: moved[names.TELEGRAM(b, "has")]}
-            values[wire.keeps] = m ^ moved[names.TELEGRAM(b, "gives")]
-            values[wire.clear] = m ^ reduce(or_, (moved.get(n, 0) for n in self.plant.on_line(b)))
+                if e in self._choices:
+                    self._disturb(self._choices[e], lane.bit, True)
+        changed = self._compute(0)
+        self._new = {n: x for n, x in changed.items() if n in self.told}
+        self._undisturbed.update(self._new)
         for lane, wish in wanted:
             for given, value in wish.inputs.items():
                 if given in self.sizes:
-                    values[f"{given}={self._rest[given]}"] &= ~lane.bit
-                    values[f"{given}={value}"] |= lane.bit
+                    self._disturb(f"{given}={self._rest[given]}", lane.bit, False)
+                    self._disturb(f"{given}={value}", lane.bit, True)
                 else:
-                    values[given] = values[given] | lane.bit if value else values[given] & ~lane.bit
-        self._run_timers(values)
-        after = self._computed(values, m, len(self._timers) + 1)
+                    self._disturb(given, lane.bit, bool(value))
+        for stage, group in enumerate(self._timers, 1):
+            self._run_timers(group, self._compute(stage))
+        changed = self._compute(len(self._timers) + 1)
         if self._record is not None:
-            self._record(values | {w: after[w] for w in self._wires}, sum(lane.bit for lane, _ in wanted))
+            wires = {w: self._computed.found[w] for w in self._wires}
+            self._record(self._values | wires, sum(lane.bit for lane, _ in wanted))
         for rule, broken in self._rules.items():
-            if after[rule] != m:
-                self.troubles[broken] = self.troubles.get(broken, 0) | (m ^ after[rule])
+            if (kept := changed.get(rule, m)) != m:
+                self.troubles[broken] = self.troubles.get(broken, 0) | (m ^ kept)
         for name in self._hazards:
-            if after[name]:
-                self.troubles[name] = self.troubles.get(name, 0) | after[name]
-        self.last = values
-        self.state.update({n: x for n, x in self._computed.changed.items() if n in self._kept})
+            if there := changed.get(name, 0):
+                self.troubles[name] = self.troubles.get(name, 0) | there
+        self.last = self._values
+        self._new = {n: x for n, x in changed.items() if n in self._kept and x is not self.state[n]}
+        self.state.update(self._new)
+        self._new.update([(n, self._undisturbed[n]) for n in self._disturbed])
+        self._disturbed.clear()
         self._held = None
         self._clock += 1
 
-    def _run_timers(self, values: dict[str, int]) -> None:
-        for stage, group in enumerate(self._timers, 1):
-            running = self._computed(values, self.mask, stage)
-            for t in group:
-                on = running[t.name]
-                need = -(-t.preset_ms // self.dt_ms)
-                going = [(began, both) for began, lanes in self._running[t.name] if (both := lanes & on)]
-                fresh = on
-                over = 0
-                for began, lanes in going:
-                    fresh &= ~lanes
-                    if self._clock - began >= need:
-                        over |= lanes
-                if fresh:
-                    going.append((self._clock, fresh))
-                    if need <= 0:
-                        over |= fresh
-                self._running[t.name] = going
-                values[t.name] = over
+    def _compute(self, stage: int) -> Mapping[str, int]:
+        """Compute a stage with all that is read anew; what has changed in this step."""
+        self._computed(self._new, self.mask, stage)
+        self._values.update(self._new)
+        self._new = {}
+        return self._computed.changed
+
+    def _disturb(self, name: str, bit: int, value: bool) -> None:
+        """One run reads something else in this step than of an undisturbed railway."""
+        vector = self._new[name] if name in self._new else self._values[name]
+        self._new[name] = vector | bit if value else vector & ~bit
+        self._disturbed.add(name)
+
+    def _run_timers(self, group: Sequence[Timer], changed: Mapping[str, int]) -> None:
+        """Those timers whose inputs have changed, or which run and are not over."""
+        for t in group:
+            if t.name not in changed and t.name not in self._waiting:
+                continue
+            on = self._computed.found[t.name]
+            need = -(-t.preset_ms // self.dt_ms)
+            going = [(began, both) for began, lanes in self._running[t.name] if (both := lanes & on)]
+            fresh = on
+            over = 0
+            for began, lanes in going:
+                fresh &= ~lanes
+                if self._clock - began >= need:
+                    over |= lanes
+            if fresh:
+                going.append((self._clock, fresh))
+                if need <= 0:
+                    over |= fresh
+            self._running[t.name] = going
+            self._new[t.name] = over
+            (self._waiting.discard if over == on else self._waiting.add)(t.name)

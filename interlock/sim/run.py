@@ -141,33 +141,49 @@ class Simulator:
 def missing(controller: Controller, equation: str, value: Callable[[str], int]) -> list[str]:
     """The terms of an equation that are false, in words; instead of one that is a wire of which every term must hold,
     those of its own terms, if they are told in words."""
-    every = {e.name: e for e in controller.equations if e.join is Join.ALL and all(t.note for t in e.terms)}
-    sub = Substitution(controller.expanded)
     memo: dict[int, bool] = {}
+    wires: dict[str, int] = {}
+
+    def meant(name: str) -> int:
+        return wires[name] if name in wires else value(name)
+
+    for e in _leading_to(controller, equation):
+        wires[e.name] = evaluate(e.expr, meant, memo)
 
     def those(e: Equation) -> Iterator[str]:
         for t in e.terms:
-            if not evaluate(sub(t.expr), value, memo):
-                under = every.get(t.expr.name) if t.expr.op is VAR else None
-                yield from those(under) if under is not None else (t.note or t.kind,)
+            if not evaluate(t.expr, meant, memo):
+                under = controller.equation.get(t.expr.name) if t.expr.op is VAR else None
+                told = under is not None and under.join is Join.ALL and all(x.note for x in under.terms)
+                yield from those(under) if under is not None and told else (t.note or t.kind,)
 
-    return list(dict.fromkeys(those(next(e for e in controller.equations if e.name == equation))))
+    return list(dict.fromkeys(those(controller.equation[equation])))
+
+
+def _leading_to(controller: Controller, equation: str) -> list[Equation]:
+    """The wires that an equation reads, and those that these read, with itself: in order."""
+    found: set[str] = set()
+    todo = [equation]
+    while todo:
+        name = todo.pop()
+        if name in controller.equation and name not in found:
+            found.add(name)
+            todo += controller.equation[name].reads
+    return [e for e in controller.equations if e.name in found]
 
 
 def independent(controller: Controller) -> list[list[Timer]]:
     """The timers in order, in groups of which no input reads a timer of the same group."""
     groups: list[list[Timer]] = []
-    names: set[str] = set()
-    over: dict[str, frozenset[str]] = {}  # the timers that a step waits for
+    after: dict[str, int] = {}
+    """The number of groups of which a step waits for a timer, and those before them."""
     for step in controller.steps:
         reads = step.reads if isinstance(step, Equation) else (step.input,)
-        waits = frozenset().union(*(over[n] for n in reads if n in over))
-        over[step.name] = waits
+        waits = max([after.get(n, 0) for n in reads], default=0)
         if isinstance(step, Timer):
-            over[step.name] |= {step.name}
-            if not groups or waits & names:
+            if waits == len(groups):
                 groups.append([])
-                names = set()
             groups[-1].append(step)
-            names.add(step.name)
+            waits = len(groups)
+        after[step.name] = waits
     return groups
