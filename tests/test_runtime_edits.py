@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+import random
 import re
 import types
 from functools import cache
@@ -10,7 +12,10 @@ import pytest
 
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.controller import Controller
-from interlock.proof.equivalence.python_text import compare_runtime
+from interlock.logic.expr import evaluate, var
+from interlock.logic.names import spelled
+from interlock.proof.equivalence.python_text import BadRuntime, _Reader, compare_runtime
+from interlock.st.meaning import Symbol
 from tests.layouts import built
 
 
@@ -172,3 +177,52 @@ def test_the_encoding_that_a_comment_names_lets_a_comment_run() -> None:
         exec(compile(f"{top}\n{noted}".encode(), "runtime.py", "exec"), module.__dict__)
         assert (module.Controller().scan({}, 100) is module.OUTPUTS) is runs
         assert compare_runtime(controller, f"{top}\n{noted}").proved is not runs
+
+
+def _written(rng: random.Random, deep: int) -> str:
+    """An expression with brackets wherever two kinds of operators meet, and here and there where none is needed."""
+    if not deep or rng.random() < 0.2:
+        return rng.choice(["a", "b", "c", "(r == 3)", "True", "False"])
+    inner = [_written(rng, deep - 1) for _ in range(rng.randint(1, 3))]
+    if len(inner) == 1:
+        return f"not {inner[0]}" if " " not in inner[0] or inner[0][0] == "(" else f"({inner[0]})"
+    word = rng.choice([" and ", " or "])
+    return word.join(x if re.fullmatch(r"(not )*\w+|\(r == 3\)", x) else f"({x})" for x in inner)
+
+
+def test_expressions_are_read_as_python_reads_them_or_refused() -> None:
+    """As they are emitted all are taken; with characters exchanged, only those that mean to Python what is read."""
+    reader = _Reader(*emitted())
+    reader.values = {n: var(spelled(n)) for n in "abc"} | {"r": Symbol("r")}
+    rng = random.Random(3)
+    refused = 0
+    for k in range(400):
+        text = _written(rng, 4)
+        if k % 2:
+            at = rng.randrange(len(text))
+            text = text[:at] + rng.choice("()ab ") + text[at + rng.randint(0, 1) :]
+        try:
+            found = reader._value(text)
+        except BadRuntime:
+            assert k % 2, text
+            refused += 1
+            continue
+        for bits in itertools.product((0, 1), repeat=4):
+            values = dict(zip("abc", bits, strict=False)) | {"r": 3 * bits[3]}
+            assert evaluate(found, values.__getitem__, {}) == bool(eval(text, values.copy())), text
+    assert 80 <= refused <= 190
+    for text in (
+        "a and b or c",
+        "a or b and c",
+        "a b",
+        "(a)(b)",
+        "()",
+        "not",
+        "a and",
+        "r",
+        "r == 03",
+        "a == 1",
+        "(" * 999,
+    ):
+        with pytest.raises(BadRuntime):
+            reader._value(text)

@@ -18,15 +18,16 @@ from interlock.derivation import derive
 from interlock.diag import Sink
 from interlock.frontend import load_text
 from interlock.logic.controller import Equation, Input, Step
-from interlock.logic.expr import FALSE, TRUE, Substitution, var
+from interlock.logic.expr import FALSE, TRUE, Substitution, neg, var
 from interlock.logic.lower import lower
+from interlock.logic.names import spelled
 from interlock.logic.order import by_place
-from interlock.proof.equivalence.structured_text import Scan, compare_scan, compare_st, wires
+from interlock.proof.equivalence.structured_text import Scan, compare_scan, compare_st, kept, wires
 from interlock.st.ast import Assign, Expression, Nary, Not
 from interlock.st.delivery import write_st
 from interlock.st.dialects import BY_NAME
 from interlock.st.lower import MAX_OPERANDS, lower_st
-from interlock.st.meaning import Symbol, Symbols
+from interlock.st.meaning import Execution, Symbol, Symbols, Term
 from interlock.st.parser import NotInSubset, parse_block, parse_unit
 from interlock.st.printer import MAX_COLUMNS, comment, print_unit, wrapped
 from interlock.st.structures import plain, structured
@@ -157,6 +158,30 @@ def test_a_text_that_reads_what_a_later_equation_left_in_the_last_scan_is_refute
     stop = next(k for k in range(second, len(lines)) if ");" in lines[k]) + 1
     swapped = lines[:first] + lines[second:stop] + lines[first:second] + lines[stop:]
     assert not compare_st(controller, "".join(swapped)).proved
+
+
+def test_what_is_read_before_it_is_written_may_be_anything() -> None:
+    """Outputs, what another instance shows, and what an IF leaves as it was: each has an unknown of its own."""
+    text = """
+FUNCTION_BLOCK A
+VAR_OUTPUT q : BOOL; END_VAR
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK M
+VAR_INPUT c : BOOL; END_VAR
+VAR_OUTPUT o : BOOL; p : BOOL; r : BOOL; n : BOOL; END_VAR
+VAR v : BOOL; w : BOOL; a : A; END_VAR
+  o := v;
+  IF c THEN w := TRUE; END_IF;
+  p := w;
+  r := a.q;
+  v := c;
+END_FUNCTION_BLOCK
+"""
+    run: Execution[Term] = Execution(parse_unit(text), Symbols(), kept)
+    run.main.forget()
+    c, v, w, q, n = (var(spelled(x)) for x in ("c", "kept v", "kept w", "kept a.q", "kept n"))
+    assert run.scan({"c": c}) == {"o": v, "p": c | (neg(c) & w), "r": q, "n": n}
+    assert run.main.values["v"] is c, "what is written is known"
 
 
 def _edits(text: str, rng: random.Random) -> tuple[str, str]:

@@ -263,7 +263,8 @@ def allocate(layout: Layout, controller: Controller) -> Allocation:
     written = tuple(i.name for i in controller.inputs if i.name not in used and i.name != controller.symbols.valid)
     read = tuple(o.name for o in controller.outputs if o.name not in used)
     cards = tuple(c for s in _substations(layout) for c in room.cards if c.substation == s.name)
-    left = tuple(c for c in room.cards if c not in cards)
+    stations = {s.name for s in _substations(layout)}
+    left = tuple(c for c in room.cards if c.substation not in stations)
     beats, bits, sent = (tuple(c for c in channels if signs.get(c.variable) == kind) for kind in _SIGNS)
     plain = tuple(c for c in channels if c.variable not in signs)
     return Allocation(plain, health, beats, bits, sent, written, read, cards, room.reserved, left)
@@ -292,6 +293,7 @@ class _Room:
             if c.substation in stations or any((c.direction, b) in kept for b in c.bytes):
                 self._add(c)
         self._closed = {(d, byte) for d, byte, _ in self.taken} if pins else set()
+        self._looked: dict[str, int] = {}  # from where on bytes may be free: none becomes free again
 
     def _add(self, card: Card) -> None:
         self.cards.append(card)
@@ -302,24 +304,27 @@ class _Room:
         if not new:
             return
         own = [c for c in self.cards if (c.substation, c.direction) == (station, direction)]
-        while (len(new) + self._used(own)) * (1 + SPARE) > len(own) * CARD:
-            slot = 1 + max((c.slot for c in self.cards if c.substation == station), default=0)
+        needed = len(new) + self._used(own)
+        slot = max((c.slot for c in self.cards if c.substation == station), default=0)
+        while needed * (1 + SPARE) > len(own) * CARD:
+            slot += 1
             own.append(Card(station, slot, direction, self._first(direction)))
             self._add(own[-1])
+            needed += self._used(own[-1:])
         free = (x for x in _places(own) if x not in self.taken)
         self.place |= {w.variable: next(free) for w in new}
         self.taken |= {self.place[w.variable] for w in new}
 
     def _used(self, cards: list[Card]) -> int:
         """Channels on these cards that are taken."""
-        bytes_ = {(c.direction, b) for c in cards for b in c.bytes}
-        return sum((d, byte) in bytes_ for d, byte, _ in self.taken)
+        return sum(x in self.taken for x in _places(cards))
 
     def _first(self, direction: str) -> int:
         """The first two bytes together in which there is no card, nor anything that is pinned."""
-        byte = 0
+        byte = self._looked.get(direction, 0)
         while any((direction, b) in self.holder or (direction, b) in self._closed for b in (byte, byte + 1)):
             byte += CARD // 8
+        self._looked[direction] = byte
         return byte
 
 

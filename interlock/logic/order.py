@@ -23,7 +23,7 @@ def by_place(steps: Sequence[Step], following: Mapping[Name, Equation]) -> list[
     Every step comes after those that it reads.  Timers stand after what they wait for and before what waits for them.
     """
     every: list[Step] = [*steps, *following.values()]
-    return [every[k] for k in _by_place(every, _numbered(every), following)]
+    return [every[k] for k in _by_place(every, *_numbered(every, following))]
 
 
 def together(steps: Sequence[Step], following: Mapping[Name, Equation]) -> list[Step]:
@@ -33,8 +33,8 @@ def together(steps: Sequence[Step], following: Mapping[Name, Equation]) -> list[
     For a text in which a block may read what any other computes, whatever that costs elsewhere.
     """
     every: list[Step] = [*steps, *following.values()]
-    reads = _numbered(every)
-    order = _by_place(every, reads, following)
+    reads, near = _numbered(every, following)
+    order = _by_place(every, reads, near)
     at = [0] * len(every)  # where a step stands in this order
     readers: list[list[int]] = [[] for _ in every]
     for k, step in enumerate(order):
@@ -44,20 +44,13 @@ def together(steps: Sequence[Step], following: Mapping[Name, Equation]) -> list[
     waits = [len(read) for read in reads]
     ready: dict[str, list[int]] = {"timers": [], **{s.group: [] for s in every if isinstance(s, Equation)}}
     here = [ready[s.group if isinstance(s, Equation) else "timers"] for s in every]
-    first: list[int] = []  # what is ready anywhere, and what was
-
-    def enter(step: int) -> None:
-        heappush(here[step], at[step])
-        heappush(first, at[step])
-
     for step in order:
         if not waits[step]:
-            enter(step)
+            here[step].append(at[step])  # in their order: a heap
     out: list[Step] = []
-    while first:
-        k = heappop(first)
-        mine = here[order[k]]
-        if k not in mine[:1]:
+    for k, first in enumerate(order):  # all that it reads is done, since that stands before it in this order
+        mine = here[first]
+        if mine[:1] != [k]:
             continue  # it is done
         while mine:
             step = order[heappop(mine)]
@@ -65,22 +58,23 @@ def together(steps: Sequence[Step], following: Mapping[Name, Equation]) -> list[
             for n in readers[step]:
                 waits[n] -= 1
                 if not waits[n]:
-                    enter(n)
+                    heappush(here[n], at[n])
     return out
 
 
-def _reads(s: Step) -> tuple[Name, ...]:
-    return s.reads if isinstance(s, Equation) else (s.input,)
-
-
-def _numbered(every: Sequence[Step]) -> list[list[int]]:
-    """By the number of each step those of the steps that it reads."""
+def _numbered(every: Sequence[Step], following: Mapping[Name, Equation]) -> tuple[list[list[int]], list[list[int]]]:
+    """By the number of each step those of the steps that it reads; and these with those of the next values of the
+    state variables that it reads."""
     at = {s.name: k for k, s in enumerate(every)}
-    return [[at[n] for n in _reads(s) if n in at] for s in every]
+    wires = len(every)
+    near = dict(at)
+    near |= {n: wires + at[e.name] for n, e in following.items()}  # told apart by more than their number
+    found = [[near[n] for n in (s.reads if isinstance(s, Equation) else (s.input,)) if n in near] for s in every]
+    return [[k for k in read if k < wires] for read in found], [[k % wires for k in read] for read in found]
 
 
-def _by_place(every: Sequence[Step], reads: Sequence[Sequence[int]], following: Mapping[Name, Equation]) -> list[int]:
-    place = _places(every, following)
+def _by_place(every: Sequence[Step], reads: Sequence[Sequence[int]], near: Sequence[Sequence[int]]) -> list[int]:
+    place = _places(every, near)
     wires: list[list[int]] = []  # by the number of timers that stand one behind the other before them
     timers: list[list[int]] = []
     behind: list[int] = []  # a timer closes the stage of what it waits for
@@ -115,18 +109,17 @@ def _after_inputs(root: int, reads: Sequence[Sequence[int]], left: list[bool], o
             out.append(k)
 
 
-def _places(every: Sequence[Step], following: Mapping[Name, Equation]) -> list[int]:
+def _places(every: Sequence[Step], near: Sequence[Sequence[int]]) -> list[int]:
     """By the number of each step the place of its group in the order in which a walk over groups that read each other
     comes to them; a state variable is of the group of its next value."""
-    group = {s.name: s.group for s in every if isinstance(s, Equation)}
-    group |= {n: e.group for n, e in following.items()}
-    adjacent: dict[str, dict[str, None]] = {g: {} for g in group.values()}
-    for s in every:
-        if isinstance(s, Equation):
-            here, beside = s.group, adjacent[s.group]
-            for n in s.reads:
-                there = group.get(n, here)
-                if there not in beside and there != here:
+    group = [s.group if isinstance(s, Equation) else None for s in every]
+    adjacent: dict[str, dict[str, None]] = {g: {} for g in group if g is not None}
+    for here, those in zip(group, near, strict=True):
+        if here is not None:
+            beside = adjacent[here]
+            for n in those:
+                there = group[n]
+                if there not in beside and there != here and there is not None:
                     beside[there] = adjacent[there][here] = None
     place: dict[str, int] = {}
     for start in adjacent:
@@ -137,4 +130,4 @@ def _places(every: Sequence[Step], following: Mapping[Name, Equation]) -> list[i
                 place[g] = len(place)
                 if len(adjacent[g]) <= MAX_DEGREE:
                     todo.extend(adjacent[g])
-    return [place[s.group] if isinstance(s, Equation) else 0 for s in every]
+    return [0 if g is None else place[g] for g in group]

@@ -12,10 +12,10 @@ from interlock.st.shared import reads, writes
 
 def places(controller: Controller) -> dict[str, str]:
     """By a variable's name in the text: the place of the railway to which it belongs."""
-    found = {n: e.group for e in controller.next for n in (e.name, computed(e.name))}
+    found: dict[str, str] = {n: e.group for e in controller.next for n in (e.name, computed(e.name))}
     found |= {e.name: e.group for e in controller.equations}
     found |= {w.name: w.group for w in controller.words.words}
-    return {str(n): place for n, place in found.items()}
+    return found
 
 
 def index(controller: Controller, unit: Unit) -> tuple[str, ...]:
@@ -24,9 +24,11 @@ def index(controller: Controller, unit: Unit) -> tuple[str, ...]:
     *blocks, main = unit.blocks
     found: dict[str, dict[str, list[str]]] = {}
     for b in blocks:
+        short = b.name.removeprefix(f"{main.name}_")
         for d in b.outputs:
-            if d.name in place:
-                found.setdefault(place[d.name], {}).setdefault(b.name.removeprefix(f"{main.name}_"), []).append(d.name)
+            here = place.get(d.name)
+            if here is not None:
+                found.setdefault(here, {}).setdefault(short, []).append(d.name)
     lines = []
     for p, of in sorted(found.items()):
         lines.append(f"{p}: {'; '.join(f'{b} {chr(32).join(names)}' for b, names in of.items())}")

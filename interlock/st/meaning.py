@@ -6,7 +6,7 @@ is symbolic execution and gives every state variable's next value as an expressi
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Generic, Protocol, TypeVar
 
@@ -54,27 +54,40 @@ class Algebra(Protocol[V]):
 
 @dataclass
 class Instance(Generic[V]):
-    """A function block instance: its variables and inner instances.
+    """A function block instance: its variables with the values that they begin with, and inner instances.
 
-    holder: where members of structures lie that are handed to it (`handed`): itself, or whoever calls it.
+    values: what the variables hold now; of those that are not among them nobody knows it.  holder: where members of
+    structures lie that are handed to it (`handed`): itself, or whoever calls it.
     """
 
     block: Block
-    values: dict[str, V]
+    start: dict[str, V]
     inner: dict[str, Instance[V]]
     path: str
     handed: frozenset[str]
+    values: dict[str, V] = field(init=False)
     holder: Instance[V] = field(init=False)
 
     def __post_init__(self) -> None:
+        self.values = dict(self.start)
         self.holder = self
+
+    def forget(self) -> None:
+        """Forget the values that this instance and those in it hold."""
+        self.values.clear()
+        for inner in self.inner.values():
+            inner.forget()
 
 
 class Execution(Generic[V]):
-    """Runs scans of the last block of a unit over an algebra."""
+    """Runs scans of the last block of a unit over an algebra.
 
-    def __init__(self, unit: Unit, algebra: Algebra[V]) -> None:
+    kept: a value for a variable that is read while nobody knows what it holds, by its path and what it begins with.
+    """
+
+    def __init__(self, unit: Unit, algebra: Algebra[V], kept: Callable[[str, V], V] | None = None) -> None:
         self.algebra = algebra
+        self.kept = kept
         self.blocks = {b.name.upper(): b for b in unit.blocks}
         if len(self.blocks) != len(unit.blocks):
             raise BadText("two blocks of one name")
@@ -128,7 +141,7 @@ class Execution(Generic[V]):
     def scan(self, inputs: Mapping[str, V]) -> dict[str, V]:
         """One call of the main block."""
         self._call(self.main, inputs)
-        return {d.name: self.main.values[d.name] for d in self.main.block.outputs}
+        return {d.name: self._held(self.main, d.name) for d in self.main.block.outputs}
 
     def _call(self, inst: Instance[V], inputs: Mapping[str, V]) -> None:
         names = inst.block.input_names
@@ -141,21 +154,21 @@ class Execution(Generic[V]):
     def _run(self, inst: Instance[V], body: tuple[Statement, ...]) -> None:
         for s in body:
             if isinstance(s, Assign):
-                values, name = self._place(inst, s.target)
-                values[name] = self.algebra.assigned(name, self._value(inst, s.value))
+                holder, name = self._place(inst, s.target)
+                holder.values[name] = self.algebra.assigned(name, self._value(inst, s.value))
             elif isinstance(s, Call):
                 self._invoke(inst, s)
             else:
                 self._branch(inst, s)
 
-    def _place(self, inst: Instance[V], target: Name) -> tuple[dict[str, V], str]:
+    def _place(self, inst: Instance[V], target: Name) -> tuple[Instance[V], str]:
         """What is assigned to: a variable of the block, or a member of a structure that is no input."""
         parts, last, holder = target.parts, target.parts[-1], inst.holder
-        if len(parts) == 1 and last in inst.values:
-            return inst.values, last
+        if len(parts) == 1 and last in inst.start:
+            return inst, last
         member = len(parts) == 2 and parts[0] in inst.handed and self.lies.get(last) == parts[0]
-        if member and last in holder.values and last not in holder.block.input_names:
-            return holder.values, last
+        if member and last in holder.start and last not in holder.block.input_names:
+            return holder, last
         raise BadText(f"{inst.block.name}: cannot assign to {target}")
 
     def _invoke(self, inst: Instance[V], s: Call) -> None:
@@ -164,7 +177,7 @@ class Execution(Generic[V]):
             raise BadText(f"{inst.block.name}: a parameter of {s.instance} is given twice")
         if s.instance in inst.inner:
             self._call(inst.inner[s.instance], given)
-        elif f"{s.instance}.Q" in inst.values and set(given) == {"IN", "PT"}:
+        elif f"{s.instance}.Q" in inst.start and set(given) == {"IN", "PT"}:
             path = f"{inst.path}{s.instance}"
             inst.values[f"{s.instance}.Q"] = self.algebra.timer(path, given["IN"], given["PT"])
         else:
@@ -175,18 +188,18 @@ class Execution(Generic[V]):
         a = self.algebra
         conditions = [self._value(inst, c) for c, _ in s.arms]
         places = [self._place(inst, n) for n in _targets(inst.block, s).values()]
-        before = [values[n] for values, n in places]
+        before = [self._held(holder, n) for holder, n in places]
         left: list[list[V]] = []
         for body in (*(then for _, then in s.arms), s.otherwise):
             self._run(inst, body)
-            left.append([values[n] for values, n in places])
-            for (values, n), v in zip(places, before, strict=True):
-                values[n] = v
+            left.append([holder.values[n] for holder, n in places])
+            for (holder, n), v in zip(places, before, strict=True):
+                holder.values[n] = v
         found = left.pop()
         for condition, then in zip(reversed(conditions), reversed(left), strict=True):
             found = [v if x is v else a.choose(condition, x, v) for x, v in zip(then, found, strict=True)]
-        for (values, n), v in zip(places, found, strict=True):
-            values[n] = a.assigned(n, v)
+        for (holder, n), v in zip(places, found, strict=True):
+            holder.values[n] = a.assigned(n, v)
 
     def _value(self, inst: Instance[V], x: Expression) -> V:
         a = self.algebra
@@ -208,22 +221,29 @@ class Execution(Generic[V]):
     def _named(self, inst: Instance[V], x: Name) -> V:
         """The value of a variable, of a member of a structure, or of an output of an instance."""
         parts = x.parts
-        found: V | None = None
-        if len(parts) == 1:
-            found = inst.values.get(parts[0])
-        elif len(parts) == 2 and parts[0] in inst.handed:
-            if self.lies.get(parts[1]) == parts[0]:
-                found = inst.holder.values.get(parts[1])
-        elif len(parts) == 2 and parts[0] in inst.inner:
-            inner = inst.inner[parts[0]]
-            if parts[1] not in inner.block.output_names:
+        first, last = parts[0], parts[-1]
+        holder = inst
+        if len(parts) == 2 and first in inst.handed:
+            holder, last = inst.holder, last if self.lies.get(last) == first else str(x)
+        elif len(parts) == 2 and first in inst.inner:
+            holder = inst.inner[first]
+            if last not in holder.block.output_names:
                 raise BadText(f"{inst.block.name}: {x} is no output")
-            found = inner.values[parts[1]]
-        else:
-            found = inst.values.get(str(x))
-        if found is None:
+        elif len(parts) > 1:
+            last = str(x)
+        found = holder.values.get(last)
+        if found is not None:
+            return found
+        if last not in holder.start:
             raise BadText(f"{inst.block.name}: unknown name {x}")
-        return found
+        return self._held(holder, last)
+
+    def _held(self, inst: Instance[V], name: str) -> V:
+        """What a variable of an instance holds."""
+        if name not in inst.values:
+            assert self.kept is not None, "only who tells what a variable may have kept has them forgotten"
+            inst.values[name] = self.kept(f"{inst.path}{name}", inst.start[name])
+        return inst.values[name]
 
 
 def _hold(inst: Instance[V], holder: Instance[V]) -> None:

@@ -119,7 +119,8 @@ def declarations(b: Block, style: Style = IEC) -> list[str]:
 
 def body(b: Block, style: Style = IEC) -> list[str]:
     """The lines of a block's statements."""
-    return [line for s in b.body for line in _Body(style).statement(s, "  ")]
+    written = _Body(style)
+    return [line for s in b.body for line in written.statement(s, "  ")]
 
 
 def print_expression(x: Expression) -> str:

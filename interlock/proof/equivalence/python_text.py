@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from functools import cache
 from keyword import iskeyword
 from typing import Any
@@ -64,10 +64,8 @@ _KEPT = "        self.state = dict(zip(STATE, map(bool, ("
 _WORD = re.compile(r"^ {12}([A-Za-z_][A-Za-z0-9_]*) = self\._first\(([^#\n]*)\)(?:  #.*)?$")
 _TOLD = re.compile(r"^ {16}(0|[1-9][0-9]*): ([A-Za-z_][A-Za-z0-9_]*),$")
 _TIMED = re.compile(r"^self\._timer\('([A-Za-z_][A-Za-z0-9_]*)', ([A-Za-z_][A-Za-z0-9_]*), dt_ms\)$")
-_TOKEN = re.compile(r"==|[()]|[A-Za-z0-9_]+")
 DEEP = 60  # brackets in brackets; Python itself reads 200
 _CODING = re.compile(r"[ \t\f]*#.*?coding[:=]")  # in the first two lines (PEP 263), whatever encoding it names
-_END = ""
 
 
 class _Reader:
@@ -250,69 +248,53 @@ class _Reader:
             found[entry[1]] = self._value(entry[2])
         raise self._bad("a dictionary does not end")
 
-    def _value(self, text: str) -> Expr:
-        """Most expressions join names, some of them negated, by one operator; others are read token by token."""
-        for word, join in ((" and ", conj), (" or ", disj)):
-            args: list[Expr] = []
-            for part in text.split(word):
-                x = self.values.get(part)
-                if not isinstance(x, Expr):
-                    x = self.values.get(part[4:]) if part[:4] == "not " else None
-                    if not isinstance(x, Expr):
-                        break
-                    x = neg(x)
-                args.append(x)
-            else:
-                return join(args) if len(args) > 1 else args[0]
-        return self._told(text)
+    def _value(self, text: str, deep: int = DEEP) -> Expr:
+        """Operands with one operator between them, whatever stands in brackets being one operand.
 
-    def _told(self, text: str) -> Expr:
-        """By Python's rules for names, truth values, `not`, `and`, `or`, and a name `==` a number."""
-        tokens = _TOKEN.findall(text)
-        if "".join(tokens) == text.replace(" ", ""):
-            tokens.append(_END)
-            found = self._either(tokens, 0, DEEP)
-            if found is not None and tokens[found[1]] == _END:
-                return found[0]
+        By Python's rules, since operators of two kinds never stand beside each other without brackets.
+        """
+        for word, join in ((" and ", conj), (" or ", disj)):
+            parts = text.split(word)
+            if len(parts) > 1 and "(" in text:
+                parts = _balanced(parts, word)
+            if len(parts) > 1:
+                args = []
+                for part in parts:
+                    held = self.values.get(part)  # most often a name
+                    args.append(held if type(held) is Expr else self._operand(part, deep))
+                return join(args)
+        return self._operand(text, deep)
+
+    def _operand(self, text: str, deep: int) -> Expr:
+        """A name, `not` before an operand, brackets, a truth value, or a name `==` a number."""
+        first = text[:4]
+        held = self.values.get(text if first != "not " else text[4:])
+        if isinstance(held, Expr):
+            return held if first != "not " else neg(held)
+        if deep and first == "not ":
+            return neg(self._operand(text[4:], deep - 1))
+        if deep and text.startswith("(") and text.endswith(")"):
+            return self._value(text[1:-1], deep - 1)
+        if text == "True" or text == "False":
+            return TRUE if text == "True" else FALSE
+        name, _, number = text.partition(" == ")
+        held = self.values.get(name)
+        if isinstance(held, Symbol) and number.isdigit() and str(int(number)) == number:
+            return eq(spelled(held.name), int(number))
         raise self._bad(f"{text[:60]!r} is not of the emitted shapes")
 
-    def _either(self, tokens: Sequence[str], at: int, deep: int) -> tuple[Expr, int] | None:
-        """Operands with `or` between them, from a token on, and the token after them."""
-        args: list[Expr] = []
-        while (found := self._both(tokens, at, deep)) is not None:
-            args.append(found[0])
-            at = found[1] + 1
-            if tokens[at - 1] != "or":
-                return args[0] if len(args) == 1 else disj(args), at - 1
-        return None
 
-    def _both(self, tokens: Sequence[str], at: int, deep: int) -> tuple[Expr, int] | None:
-        args: list[Expr] = []
-        while (found := self._operand(tokens, at, deep)) is not None:
-            args.append(found[0])
-            at = found[1] + 1
-            if tokens[at - 1] != "and":
-                return args[0] if len(args) == 1 else conj(args), at - 1
-        return None
-
-    def _operand(self, tokens: Sequence[str], at: int, deep: int) -> tuple[Expr, int] | None:
-        token = tokens[at]
-        if not deep:
-            return None
-        if token == "not":
-            found = self._operand(tokens, at + 1, deep - 1)
-            return (neg(found[0]), found[1]) if found is not None else None
-        if token == "(":
-            found = self._either(tokens, at + 1, deep - 1)
-            return (found[0], found[1] + 1) if found is not None and tokens[found[1]] == ")" else None
-        if token == "True" or token == "False":
-            return TRUE if token == "True" else FALSE, at + 1
-        held = self.values.get(token)
-        if isinstance(held, Symbol) and tokens[at + 1] == "==":
-            number = tokens[at + 2]
-            plain = number.isdigit() and str(int(number)) == number
-            return (eq(spelled(held.name), int(number)), at + 3) if plain else None
-        return (held, at + 1) if isinstance(held, Expr) else None
+def _balanced(parts: Iterable[str], word: str) -> list[str]:
+    """What was cut at a word, put together again where it was cut within brackets."""
+    found: list[str] = []
+    opened = 0
+    for part in parts:
+        if opened:
+            found[-1] = f"{found[-1]}{word}{part}"
+        else:
+            found.append(part)
+        opened += part.count("(") - part.count(")")
+    return found
 
 
 def _is_docstring(x: ast.stmt) -> bool:

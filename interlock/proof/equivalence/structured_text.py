@@ -27,7 +27,7 @@ from interlock.proof.engines.tseitin import Cnf
 from interlock.st.ast import Unit
 from interlock.st.dialects import BY_NAME
 from interlock.st.dialects.dialect import Dialect, Files
-from interlock.st.meaning import BadText, Cases, Constant, Execution, Instance, Symbol, Symbols, Term
+from interlock.st.meaning import BadText, Cases, Constant, Execution, Symbol, Symbols, Term
 from interlock.st.parser import NotInSubset
 from interlock.st.restart import RESTART
 
@@ -118,10 +118,10 @@ def _scan(controller: Controller, unit: Unit, restart: bool = False, restarting:
         known=wires(controller),
         words=words(controller),
     )
-    run: Execution[Term] = Execution(unit, algebra)
+    run: Execution[Term] = Execution(unit, algebra, kept)
     holders = _holders(controller, run)
     base = {n: values[n] for n, values in holders.items()}
-    forget(run.main)
+    run.main.forget()
     for s in controller.state:
         holders[s.name][s.name] = var(s.name)
     inputs: dict[str, Term] = {i.name: Symbol(i.name) if i.size else var(i.name) for i in controller.inputs}
@@ -161,13 +161,10 @@ def _next(state: Name) -> Expr:
     return var(state.next)
 
 
-def forget(inst: Instance[Term]) -> None:
-    """What a block keeps from the last scan may be anything: whoever reads it before it is written differs."""
-    for name, value in inst.values.items():
-        unknown = spelled(f"kept {inst.path}{name}")
-        inst.values[name] = var(unknown) if isinstance(value, Expr) else Symbol(unknown)
-    for inner in inst.inner.values():
-        forget(inner)
+def kept(path: str, start: Term) -> Term:
+    """What a variable keeps from the last scan may be anything: whoever reads it before it is written differs."""
+    unknown = spelled(f"kept {path}")
+    return var(unknown) if isinstance(start, Expr) else Symbol(unknown)
 
 
 def _restarted(controller: Controller, unit: Unit, found: Translation) -> Translation:
@@ -193,7 +190,7 @@ def _holders(controller: Controller, run: Execution[Term]) -> dict[str, dict[str
     own = {d.name for d in run.main.block.locals}
     out: dict[str, dict[str, Term]] = {s.name: run.main.values for s in controller.state if s.name in own}
     for inst in run.main.inner.values():
-        out |= {n: inst.values for n in inst.block.output_names if f"N_{n}" in inst.values}
+        out |= {n: inst.values for n in inst.block.output_names if f"N_{n}" in inst.start}
     return out
 
 
@@ -307,7 +304,7 @@ __all__ = [
     "compare_scan",
     "compare_st",
     "compare_unit",
-    "forget",
+    "kept",
     "wires",
     "words",
 ]

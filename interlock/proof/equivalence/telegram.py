@@ -22,7 +22,7 @@ from interlock.model.elements import MachineId
 from interlock.model.portable import portable
 from interlock.proof.engines import Answer, solver
 from interlock.proof.engines.tseitin import Cnf
-from interlock.proof.equivalence.structured_text import Difference, forget
+from interlock.proof.equivalence.structured_text import Difference, kept
 from interlock.st.ast import Block, Unit
 from interlock.st.meaning import BadText, Execution, Symbols, Term
 from interlock.st.parser import NotInSubset, parse_unit
@@ -59,8 +59,8 @@ def _otherwise(blocks: Sequence[Block], made: Sequence[Block]) -> Iterator[Diffe
 
 def _run(block: Block) -> dict[str, Expr]:
     """The outputs of a block, whatever its variables have kept from the call before."""
-    run: Execution[Term] = Execution(Unit((block,)), Symbols())
-    forget(run.main)
+    run: Execution[Term] = Execution(Unit((block,)), Symbols(), kept)
+    run.main.forget()
     found = run.scan({d.name: var(spelled(d.name)) for d in block.inputs})
     return {n: x for n, x in found.items() if isinstance(x, Expr)}
 
