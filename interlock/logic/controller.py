@@ -210,22 +210,6 @@ class Controller:
         return tuple(s for s in self.steps if isinstance(s, Equation))
 
     @cached_property
-    def equation(self) -> dict[str, Equation]:
-        """The wires by name."""
-        return {e.name: e for e in self.equations}
-
-    def leading_to(self, equation: str) -> list[Equation]:
-        """The wires that an equation reads, and those that these read, with itself: in order."""
-        found: set[str] = set()
-        todo = [equation]
-        while todo:
-            name = todo.pop()
-            if name in self.equation and name not in found:
-                found.add(name)
-                todo += self.equation[name].reads
-        return [e for e in self.equations if e.name in found]
-
-    @cached_property
     def expanded(self) -> dict[Name, Expr]:
         """Every wire as an expression over inputs, old state and timer outputs alone."""
         known: dict[Name, Expr] = {}
