@@ -13,7 +13,6 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import cached_property
-from typing import NamedTuple
 
 from interlock.logic.expr import (
     Expr,
@@ -41,7 +40,8 @@ class Join(StrEnum):
     ANY = "any"
 
 
-class Term(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Term:
     """One operand with its reason; `kind` names the sort of condition, for comments and mutants; `rule`: that of the
     table's cell from which the condition is."""
 
@@ -158,10 +158,9 @@ class Controller:
                 raise MalformedController(f"{name} is defined twice")
             defined.add(name)
         for step in self.steps:
-            reads = step.reads if isinstance(step, Equation) else (step.input,)
-            if not defined.issuperset(reads):
-                name = next(n for n in reads if n not in defined)
-                raise MalformedController(f"{step.name} reads {name} before it is computed")
+            for name in step.reads if isinstance(step, Equation) else (step.input,):
+                if name not in defined:
+                    raise MalformedController(f"{step.name} reads {name} before it is computed")
             if step.name in defined:
                 raise MalformedController(f"{step.name} is defined twice")
             defined.add(step.name)
@@ -169,9 +168,9 @@ class Controller:
         if [e.name for e in self.next] != [s.name for s in self.state]:
             raise MalformedController("next-state equations and state variables differ")
         for e in self.next:
-            if not defined.issuperset(e.reads):
-                name = next(n for n in e.reads if n not in defined)
-                raise MalformedController(f"the next value of {e.name} reads {name}, which is not defined")
+            for name in e.reads:
+                if name not in defined:
+                    raise MalformedController(f"the next value of {e.name} reads {name}, which is not defined")
         initial = {s.name: int(s.initial) for s in self.state}
         for o in self.outputs:
             if not set(variables((o.expr,))) <= kept:
@@ -209,11 +208,6 @@ class Controller:
     def equations(self) -> tuple[Equation, ...]:
         """The wires in order."""
         return tuple(s for s in self.steps if isinstance(s, Equation))
-
-    @cached_property
-    def equation(self) -> dict[str, Equation]:
-        """The wires by name."""
-        return {e.name: e for e in self.equations}
 
     @cached_property
     def expanded(self) -> dict[Name, Expr]:

@@ -143,33 +143,35 @@ def missing(controller: Controller, equation: str, value: Callable[[str], int]) 
     those of its own terms, if they are told in words."""
     memo: dict[int, bool] = {}
     wires: dict[str, int] = {}
+    leading = _leading_to(controller, equation)
 
     def meant(name: str) -> int:
         return wires[name] if name in wires else value(name)
 
-    for e in _leading_to(controller, equation):
+    for e in leading.values():
         wires[e.name] = evaluate(e.expr, meant, memo)
 
     def those(e: Equation) -> Iterator[str]:
         for t in e.terms:
             if not evaluate(t.expr, meant, memo):
-                under = controller.equation.get(t.expr.name) if t.expr.op is VAR else None
+                under = leading.get(t.expr.name) if t.expr.op is VAR else None
                 told = under is not None and under.join is Join.ALL and all(x.note for x in under.terms)
                 yield from those(under) if under is not None and told else (t.note or t.kind,)
 
-    return list(dict.fromkeys(those(controller.equation[equation])))
+    return list(dict.fromkeys(those(leading[equation])))
 
 
-def _leading_to(controller: Controller, equation: str) -> list[Equation]:
-    """The wires that an equation reads, and those that these read, with itself: in order."""
+def _leading_to(controller: Controller, equation: str) -> dict[str, Equation]:
+    """The wires that an equation reads, those that these read, and itself: in order."""
+    wires: dict[str, Equation] = {e.name: e for e in controller.equations}
     found: set[str] = set()
     todo = [equation]
     while todo:
         name = todo.pop()
-        if name in controller.equation and name not in found:
+        if name in wires and name not in found:
             found.add(name)
-            todo += controller.equation[name].reads
-    return [e for e in controller.equations if e.name in found]
+            todo += wires[name].reads
+    return {name: e for name, e in wires.items() if name in found}
 
 
 def independent(controller: Controller) -> list[list[Timer]]:
