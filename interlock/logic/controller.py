@@ -13,6 +13,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import cached_property
+from typing import NamedTuple
 
 from interlock.logic.expr import (
     Expr,
@@ -40,8 +41,7 @@ class Join(StrEnum):
     ANY = "any"
 
 
-@dataclass(frozen=True, slots=True)
-class Term:
+class Term(NamedTuple):
     """One operand with its reason; `kind` names the sort of condition, for comments and mutants; `rule`: that of the
     table's cell from which the condition is."""
 
@@ -158,9 +158,10 @@ class Controller:
                 raise MalformedController(f"{name} is defined twice")
             defined.add(name)
         for step in self.steps:
-            for name in step.reads if isinstance(step, Equation) else (step.input,):
-                if name not in defined:
-                    raise MalformedController(f"{step.name} reads {name} before it is computed")
+            reads = step.reads if isinstance(step, Equation) else (step.input,)
+            if not defined.issuperset(reads):
+                name = next(n for n in reads if n not in defined)
+                raise MalformedController(f"{step.name} reads {name} before it is computed")
             if step.name in defined:
                 raise MalformedController(f"{step.name} is defined twice")
             defined.add(step.name)
@@ -168,9 +169,9 @@ class Controller:
         if [e.name for e in self.next] != [s.name for s in self.state]:
             raise MalformedController("next-state equations and state variables differ")
         for e in self.next:
-            for name in e.reads:
-                if name not in defined:
-                    raise MalformedController(f"the next value of {e.name} reads {name}, which is not defined")
+            if not defined.issuperset(e.reads):
+                name = next(n for n in e.reads if n not in defined)
+                raise MalformedController(f"the next value of {e.name} reads {name}, which is not defined")
         initial = {s.name: int(s.initial) for s in self.state}
         for o in self.outputs:
             if not set(variables((o.expr,))) <= kept:
