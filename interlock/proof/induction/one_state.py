@@ -23,7 +23,7 @@ from interlock.proof.engines.limits import Limits
 from interlock.proof.system.neighbourhood import Neighbourhood
 from interlock.proof.system.relation import TransitionRelation
 
-MOST = 25_000  # goals asked of one solver: each has to read every invariant
+MOST = 40_000  # goals asked of one solver: each has to read every invariant
 PATIENCE = 50  # what does not follow takes long to find out, with so many names: after so many, others look
 
 
