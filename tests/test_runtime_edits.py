@@ -221,6 +221,9 @@ def test_expressions_are_read_as_python_reads_them_or_refused() -> None:
         "a and",
         "r",
         "r == 03",
+        "r == \u00b2",  # a digit, but no decimal one
+        "r == \u0663",
+        f"r == {'9' * 5000}",
         "a == 1",
         "(" * 999,
     ):

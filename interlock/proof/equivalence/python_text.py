@@ -64,6 +64,7 @@ _KEPT = "        self.state = dict(zip(STATE, map(bool, ("
 _WORD = re.compile(r"^ {12}([A-Za-z_][A-Za-z0-9_]*) = self\._first\(([^#\n]*)\)(?:  #.*)?$")
 _TOLD = re.compile(r"^ {16}(0|[1-9][0-9]*): ([A-Za-z_][A-Za-z0-9_]*),$")
 _TIMED = re.compile(r"^self\._timer\('([A-Za-z_][A-Za-z0-9_]*)', ([A-Za-z_][A-Za-z0-9_]*), dt_ms\)$")
+_NUMBER = re.compile(r"0|[1-9][0-9]{0,8}")
 DEEP = 60  # brackets in brackets; Python itself reads 200
 _CODING = re.compile(r"[ \t\f]*#.*?coding[:=]")  # in the first two lines (PEP 263), whatever encoding it names
 
@@ -279,7 +280,7 @@ class _Reader:
             return TRUE if text == "True" else FALSE
         name, _, number = text.partition(" == ")
         held = self.values.get(name)
-        if isinstance(held, Symbol) and number.isdigit() and str(int(number)) == number:
+        if isinstance(held, Symbol) and _NUMBER.fullmatch(number):
             return eq(spelled(held.name), int(number))
         raise self._bad(f"{text[:60]!r} is not of the emitted shapes")
 
