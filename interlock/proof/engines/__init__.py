@@ -6,6 +6,7 @@ MiniSat answers the many small questions of the induction, and searches; Z3 answ
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Protocol
 
 from interlock.proof.engines.answer import Answer
@@ -19,6 +20,10 @@ class Sat(Protocol):
 
     def ask(self, *literals: int) -> Answer:
         """Whether the clauses can hold together with the literals."""
+        ...
+
+    def core(self) -> Iterable[int]:
+        """Of the literals of a question that was answered UNSAT, some together with which the clauses cannot hold."""
         ...
 
 

@@ -42,6 +42,10 @@ class MiniSat:
             if self._until is None or time.monotonic() >= self._until:
                 return Answer.UNKNOWN
 
+    def core(self) -> Iterable[int]:
+        """Of the literals of a question that was answered UNSAT, some together with which the clauses cannot hold."""
+        return self._solver.get_core() or ()
+
     def values(self) -> dict[int, bool]:
         """Truth of the variable numbers after a SAT answer."""
         return {abs(x): x > 0 for x in self._solver.get_model() or ()}

@@ -31,11 +31,11 @@ class OneSided(Cnf):
         self._said: dict[Expr, int] = {}
         self._plain: dict[Expr, int] = {}  # literals of which there is nothing to say
 
-    def require(self, x: Expr) -> None:
-        """Add the expression as a fact."""
+    def require(self, x: Expr, given: tuple[int, ...] = ()) -> None:
+        """Add the expression as a fact; `given`: literals of which one may hold instead."""
         if x.op is AND:
             for a in x.args:
-                self.require(a)
+                self.require(a, given)
             return
         parts: Sequence[Expr] = (x,)
         if x.op is OR:
@@ -45,13 +45,14 @@ class OneSided(Cnf):
         plain = self._plain
         literals = [plain.get(a, 0) for a in parts]
         if 0 not in literals:
-            self.clauses.append(tuple(literals))
+            self.clauses.append((*literals, *given))
             return
         split = [a for a in parts if _all_of(a)]
         if len(split) != 1:
-            self.clauses.append(tuple([n or self._said_of(a) for n, a in zip(literals, parts, strict=True)]))
+            said = [n or self._said_of(a) for n, a in zip(literals, parts, strict=True)]
+            self.clauses.append((*said, *given))
             return
-        rest = [self._said_of(a) for a in parts if a is not split[0]]
+        rest = [*(self._said_of(a) for a in parts if a is not split[0]), *given]
         whole = split[0]
         if whole.op is AND:
             self.clauses.extend([(self._said_of(a), *rest) for a in whole.args])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import z3
 
 from interlock.proof.engines.answer import Answer
@@ -18,6 +20,7 @@ class Z3Sat:
         self._solver.set("timeout", timeout_ms)
         self._solver.from_string(cnf.dimacs())
         self._bools: dict[int, z3.BoolRef] = {}
+        self._assumed: dict[int, tuple[z3.BoolRef, int]] = {}
 
     def _bool(self, n: int) -> z3.BoolRef:
         found = self._bools.get(n)
@@ -31,10 +34,15 @@ class Z3Sat:
     def ask(self, *literals: int) -> Answer:
         """Whether the clauses can hold together with the literals."""
         assumed = [self._bool(x) if x > 0 else z3.Not(self._bool(-x)) for x in literals]
+        self._assumed = {x.get_id(): (x, n) for x, n in zip(assumed, literals, strict=True)}
         found = self._solver.check(*assumed)
         if found == z3.unsat:
             return Answer.UNSAT
         return Answer.SAT if found == z3.sat else Answer.UNKNOWN
+
+    def core(self) -> Iterable[int]:
+        """Of the literals of a question that was answered UNSAT, some together with which the clauses cannot hold."""
+        return [self._assumed[x.get_id()][1] for x in self._solver.unsat_core()]
 
     def values(self) -> dict[int, bool]:
         """Truth of the variable numbers after a SAT answer."""

@@ -6,19 +6,21 @@ what these signals are defined to show, and what is assumed of the inputs imply 
 consequence.)
 
 No definition of a place is needed, and so no goal pulls in half a railway: all of them can be asked of one solver
-that knows every invariant, however large the layout.
+that knows every invariant, however large the layout.  A claim about the state after a step that names nothing else,
+and no lamp, is a claim about one state as well, and asked without priming.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 
-from interlock.logic.expr import Expr, variables
+from interlock.logic.expr import Expr, Substitution, var, variables
 from interlock.logic.names import Name
 from interlock.proof.abstraction.canonical import CanonicalForms
-from interlock.proof.engines.batch import Decision, decided
+from interlock.proof.engines.batch import Decision, kept
+from interlock.proof.engines.by_kind import decided_by_kind
 from interlock.proof.engines.limits import Limits
 from interlock.proof.system.neighbourhood import Neighbourhood
 from interlock.proof.system.relation import TransitionRelation
@@ -66,6 +68,7 @@ class States:
         others: list[int] = []
         later = self.relation.later
         state = frozenset(later)
+        unlit = frozenset(later.values()) - self._shown
         of_routes = frozenset(self.where.routes.indexed)
         now = (of_routes & state) | self.where.lamps
         following = (of_routes & frozenset(later.values())) | self._shown
@@ -74,7 +77,7 @@ class States:
             if state.issuperset(names):
                 before.append(n)
             elif now.isdisjoint(names) and not following.isdisjoint(names):
-                after.append(n)
+                (before if unlit.issuperset(names) else after).append(n)
             else:
                 others.append(n)
         return [
@@ -86,11 +89,32 @@ class States:
         """The next values of lamps."""
         return frozenset(self.relation.later[x] for x in self.where.lamps)
 
+    @cached_property
+    def kinds(self) -> list[Hashable]:
+        """The kind of each invariant: the families of which it speaks."""
+        return [*map(_families, self.hypotheses)]
+
     def decide(self, goals: Sequence[Expr], after: bool) -> list[Decision]:
         """Which goals follow from the invariants before a step, or after it."""
+        if not after:
+            goals = [*map(self._unprimed, goals)]
         definitions, facts = self.told(goals, after)
         forms = CanonicalForms(definitions)
-        return decided(goals, facts, definitions, self.limits, lambda: forms.of(definitions, goals, facts), PATIENCE)
+        kinds = [*self.kinds, *map(_families, facts[len(self.kinds) :])]
+        asked = partial(
+            decided_by_kind,
+            [(_families(x), x) for x in goals],
+            [*zip(kinds, facts, strict=True)],
+            definitions,
+            self.limits,
+            patience=PATIENCE,
+        )
+        return kept(len(goals), self.limits, lambda: forms.of(definitions, goals, facts), asked)
+
+    @cached_property
+    def _unprimed(self) -> Callable[[Expr], Expr]:
+        """Turns what is said of the state one step later into what is said of a state."""
+        return Substitution({later: var(v) for v, later in self.relation.later.items()})
 
     def told(self, goals: Sequence[Expr], after: bool) -> tuple[Mapping[Name, Expr], Sequence[Expr]]:
         """What is defined and known of one state.
@@ -126,3 +150,8 @@ class States:
             todo += reads
         inputs = [a.expr for a in relation.assumptions if all(v in seen for v in variables((a.expr,)))]
         return definitions, [*map(relation.after, self.hypotheses), *inputs]
+
+
+def _families(x: Expr) -> Hashable:
+    """What an expression speaks of, wherever it is."""
+    return frozenset([v.family for v in variables((x,))])
