@@ -63,7 +63,7 @@ def run(path: Path, *more: str) -> tuple[float, float, dict[str, object]]:
     return seconds, used.ru_maxrss / 1024 / 1024, body
 
 
-PAIRED = (("cn6502", 7), ("yard 124", 5), ("yard 372", 1), ("line 250", 1))
+PAIRED = (("cn6502", 7), ("yard 124", 5), ("yard 372", 3), ("line 250", 3))
 """What is timed in turn with an older version, and how often."""
 
 

@@ -56,7 +56,7 @@ class States:
     def _kept(self) -> frozenset[str]:
         """The next values of which invariants speak."""
         later = self.relation.later
-        return frozenset(later[v] for v in variables(self.hypotheses) if v in later)
+        return frozenset(later[v] for names in self._names for v in names if v in later)
 
     def questions(self, goals: Iterable[tuple[int, Expr]]) -> tuple[list[OfState], list[int]]:
         """Numbered goals that are no part of the induction: those about one state, and the others.
@@ -67,6 +67,7 @@ class States:
         after: list[int] = []
         others: list[int] = []
         later = self.relation.later
+        _ = self._names  # read once, so that processes inherit it
         state = frozenset(later)
         unlit = frozenset(later.values()) - self._shown
         of_routes = frozenset(self.where.routes.indexed)
@@ -90,9 +91,9 @@ class States:
         return frozenset(self.relation.later[x] for x in self.where.lamps)
 
     @cached_property
-    def kinds(self) -> list[Hashable]:
-        """The kind of each invariant: the families of which it speaks."""
-        return [*map(_families, self.hypotheses)]
+    def _names(self) -> list[tuple[Name, ...]]:
+        """What each invariant reads."""
+        return [tuple(variables((x,))) for x in self.hypotheses]
 
     def decide(self, goals: Sequence[Expr], after: bool) -> list[Decision]:
         """Which goals follow from the invariants before a step, or after it."""
@@ -100,11 +101,11 @@ class States:
             goals = [*map(self._unprimed, goals)]
         definitions, facts = self.told(goals, after)
         forms = CanonicalForms(definitions)
-        kinds = [*self.kinds, *map(_families, facts[len(self.kinds) :])]
+        names = [*self._names, *(variables((x,)) for x in facts[len(self._names) :])]
         asked = partial(
             decided_by_kind,
-            [(_families(x), x) for x in goals],
-            [*zip(kinds, facts, strict=True)],
+            [(_families(variables((x,))), x) for x in goals],
+            [*zip(map(_families, names), facts, strict=True)],
             definitions,
             self.limits,
             patience=PATIENCE,
@@ -152,6 +153,6 @@ class States:
         return definitions, [*map(relation.after, self.hypotheses), *inputs]
 
 
-def _families(x: Expr) -> Hashable:
-    """What an expression speaks of, wherever it is."""
-    return frozenset([v.family for v in variables((x,))])
+def _families(names: Iterable[Name]) -> Hashable:
+    """The kind of what reads some names: of what it speaks, wherever that is."""
+    return frozenset([v.family for v in names])
