@@ -36,6 +36,7 @@ OPTIMISATION = frozenset(
             "abstraction/queries",
             "abstraction/quotient",
             "engines/batch",
+            "engines/by_kind",
             "engines/cache",
             "engines/plaisted_greenbaum",
         ),
