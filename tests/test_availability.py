@@ -26,6 +26,7 @@ from interlock.proof.witnesses.together import How
 from interlock.table.cells import Because, Exclusion, HostileRoutes
 from interlock.table.rows import TraversalRow
 from tests.campaigns.availability import derived, space_to_the_point, under, weakened
+from tests.grow_all import grow_all
 from tests.layouts import SHIPPED, built, grown
 
 CASES = ("bare_signal", "both_ways", "door", "parallel", "scissors_apart", "through", "triangle")
@@ -114,6 +115,16 @@ def test_pairs_that_are_tried_are_those_that_the_table_does_not_call_hostile() -
     layout, table, controller = built("terminus")
     tried = {(a.id, b.id) for a, b in compatible(closed_loop(layout, controller), table)}
     assert all(b not in table.route[a].locking.hostile.routes for a, b in tried) and len(tried) == 8
+
+
+def test_points_that_a_train_has_left_otherwise_on_its_way_are_no_fault_of_a_table() -> None:
+    made = grown(grow_all(86059))  # a point is worked with a derailer, which lies in a section of an overlap
+    assert made is not None
+    layout, table, _ = made
+    found = availability(closed_loop(layout, lower(layout, table)), table)
+    assert [(p.first, p.second, p.failure) for p in found.pairs if p.failure and p.manner is not Manner.NONE] == []
+    (pair,) = [p for p in found.pairs if (p.first, p.second) == ("22X#-36G#", "26G#-28G#")]
+    assert pair.apart is not None and pair.apart.startswith("22X#-36G#: the request is refused: not 17P#/18R# R")
 
 
 def test_a_yard_is_available() -> None:

@@ -61,8 +61,9 @@ one, or with a waiver found out, has no certificate: of these the second checker
 system, and no refutation.  Undrivable routes are left out of the pairs that are driven.
 *Apart*: the train of one route, standing before its signal, keeps
 the other one from being set: it stands foul of it, across a diamond, or on points that one machine works with points of
-the other (such a request is refused as well while the first route is not set); or one train cannot come past the other,
-or both begin in one place, which is told from the track alone.  These pairs are set and open together, and driven as
+the other (such a request is refused as well while the first route is not set); or on its way there it has left points
+otherwise that the other one needs, in a section that it locks; or one train cannot come past the other, or both begin
+in one place, which is told from the track alone.  These pairs are set and open together, and driven as
 far as that train permits; that its lock is needed is not shown.
 """
 

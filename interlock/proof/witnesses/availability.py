@@ -155,10 +155,13 @@ class _Failure:
     counted: bool = False
     """A zone was full, and a train counts twice there."""
 
+    moved: bool = False
+    """The route was refused because of points that a train's way to its signal has left otherwise."""
+
     @property
     def coming(self) -> bool:
         """It was about how trains came to be where they are: over other routes, or there since a restart."""
-        return self.standing or self.counted or self.text.startswith(BEFORE) or "the restart" in self.text
+        return self.standing or self.counted or self.moved or self.text.startswith(BEFORE) or "the restart" in self.text
 
 
 class Trial:
@@ -336,6 +339,13 @@ class Trial:
         self._unmet |= {x for x, why in zip(runs, found, strict=True) if why is not None and why.coming}
         return found
 
+    def _moved_otherwise(self, run: PairRun, r: RouteSymbols) -> bool:
+        """A route over which a train comes to its signal demands points otherwise than the route: they lie so, and may
+        not move once the other route has locked their section."""
+        wanted = _lying(self.railway, r)
+        left = [_lying(self.railway, x).items() for chain in run.before for x in chain]
+        return any(wanted.get(name, value) != value for state in left for name, value in state)
+
     def _counted_twice(self, run: PairRun) -> bool:
         """A train stands in a zone since a restart, or turns about there: it counts where it stands, and where its
         route leads (R17)."""
@@ -370,9 +380,9 @@ class Trial:
         ]
         drivers = [partial(lone_request, self.railway, runs[i], r) for i, r in refused]
         done = self._lanes.run([self.start(runs[i]) for i, _ in refused], drivers)
-        for (i, _), (text, _), why in zip(refused, done, [found[i] for i, _ in refused], strict=True):
-            if text is not None and why is not None:
-                found[i] = _Failure(why.text, standing=True)
+        for (i, r), (text, _), why in zip(refused, done, [found[i] for i, _ in refused], strict=True):
+            if why is not None:
+                found[i] = replace(why, standing=text is not None, moved=self._moved_otherwise(runs[i], r))
         return found
 
     def story(self, result: PairResult, relation: TransitionRelation) -> Story | None:
