@@ -339,12 +339,13 @@ class Trial:
         self._unmet |= {x for x, why in zip(runs, found, strict=True) if why is not None and why.coming}
         return found
 
-    def _moved_otherwise(self, run: PairRun, r: RouteSymbols) -> bool:
-        """A route over which a train comes to its signal demands points otherwise than the route: they lie so, and may
-        not move once the other route has locked their section."""
-        wanted = _lying(self.railway, r)
-        left = [_lying(self.railway, x).items() for chain in run.before for x in chain]
-        return any(wanted.get(name, value) != value for state in left for name, value in state)
+    def _moved_otherwise(self, run: PairRun, r: RouteSymbols, text: str) -> bool:
+        """The machine for which the route is refused was left otherwise by the last route that a train came over and
+        that demands it: it may not move once the other route has locked its section."""
+        symbols = self.railway.controller.symbols
+        left = {m: x for chain in run.before for y in chain for m, x in opening.demanded(symbols, y)}
+        wanted = opening.demanded(symbols, r)
+        return any(left.get(m, x) is not x and f"{REFUSED}not {m} {x}:" in text for m, x in wanted)
 
     def _counted_twice(self, run: PairRun) -> bool:
         """A train stands in a zone since a restart, or turns about there: it counts where it stands, and where its
@@ -382,7 +383,7 @@ class Trial:
         done = self._lanes.run([self.start(runs[i]) for i, _ in refused], drivers)
         for (i, r), (text, _), why in zip(refused, done, [found[i] for i, _ in refused], strict=True):
             if why is not None:
-                found[i] = replace(why, standing=text is not None, moved=self._moved_otherwise(runs[i], r))
+                found[i] = replace(why, standing=text is not None, moved=self._moved_otherwise(runs[i], r, why.text))
         return found
 
     def story(self, result: PairResult, relation: TransitionRelation) -> Story | None:
