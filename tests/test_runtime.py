@@ -57,6 +57,9 @@ def test_what_is_no_input_is_refused_by_name_and_changes_nothing() -> None:
         ({"REQ": 1.5}, 100, TypeError, "input REQ is 1.5"),
         ({}, -1, ValueError, "dt_ms is -1"),
         ({}, float("nan"), ValueError, "dt_ms is nan"),
+        ({}, float("inf"), ValueError, "dt_ms is inf"),  # every delay would be over
+        ({}, "100", TypeError, "dt_ms is '100'"),
+        ({}, True, TypeError, "dt_ms is True"),
     ):
         with pytest.raises(error, match=re.escape(said)):
             one.scan(inputs, dt_ms)

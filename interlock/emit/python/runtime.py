@@ -160,13 +160,15 @@ FIXED = f'''class Controller:
         `say`: nothing is changed but timers, and the words are returned instead (`words` asks for it).
 
         After a cycle longer than `cycle_max_ms` the inputs count as lost: nobody knows what happened meanwhile.
-        Raises ValueError for a name that is no input, and TypeError for a value that is no whole number or truth
-        value; nothing has changed then.
+        Raises ValueError for a name that is no input and a time that cannot be, and TypeError for an input that is no
+        whole number or truth value and a time that is no number; nothing has changed then.
         """
         unknown = inputs.keys() - INPUTS.keys()
         if unknown:
             raise ValueError(f'no inputs of this interlocking: {{sorted(map(str, unknown))}}')
-        if not dt_ms >= 0:
+        if isinstance(dt_ms, bool) or not isinstance(dt_ms, (int, float)):
+            raise TypeError(f'dt_ms is {{dt_ms!r}}: no number of milliseconds')
+        if not 0 <= dt_ms < float('inf'):
             raise ValueError(f'dt_ms is {{dt_ms}}: no time since the last scan')
         read = {{}}
         for name, (restrictive, size) in INPUTS.items():
