@@ -15,6 +15,7 @@ from interlock.app.init import yard
 from interlock.audit import audit
 from interlock.cli.availability import command
 from interlock.logic.lower import lower
+from interlock.model.elements import Position
 from interlock.model.principles import PROFILES
 from interlock.proof.prover import prove
 from interlock.proof.system.loop import closed_loop
@@ -24,7 +25,7 @@ from interlock.proof.witnesses.opening import OPEN, steps
 from interlock.proof.witnesses.routes import witnesses
 from interlock.proof.witnesses.together import How
 from interlock.table.cells import Because, Exclusion, HostileRoutes
-from interlock.table.rows import TraversalRow
+from interlock.table.rows import RouteRow, TraversalRow
 from tests.campaigns.availability import derived, space_to_the_point, under, weakened
 from tests.grow_all import grow_all
 from tests.layouts import SHIPPED, built, grown
@@ -196,6 +197,36 @@ def test_a_point_held_for_a_flank_that_decides_whether_a_joint_is_foul_makes_a_p
     assert {("S1-A", "hostile"), ("S2-B", "hostile")} <= told
     found = availability(closed_loop(layout, lower(layout, weak)), replace(weak, routes=bare))
     assert [(p.first, p.second) for p in found.pairs if p.failure] == [("S1-A", "S2-B")]
+
+
+def test_a_point_beside_the_path_is_driven_away_from_a_joint_that_is_foul_of_a_route_beside() -> None:
+    """In normal the train of A-E would take the signal of D-U back, in front of its train."""
+    layout, table, controller = built("../tests/layouts_for_tests/foul_driven")
+    assert [f"{d.machine} {d.position}" for d in table.route["A-E"].locking.driven] == ["2 R"]  # type: ignore[index]
+    assert "A-E" not in table.route["D-U"].locking.hostile.routes  # type: ignore[index]
+    assert not audit(layout, table) and availability(closed_loop(layout, controller), table).shown
+
+    def to_normal(r: RouteRow) -> RouteRow:
+        driven = tuple(replace(d, position=Position.NORMAL) for d in r.locking.driven)
+        return replace(r, locking=replace(r.locking, driven=driven))
+
+    weak = replace(table, routes=tuple(map(to_normal, table.routes)))
+    assert {(f.route, f.column) for f in audit(layout, weak)} == {("A-E", "driven")}
+    found = availability(closed_loop(layout, lower(layout, weak)), weak)
+    assert [(p.first, p.second) for p in found.pairs if p.failure] == [("A-E", "D-U")]
+
+
+def test_a_point_that_nobody_drives_away_from_a_foul_joint_is_told_and_the_advice_helps() -> None:
+    text = Path("tests/layouts_for_tests/foul_driven.yaml").read_text("utf-8")
+    text = text.replace("profile: cn", "profile: cn\nprinciples: {drive_points: no}")
+    layout, table, sink = grown(text) or pytest.fail("refused")
+    (told,) = [d for d in sink.diagnostics if d.code == "IL7011"]
+    assert told.message.startswith("2 lies in s2, and cannot move once A-E has locked it: a train there closes the ")
+    assert told.message.endswith("signal of D-U (R), of which it may be foul unless 2 lies so")
+    assert told.fix == "give 2 a section of its own, or have A-E lock it so: `demand`"
+    assert availability(closed_loop(layout, lower(layout, table)), table).shown  # while 2 lies so
+    helped = grown(f"{text}demand: [{{point: 2, lies: reverse, routes: {{from: A, to: E}}, reason: D-U stays open}}]\n")
+    assert helped is not None and "IL7011" not in {d.code for d in helped[2].diagnostics}
 
 
 def test_a_pair_of_which_one_refuses_the_other_fails_though_a_train_stands_in_the_way_as_well() -> None:

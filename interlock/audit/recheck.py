@@ -227,26 +227,34 @@ def _lengths(r: RouteRow, trip: Trip) -> Iterator[tuple[str, tuple[Move, ...], f
 
 
 def _driven(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) -> Iterator[Finding]:
-    """Points beside the path are driven to where the routes that may be set together with it hold them, to normal where
-    none does."""
+    """Points beside the path are driven to where the routes that may be set together with it hold them, or do not
+    mind a train in the section; to normal where there is none of either."""
+    if not layout.principles.drive_points:
+        return
     holders: dict[MachineId, dict[RouteId, Position]] = {}
+    minding: dict[tuple[SectionId, MachineId], dict[RouteId, set[Position]]] = {}
     for r in table.routes:
         for d in r.locking.points:
             holders.setdefault(d.machine, {})[r.id] = d.position
-    for r in table.routes if layout.principles.drive_points else ():
+        for section, when, *_ in foul_neighbours(layout, matched[r.id]) if r.id in matched else ():
+            if when is not None:
+                minding.setdefault((section, when[0]), {}).setdefault(r.id, set()).add(when[1].other)
+    for r in (r for r in table.routes if r.id in matched):
         apart = {
             r.id,
             *r.locking.hostile.routes,
             *(o.id for o in table.routes if _with(table, o, r) or _with(table, r, o)),
         }
-        beside: dict[MachineId, Position] = {}
-        for p in (
-            (p for s in matched[r.id].sections for p in layout.machines.points_in.get(s, ())) if r.id in matched else ()
-        ):
-            ways = {x for o, x in holders.get(p.machine, {}).items() if o not in apart} or {Position.NORMAL}
-            if p.machine not in frozen_machines(r) and len(ways) == 1:
-                (beside[p.machine],) = ways
-        if r.id in matched and {p.machine: p.position for p in r.locking.driven} != beside:
+        wanted: dict[MachineId, set[Position]] = {}
+        for section in matched[r.id].sections:
+            for p in layout.machines.points_in.get(section, ()):
+                held, minded = holders.get(p.machine, {}), minding.get((section, p.machine), {})
+                ways = wanted.setdefault(p.machine, set())
+                ways |= {x for o, x in held.items() if o not in apart}
+                ways |= {x for o, those in minded.items() if o not in apart and o not in held for x in those}
+        own = frozen_machines(r)
+        beside = {m: next(iter(x), Position.NORMAL) for m, x in wanted.items() if m not in own and len(x) < 2}
+        if {p.machine: p.position for p in r.locking.driven} != beside:
             where = ", ".join(f"{m} {x}" for m, x in sorted(beside.items()))
             yield Finding(r.id, "driven", f"driven along are {where or 'no points'}")
 

@@ -79,7 +79,8 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     hostile = Conflicts(paths, by_key, demands, barred)
     _apart(paths, hostile, sink)
     idle_barred(layout, paths, hostile.derived, sink)
-    beside = Beside(layout, paths, demands, hostile.bits)
+    fouls = {p.id: _foul(p, by_key) for p in paths}
+    beside = Beside(layout, paths, demands, fouls, hostile.bits)
     names, hidden = _named(layout, paths, sink)
     _notes(layout, paths, sink)
     rows = tuple(
@@ -103,7 +104,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             ),
             clear=RouteClear(
                 sections=_clear(layout, p),
-                foul=_foul(p, by_key),
+                foul=fouls[p.id],
                 space=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].space)),
                 demanded=asked_clear.get(p.id),
             ),

@@ -24,7 +24,7 @@ from itertools import pairwise
 
 from interlock.logic import names
 from interlock.logic.symbols import RouteSymbols
-from interlock.model.elements import RouteId, SectionId
+from interlock.model.elements import Position, RouteId, SectionId
 from interlock.proof.induction.search import Frame
 from interlock.proof.induction.story import Story, narrated
 from interlock.proof.system.loop import ClosedLoop
@@ -422,7 +422,15 @@ class Trial:
             state = _lying(self.railway, r) | state
         for r in (run.first, run.second):
             state = _lying(self.railway, r, overlap=True) | state
-        return state | (self._standing(*from_) or {})
+        return self._leading_away(run) | state | (self._standing(*from_) or {})
+
+    def _leading_away(self, run: PairRun) -> dict[str, int]:
+        """Points that decide whether a joint is foul of a route of the run (R7) lead away from it: where neither
+        route holds such a point, the two can be used together only while it lies so."""
+        ways = [way for r in (run.first, run.second) for way in (*r.path.ways, *self._overlap(r))]
+        fouled = [self.railway.topo.traversals[s][n - 1] for s, n in ways]
+        when = [f.when for f in self.railway.measured.fouls if f.when is not None and any(map(f.fouls, fouled))]
+        return {names.LIES(m, to): int(to is not x) for m, x in when for to in Position}
 
     def opened(self) -> tuple[Opened, ...]:
         """For each route its bound, and what runs show: with every machine in place, and with the others moved."""
