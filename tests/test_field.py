@@ -359,6 +359,24 @@ def test_commands_are_for_one_cycle_and_values_stay(ready: Ready) -> None:
     assert operator.inputs(quiet, 100)["BLK_q1"] == 0 and not operator.held
 
 
+@pytest.mark.parametrize("valid", [True, False], ids=["refused", "inputs lost"])
+def test_what_was_refused_is_not_asked_for_again(ready: Ready, valid: bool) -> None:
+    """An operator who was refused has gone on to something else: a route that is set by itself later is no service."""
+    operator = Operator(ready)
+    request = next(iter(operate(ready, "set j1")))
+
+    def asked(heard: bool, is_valid: bool = True) -> int:
+        seen = Cycle({"VALID": int(is_valid)}, {"YRQ": heard}, is_valid, ())
+        return operator.inputs(seen, 100)[request]
+
+    operator.type("set j1")
+    assert asked(False, valid), "asked for at once, so that the controller says why not"
+    assert not asked(True, valid)
+    assert not any(asked(False) for _ in range(200)), "20 s"
+    operator.type("set j1")
+    assert asked(False)
+
+
 def test_numbers_step_with_the_sections_of_real_substations(ready: Ready) -> None:
     """A train is commanded, comes in and runs on: its number is told at each step.  One that comes from nowhere is an
     alarm, and one whose detection is lost is, too: nothing is asked for it until somebody has looked."""

@@ -109,7 +109,8 @@ class Dispatcher:
         return len(self.runs) + len(self.pending) < before
 
     def ask(self, number: int, source: Source = Source.HAND) -> None:
-        """A route (or the swing of an overlap) asked for by somebody; kept until it is granted.  Raises `Full`."""
+        """A route (or the swing of an overlap) asked for by somebody: by hand once, whatever comes of it, else kept until
+        it is granted.  Raises `Full`."""
         row = next((r for r in self.railway.table.routes if r.number == number), None)
         if row is None:
             self.other.append(number)
@@ -138,8 +139,11 @@ class Dispatcher:
         acknowledged = seen.get(self._symbols.requests.seen[self._symbols.requests.request], 0)
         if self._writes and acknowledged:
             self._answered(seen)
-        elif not self._writes and not acknowledged and seen.get(self._symbols.valid, 0):
-            self._next(seen)
+        elif not self._writes and not acknowledged:
+            if seen.get(self._symbols.valid, 0):
+                self._next(seen)
+            else:
+                self._by_hand(seen)
         return {self._symbols.requests.request: self._writes, **self._cancels}
 
     def _follow(self, run: Run, seen: Indications, dt_ms: int) -> None:
@@ -218,7 +222,9 @@ class Dispatcher:
     def _answered(self, seen: Indications) -> None:
         """The request was read: the route is set, or was refused."""
         self._writes = 0
-        self.arbiter.answered(seen)
+        asked = self.arbiter.asked
+        if not self.arbiter.answered(seen) and asked is not None and asked.source is Source.HAND:
+            self.arbiter.withdraw(asked)  # whoever asked is told, and asks again
         if self._for is None:
             return
         run, stage = self._for
@@ -265,6 +271,15 @@ class Dispatcher:
                     return
             elif self._asks(one, seen):
                 return
+
+    def _by_hand(self, seen: Indications) -> None:
+        """While inputs are not valid nothing is asked for but by hand: it is refused now, and not granted later."""
+        if self.other:
+            self._writes = self.other.popleft()
+            return
+        found = [r for r in self.arbiter.waiting if r.source is Source.HAND]
+        if found and self.arbiter.may(found[0], seen):
+            self._writes = self.arbiter.make(found[0]).stage.number
 
     def _key(self, run: Run, k: int) -> Key:
         """Where a run comes among the requests: its class of priority, then the order of the commands."""

@@ -25,7 +25,7 @@ class Asked:
         self._waiting[number] = who
 
     def answers(self, reasons: Reasons, before: Cycle, cycle: Cycle, moment: Moment) -> Iterator[Event]:
-        """What the scan has answered: a route is set, or refused; a refused request of a person is not kept."""
+        """What the scan has answered: a route is set, or refused; a request of a person is made once."""
         y = self._symbols
         number = cycle.inputs.get(y.requests.request, 0)
         if not cycle.valid:
@@ -48,8 +48,6 @@ class Asked:
         else:
             told = tuple(reasons.of_request(number, moment, cycle.words().get(number, UNKNOWN)))
             yield Event("refusal", f"route {name} is refused", who or "dispatcher", (signal,), told)
-        if who:
-            self._withdraw(number)
 
     def _given_up(self) -> Iterator[Event]:
         """Inputs are lost: what was asked for before is not to come true some time after."""
