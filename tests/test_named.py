@@ -140,3 +140,37 @@ def test_where_no_section_tells_a_way_from_all_others_the_fix_names_those_that_d
     found = grown(text[: text.index("exclude:")].replace("{from: 5L, to: B3}", "{from: 5L, to: B3, via: [24T]}"))
     assert found is not None and not [x for x in found[2].diagnostics if x.code == "IL2024"]
     assert found[1].route["5L-B3"].names == ("5LC",)
+
+
+def called_twice(text: str) -> list[str]:
+    """What is said of names that mean two routes."""
+    made = grown(text)
+    assert made is not None
+    return [d.message for d in made[2].diagnostics if d.code == "IL2002"]
+
+
+def test_a_name_of_one_route_is_no_name_of_another_one() -> None:
+    """Whoever asks for X2-E gets the route from X2 to E; upper and lower case are one."""
+    assert called_twice(YARD + "routes:\n  x2-e: {from: X1, to: X2}\n") == [
+        "x2-e names the route X1-X2, and X2-E is the route from X2 to E"
+    ]
+    assert called_twice(YARD + "routes:\n  R: {from: X1, to: X2}\n  r: {from: X2, to: E, via: [q3]}\n") == [
+        "r names the route X2-E, and R is the route from X1 to X2"
+    ]
+    assert not called_twice(YARD + "routes:\n  X1-X2: {from: X1, to: X2}\n"), "its own name"
+
+
+def test_two_routes_never_bear_one_name() -> None:
+    text = """interlock: 1
+name: line
+boundaries: {W: {approach: wa 300}, E: {approach: ea 300}}
+tracks:
+  line: [W, q1 200, q2 200, E]
+signals:
+  A-B: {from: W,  into: q1}
+  C:   {from: q1, into: q2}
+  A:   {from: E,  into: q2}
+  B-C: {from: q2, into: q1}
+"""
+    assert called_twice(text) == ["the routes from A to B-C and from A-B to C would both be called A-B-C"]
+    assert not called_twice(text.replace("  A: ", "  Y: "))

@@ -1,6 +1,6 @@
 """The routes that names and switches for automatic working mean.
 
-Input: the layout and its paths.  Output: names of routes, automatic routes; diagnostics IL2007 and IL2024.
+Input: the layout and its paths.  Output: names of routes, automatic routes; diagnostics IL2002, IL2007 and IL2024.
 """
 
 from __future__ import annotations
@@ -21,6 +21,8 @@ _KINDS = {False: RouteKind.MAIN, True: RouteKind.SHUNT, None: RouteKind.CALL_ON}
 def derive_names(layout: Layout, paths: Sequence[Path], sink: Sink) -> dict[RouteId, tuple[str, ...]]:
     """The names of each route that has any; without a kind, a name is the train route's where there is one."""
     out: dict[RouteId, tuple[str, ...]] = {}
+    called = {p.id.casefold(): (str(p.id), p) for p in paths}
+    """By name, whatever its case: the name as it is written, and the route."""
     stated = {name: _KINDS[shunt] for name, shunt in layout.declared.named_kinds}
     for n in layout.declared.named_routes:
         fits = [p for p in paths if _fits(n, p)]
@@ -31,6 +33,11 @@ def derive_names(layout: Layout, paths: Sequence[Path], sink: Sink) -> dict[Rout
         if fits:
             meant = _one(n, fits, f"the name {n.name}", sink, at)
             out[meant.id] = (*out.get(meant.id, ()), n.name)
+            other = called.setdefault(n.name.casefold(), (n.name, meant))
+            if other[1] is not meant:
+                text = f"{n.name} names the route {meant.id}, and {other[0]} is the route from {other[1].entry} to "
+                text += f"{other[1].exit}"
+                sink.add("IL2002", text, None, "give it another name: whoever sets a route means one", about=at)
         else:
             kind = f"{stated[n.name].replace('main', 'train')} " if n.name in stated else ""
             _none(n, paths, f"there is no {kind}route from {n.entry} to {n.exit} (named {n.name})", sink, at)

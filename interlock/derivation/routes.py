@@ -329,9 +329,21 @@ def _numbered(layout: Layout, found: Sequence[_Found], sink: Sink) -> tuple[Path
     for f, p in paths:
         if f.kind is RouteKind.IDENTIFIER:
             single.setdefault(f, []).append(p)
-    every = [x for f, p in paths for x in _led_on(p, f.beyond, single)]
+    every = _told_apart([x for f, p in paths for x in _led_on(p, f.beyond, single)], sink)
     number = {p.id: n for n, p in enumerate(every, start=1)}
     return tuple(_with_number(p, number) for p in every)
+
+
+def _told_apart(paths: Sequence[Path], sink: Sink) -> list[Path]:
+    """The paths without those that would bear the name of another one."""
+    by_id: dict[str, Path] = {}
+    for p in paths:
+        first = by_id.setdefault(p.id.casefold(), p)
+        if first is not p:
+            ends = " and ".join(f"from {x.entry} to {x.exit}" for x in (first, p))
+            text = f"the routes {ends} would both be called {p.id}"
+            sink.add("IL2002", text, None, "rename one of the signals", about=Element("signals", p.entry))
+    return [*by_id.values()]
 
 
 def _led_on(p: Path, beyond: _Found | None, single: Mapping[_Found, Sequence[Path]]) -> list[Path]:
