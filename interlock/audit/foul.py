@@ -32,6 +32,21 @@ def _foul_between(layout: Layout, a: Move, b: Move) -> frozenset[Foul]:
     )
 
 
+def crossed(layout: Layout, trip: Trip) -> set[tuple[SectionId, tuple[MachineId, Position] | None]]:
+    """The sections in which a vehicle may stand on a diamond of the path, with each point that must lie so for one to
+    come to the diamond."""
+    found: set[tuple[SectionId, tuple[MachineId, Position] | None]] = set()
+    for a, _ in pairs(trip):
+        crossing = layout.pointwork.crossing_at.get(a.node)
+        if crossing is not None:
+            arm = next(arm for arm in crossing.arms if a.edge not in arm)
+            section = layout.track.section_of(arm[0])
+            if section != layout.track.section_of(a.edge):
+                ways = {(section, w) for e in arm if (w := _way_out(layout, e, a.node)) is not None}
+                found |= ways or {(section, None)}
+    return found
+
+
 def _beside(layout: Layout, a: Move, b: Move) -> Iterator[tuple[EdgeId, set[SectionId], float]]:
     """The edges on which a vehicle near the node would stand in the way, the sections in which it would be seen
     anyway, and how far it must stay away."""

@@ -15,7 +15,7 @@ from interlock.audit.added import added, chosen, declared
 from interlock.audit.approach import approach_sections
 from interlock.audit.aspect import aspect
 from interlock.audit.flank import flank
-from interlock.audit.foul import Foul, foul_neighbours
+from interlock.audit.foul import Foul, crossed, foul_neighbours
 from interlock.audit.overlaps import overlap_speed, overruns, without_speed
 from interlock.audit.own_train import own_train_in_the_way
 from interlock.audit.voyages import voyages
@@ -182,9 +182,9 @@ def _row(layout: Layout, r: RouteRow, trip: Trip, come: frozenset[SectionId] | N
     if frozenset(r.locking.approach.sections) != (come or frozenset()):
         where = f"a train may come from {', '.join(sorted(come))}" if come is not None else "it is always locked"
         yield Finding(r.id, "approach", where)
-    foul = foul_neighbours(layout, trip)
-    if {(c.section, c.when) for c in r.clear.foul} != {(s, w) for s, w, *_ in foul}:
-        told = sorted(f"{s}{f' with {w[0]} {w[1]}' if w else ''}" for s, w, *_ in foul)
+    foul = {(s, w) for s, w, *_ in foul_neighbours(layout, trip)} | crossed(layout, trip)
+    if {(c.section, c.when) for c in r.clear.foul} != foul:
+        told = sorted(f"{s}{f' with {w[0]} {w[1]}' if w else ''}" for s, w in foul)
         yield Finding(r.id, "foul", f"foul sections are {', '.join(told) or 'none'}")
     taken = {*trip.sections, *_sections(layout, trip.over)}
     secured = {d.id for d in layout.signalling.devices if set(d.over) & taken}
@@ -236,7 +236,9 @@ def _driven(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) 
     for r in table.routes:
         for d in r.locking.points:
             holders.setdefault(d.machine, {})[r.id] = d.position
-        for section, when, *_ in foul_neighbours(layout, matched[r.id]) if r.id in matched else ():
+        trip = matched.get(r.id)
+        of = () if trip is None else [(s, w) for s, w, *_ in foul_neighbours(layout, trip)] + [*crossed(layout, trip)]
+        for section, when in of:
             if when is not None:
                 minding.setdefault((section, when[0]), {}).setdefault(r.id, set()).add(when[1].other)
     for r in (r for r in table.routes if r.id in matched):

@@ -141,6 +141,10 @@ class Ahead(Topology):
     def w_foul_of(self, p: Path) -> list[FoulJoint]:
         return [f for f in self.lengths.foul_joints if any(map(f.fouls, p.ways))]
 
+    def w_crossed_by(self, p: Path) -> list[FoulJoint]:
+        """What lies across a path on its diamonds, in a section of its own."""
+        return [f for f in self.lengths.crossed if any(map(f.fouls, p.ways))]
+
     def w_fouled(self, f: FoulJoint) -> str:
         return f.section
 

@@ -81,6 +81,19 @@ class Lengths(Overlaps):
                     found += self._along(e, c.name, 0.0, e.section, (c.name, arm, across), needed)
         return found
 
+    @cached_property
+    def crossed(self) -> list[FoulJoint]:
+        """Of diamonds whose arms lie in two sections the other arm's, for each of its points that lead to the diamond;
+        `side` is that arm."""
+        found: list[FoulJoint] = []
+        for c in self._d.diamonds.values():
+            one, two = (self._d.edges[edges[0]].section for edges in c.arms)
+            for arm, here, across in ((0, two, one), (1, one, two)) if one != two else ():
+                leading = {d for n in c.arms[arm] if (d := self._decider(self._d.edges[n], c.name)) is not None}
+                whens: list[Demand | None] = [*leading] or [None]
+                found += [FoulJoint(c.name, arm, here, across, c.name, d) for d in whens]
+        return found
+
     def _along(
         self, e: Edge, node: str, gone: float, home: str, of: tuple[str, str | int, str], needed: float
     ) -> Iterator[FoulJoint]:

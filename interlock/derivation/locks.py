@@ -17,7 +17,7 @@ from interlock.derivation.unsettled import report_flanks
 from interlock.diag import Sink
 from interlock.model.bits import bits_of
 from interlock.model.elements import MachineId, Position, SectionId
-from interlock.model.foul import FoulJoint, foul_joints
+from interlock.model.foul import FoulJoint, crossed_sections, foul_joints
 from interlock.model.layout import Layout
 from interlock.model.traversal import Traversal, topology
 from interlock.table.cells import (
@@ -159,6 +159,17 @@ def _space(
     )
 
 
+def _crossed(layout: Layout, t: Traversal) -> list[FoulCell]:
+    """The sections that lie across the way on diamonds: what stands there may stand on the diamond (R6)."""
+    cells = []
+    for x in crossed_sections(layout) if t.crossings else ():
+        if x.fouls(t):
+            unless = f", unless {x.when[0]} lies {x.when[1].other}" if x.when is not None else ""
+            why = Because("R6", f"{x.neighbour} lies across the path on the diamond {x.crossing}{unless}")
+            cells.append(FoulCell(x.neighbour, x.section, x.when, why, x.crossing))
+    return cells
+
+
 def _row(
     layout: Layout,
     t: Traversal,
@@ -190,7 +201,7 @@ def _row(
         if across != t.section:
             numbers = tuple(sorted(n for (s, n), o in used.items() if s == across and (cid, 1 - arm) in o.crossings))
             exclusions.append(Exclusion(across, False, numbers, Because("R6", f"the ways cross on the diamond {cid}")))
-    foul_cells: list[FoulCell] = []
+    foul_cells = _crossed(layout, t)
     for f in fouls:
         unless = f", unless {f.when[0]} lies {f.when[1].other}" if f.when is not None else ""
         why = Because("R7", f"the joint {f.section}|{f.neighbour} is foul of {f.name}{unless}")

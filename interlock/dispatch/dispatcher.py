@@ -109,8 +109,10 @@ class Dispatcher:
         return len(self.runs) + len(self.pending) < before
 
     def ask(self, number: int, source: Source = Source.HAND) -> None:
-        """A route (or the swing of an overlap) asked for by somebody: by hand once, whatever comes of it, else kept until
-        it is granted.  Raises `Full`."""
+        """A route (or the swing of an overlap) asked for by somebody: by hand once, else kept until it is granted.
+
+        Raises `Full`.
+        """
         row = next((r for r in self.railway.table.routes if r.number == number), None)
         if row is None:
             self.other.append(number)

@@ -59,6 +59,41 @@ class FoulBoundary:
     needed: float
 
 
+@dataclass(frozen=True)
+class CrossedSection:
+    """The section of a diamond's other arm: a vehicle there may stand on the diamond, in the way of whoever passes it.
+
+    arm: that of the ways which it fouls, in `section`.  `when` is the point of the other section that leads vehicles to
+    the diamond in that position; where points on both sides of the diamond do, there is one of these for each.
+    """
+
+    crossing: CrossingId
+    arm: int
+    section: SectionId
+    neighbour: SectionId
+    when: tuple[MachineId, Position] | None
+
+    def fouls(self, t: Traversal) -> bool:
+        """A vehicle on the diamond stands in the way."""
+        return (self.crossing, self.arm) in t.crossings
+
+
+Foul = FoulJoint | CrossedSection
+"""What a vehicle may stand at, in the way of another one."""
+
+
+def crossed_sections(layout: Layout) -> tuple[CrossedSection, ...]:
+    """The sections across, of diamonds whose arms lie in two sections, ordered by diamond and arm (R6)."""
+    found: list[CrossedSection] = []
+    for c in layout.pointwork.crossings:
+        sections = [layout.track.section_of(edges[0]) for edges in c.arms]
+        for arm in (0, 1) if sections[0] != sections[1] else ():
+            leading = [_decider(layout, e, c.node) for e in c.arms[1 - arm]]
+            for when in dict.fromkeys(x for x in leading if x is not None) or [None]:
+                found.append(CrossedSection(c.id, arm, sections[arm], sections[1 - arm], when))
+    return tuple(found)
+
+
 def foul_joints(layout: Layout) -> tuple[FoulJoint, ...]:
     """Every foul joint, ordered by point and leg, then by diamond and arm."""
     return tuple(f for f in _met(layout) if isinstance(f, FoulJoint))

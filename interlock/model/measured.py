@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 from interlock.model.approach import approach
 from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, SignalId
-from interlock.model.foul import FoulJoint, foul_joints
+from interlock.model.foul import CrossedSection, FoulJoint, crossed_sections, foul_joints
 from interlock.model.layout import Layout
 from interlock.model.needs import Needs, needs
 from interlock.model.overlap import overlap_paths, told_apart
@@ -40,12 +40,14 @@ class Beyond:
 class Measured:
     """overlaps: for each signal that has one the alternatives, as ways through sections by number.  apart: by number
     from 1, those that lie inside longer ones and are told apart from them by a speed (km/h).  fouls: the foul joints,
-    without distances.  needs: the times that the world needs.  beyond: what lies over an edge away from a node, for
-    legs of points and arms of crossings.  approaches: from where a train may come to each signal."""
+    without distances.  crossed: the sections across diamonds.  needs: the times that the world needs.  beyond: what
+    lies over an edge away from a node, for legs of points and arms of crossings.  approaches: from where a train may
+    come to each signal."""
 
     overlaps: Mapping[SignalId, tuple[tuple[tuple[SectionId, int], ...], ...]]
     apart: Mapping[SignalId, Mapping[int, int]]
     fouls: tuple[FoulJoint, ...]
+    crossed: tuple[CrossedSection, ...]
     needs: Needs
     beyond: Mapping[tuple[NodeId, EdgeId], Beyond]
     approaches: Mapping[SignalId, Approach]
@@ -76,7 +78,7 @@ def measured(layout: Layout) -> Measured:
     }
     fouls = tuple(replace(f, distance=0.0, needed=0.0) for f in foul_joints(layout))
     approaches = {g.id: approach(layout, g.id) for g in layout.signalling.signals}
-    return Measured(overlaps, apart, fouls, needs(layout), beyond, approaches)
+    return Measured(overlaps, apart, fouls, crossed_sections(layout), needs(layout), beyond, approaches)
 
 
 def _beyond(layout: Layout, edge: EdgeId, node: NodeId, gone: float, needed: float, seen: frozenset[NodeId]) -> Beyond:

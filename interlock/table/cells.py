@@ -12,7 +12,7 @@ from functools import cached_property
 from typing import overload
 
 from interlock.model.bits import chosen
-from interlock.model.elements import ConditionId, MachineId, NodeId, Position, RouteId, SectionId, SignalId
+from interlock.model.elements import ConditionId, CrossingId, MachineId, NodeId, Position, RouteId, SectionId, SignalId
 from interlock.model.places import Approach
 
 TraversalKey = tuple[SectionId, int]
@@ -91,16 +91,17 @@ class ClearCell:
 
 @dataclass(frozen=True)
 class FoulCell:
-    """A section outside the path that must be clear and unlocked because of a foul joint (R7).
+    """A section outside the path that must be clear because of a foul joint (R7), or of a diamond's other arm (R6).
 
     `of`: the section of the path that it fouls.  With `when`, only while that machine is not detected in the other
-    position (lost detection counts as foul).
+    position (lost detection counts as foul).  `crossing`: the diamond, where it is one.
     """
 
     section: SectionId
     of: SectionId
     when: tuple[MachineId, Position] | None
     because: Because
+    crossing: CrossingId | None = None
 
 
 @dataclass(frozen=True)

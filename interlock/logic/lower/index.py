@@ -225,10 +225,10 @@ class SectionIndex:
 
     @cached_property
     def foul_of(self) -> Mapping[SectionId, frozenset[SectionId]]:
-        """The sections with a way of which vehicles in another section stand foul, by that other."""
+        """The sections with a way of which vehicles at a joint of another section stand foul, by that other."""
         out: dict[SectionId, set[SectionId]] = {}
         for t in self._table.locks:
-            for c in t.foul:
+            for c in (c for c in t.foul if c.crossing is None):
                 out.setdefault(c.section, set()).add(t.section)
         return {s: frozenset(those) for s, those in out.items()}
 

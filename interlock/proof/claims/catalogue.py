@@ -12,7 +12,7 @@ from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, eq, iff, implies, neg, var
 from interlock.logic.plant import accepted, came, has_token, lies, o, rests, shunting
 from interlock.model.elements import MachineId, Position, SectionId, SignalId
-from interlock.model.foul import FoulJoint
+from interlock.model.foul import Foul
 from interlock.model.principles import Caution
 from interlock.model.traversal import zone_joints
 from interlock.proof.claims.added import declared, demanded, held
@@ -345,7 +345,8 @@ def _beyond_the_path(
         yield "S-DIRECTION", "", implies(here, f.after(ours))
     if boundary is not None and boundary.approach is not None and not shunt:
         needed.append(f.seen.steadily_clear(boundary.approach))
-    needed += [_not_foul(f, fj) for fj in f.track.fouls if any(map(fj.fouls, path.ways))]
+    beside: list[Foul] = [*f.track.fouls, *f.track.crossed]
+    needed += [_not_foul(f, x) for x in beside if any(map(x.fouls, path.ways))]
     if needed:
         yield "S-CONDITION", "", implies(here, conj(needed))
 
@@ -439,12 +440,12 @@ def _again(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             yield "S-CALL-ON", f"{r.id} once", implies(seen, neg(f.after(var(r.proceed))))
 
 
-def _not_foul(f: Facts, fj: FoulJoint) -> Expr:
-    """The neighbour is clear, or its point is detected so that nothing in it stands at the joint."""
-    clear = f.seen.steadily_clear(fj.neighbour)
-    if fj.when is None:
+def _not_foul(f: Facts, at: Foul) -> Expr:
+    """The neighbour is clear, or its point is detected so that nothing in it stands at the joint or on the diamond."""
+    clear = f.seen.steadily_clear(at.neighbour)
+    if at.when is None:
         return clear
-    m, x = fj.when
+    m, x = at.when
     return disj((clear, conj((var(f.sym.machines.detected[m, x.other]), neg(var(f.sym.machines.detected[m, x]))))))
 
 

@@ -12,7 +12,7 @@ from interlock.logic.names import Name
 from interlock.logic.plant import lies, old_command
 from interlock.logic.symbols import Symbols
 from interlock.model.elements import EdgeId, MachineId, NodeId, Position, SectionId, SignalId
-from interlock.model.foul import FoulJoint
+from interlock.model.foul import CrossedSection, FoulJoint
 from interlock.model.measured import Beyond
 from interlock.model.traversal import Traversal
 from interlock.proof.system.loop import ClosedLoop
@@ -76,6 +76,11 @@ class TrackFacts:
     def fouls(self) -> tuple[FoulJoint, ...]:
         """The foul joints of the layout."""
         return self._measured.fouls
+
+    @property
+    def crossed(self) -> tuple[CrossedSection, ...]:
+        """The sections across diamonds."""
+        return self._measured.crossed
 
     def overlap_paths(self, g: SignalId) -> tuple[tuple[Traversal, ...], ...]:
         """The alternatives of a signal's overlap; none without one."""

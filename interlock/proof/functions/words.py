@@ -9,7 +9,7 @@ from itertools import pairwise
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import MachineId, NodeId, Position, SectionId, SignalId
-from interlock.model.foul import FoulJoint
+from interlock.model.foul import Foul
 from interlock.model.measured import Beyond
 from interlock.model.places import Approach
 from interlock.model.traversal import Traversal
@@ -288,12 +288,13 @@ class WayWords:
         out = [
             var(self._w.sym.machines.trailed[m]) for m, _ in self._w.sym.ways.demands[s, n] if self._w.points.powered(m)
         ]
-        out += [neg(self._not_foul(fj)) for fj in f.track.fouls if fj.fouls(t)]
+        beside: list[Foul] = [*f.track.fouls, *f.track.crossed]
+        out += [neg(self._not_foul(x)) for x in beside if x.fouls(t)]
         return disj((*out, self._space(t) if wide else FALSE))
 
-    def _not_foul(self, fj: FoulJoint) -> Expr:
-        clear = self._w.sections.long(fj.neighbour)
-        return clear if fj.when is None else disj((clear, self._w.points.detected(fj.when[0], fj.when[1].other)))
+    def _not_foul(self, at: Foul) -> Expr:
+        clear = self._w.sections.long(at.neighbour)
+        return clear if at.when is None else disj((clear, self._w.points.detected(at.when[0], at.when[1].other)))
 
     def _space(self, t: Traversal) -> Expr:
         """Something stands in the flank space, or a lamp that protects it is out: anywhere that may count (R5)."""

@@ -25,6 +25,7 @@ from itertools import pairwise
 from interlock.logic import names
 from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import Position, RouteId, SectionId
+from interlock.model.foul import Foul
 from interlock.proof.induction.search import Frame
 from interlock.proof.induction.story import Story, narrated
 from interlock.proof.system.loop import ClosedLoop
@@ -425,11 +426,12 @@ class Trial:
         return self._leading_away(run) | state | (self._standing(*from_) or {})
 
     def _leading_away(self, run: PairRun) -> dict[str, int]:
-        """Points that decide whether a joint is foul of a route of the run (R7) lead away from it: where neither
+        """Points that decide whether something is foul of a route of the run (R6, R7) lead away from it: where neither
         route holds such a point, the two can be used together only while it lies so."""
         ways = [way for r in (run.first, run.second) for way in (*r.path.ways, *self._overlap(r))]
         fouled = [self.railway.topo.traversals[s][n - 1] for s, n in ways]
-        when = [f.when for f in self.railway.measured.fouls if f.when is not None and any(map(f.fouls, fouled))]
+        beside: list[Foul] = [*self.railway.measured.fouls, *self.railway.measured.crossed]
+        when = [x.when for x in beside if x.when is not None and any(map(x.fouls, fouled))]
         return {names.LIES(m, to): int(to is not x) for m, x in when for to in Position}
 
     def opened(self) -> tuple[Opened, ...]:
@@ -485,7 +487,8 @@ def _needs_clear(railway: ClosedLoop, r: RouteSymbols) -> frozenset[str]:
         for s, n in (*r.path.ways, *over, *([r.path.berth] if r.path.berth is not None else []))
     ]
     found: set[str] = {t.section for t in ways}
-    found |= {f.neighbour for f in railway.measured.fouls for t in ways if f.fouls(t)}
+    beside: list[Foul] = [*railway.measured.fouls, *railway.measured.crossed]
+    found |= {x.neighbour for x in beside for t in ways if x.fouls(t)}
     if _leaves(railway, r):
         boundary = railway.layout.track.boundary_at[_end(railway, r)[1]]
         found |= {boundary.approach or names.outside(boundary.node)}
