@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from interlock.audit.flank import pairs
 from interlock.audit.walk import Move, Trip, distances
@@ -32,9 +32,11 @@ def _foul_between(layout: Layout, a: Move, b: Move) -> frozenset[Foul]:
     )
 
 
-def crossed(layout: Layout, trip: Trip) -> set[tuple[SectionId, tuple[MachineId, Position] | None]]:
+def crossed(
+    layout: Layout, trip: Trip, held: Collection[tuple[MachineId, Position]]
+) -> set[tuple[SectionId, tuple[MachineId, Position] | None]]:
     """The sections in which a vehicle may stand on a diamond of the path, with each point that must lie so for one to
-    come to the diamond."""
+    come to the diamond; but for those that the path takes itself, and such a point that it holds otherwise."""
     found: set[tuple[SectionId, tuple[MachineId, Position] | None]] = set()
     for a, _ in pairs(trip):
         crossing = layout.pointwork.crossing_at.get(a.node)
@@ -44,7 +46,8 @@ def crossed(layout: Layout, trip: Trip) -> set[tuple[SectionId, tuple[MachineId,
             if section != layout.track.section_of(a.edge):
                 ways = {(section, w) for e in arm if (w := _way_out(layout, e, a.node)) is not None}
                 found |= ways or {(section, None)}
-    return found
+    taken = {layout.track.section_of(m.edge) for m in (*trip.moves, *trip.over)}
+    return {(s, w) for s, w in found if s not in taken and not (w is not None and (w[0], w[1].other) in held)}
 
 
 def _beside(layout: Layout, a: Move, b: Move) -> Iterator[tuple[EdgeId, set[SectionId], float]]:

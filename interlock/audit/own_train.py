@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
-from interlock.audit.foul import foul_neighbours
+from interlock.audit.foul import crossed, foul_neighbours
 from interlock.audit.walk import Move, Trip, in_rear, steps
 from interlock.model.elements import BufferKind, MachineId, NodeId, Position, SectionId
 from interlock.model.layout import Layout
@@ -31,10 +31,12 @@ def own_train_in_the_way(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[st
         if any(frozen.get(m, x) is not x for m, x in under):
             yield "its own train stands on points that it needs otherwise"
         held = under | set(frozen.items())
-        if any(s == rear and (w is None or w in held) for p in parts for s, w, *_ in foul_neighbours(layout, p)):
+        foul = {(s, w) for p in parts for s, w, *_ in foul_neighbours(layout, p)}
+        foul |= {x for p in parts for x in crossed(layout, p, frozen.items())}
+        if any(s == rear and (w is None or w in held) for s, w in foul):
             yield f"its own train stands foul of it in {rear}"
-        crossed = set.intersection(*(w[1] for w in ways)) if ways else set()
-        if any(m.node in crossed for p in parts for m in (*p.moves[:-1], *p.over[:-1])):
+        across = set.intersection(*(w[1] for w in ways)) if ways else set()
+        if any(m.node in across for p in parts for m in (*p.moves[:-1], *p.over[:-1])):
             yield "its own train stands across its way"
 
 

@@ -182,7 +182,7 @@ def _row(layout: Layout, r: RouteRow, trip: Trip, come: frozenset[SectionId] | N
     if frozenset(r.locking.approach.sections) != (come or frozenset()):
         where = f"a train may come from {', '.join(sorted(come))}" if come is not None else "it is always locked"
         yield Finding(r.id, "approach", where)
-    foul = {(s, w) for s, w, *_ in foul_neighbours(layout, trip)} | crossed(layout, trip)
+    foul = {(s, w) for s, w, *_ in foul_neighbours(layout, trip)} | crossed(layout, trip, _positions(r))
     if {(c.section, c.when) for c in r.clear.foul} != foul:
         told = sorted(f"{s}{f' with {w[0]} {w[1]}' if w else ''}" for s, w in foul)
         yield Finding(r.id, "foul", f"foul sections are {', '.join(told) or 'none'}")
@@ -219,6 +219,11 @@ def _row(layout: Layout, r: RouteRow, trip: Trip, come: frozenset[SectionId] | N
         yield Finding(r.id, "conditions", f"required are {', '.join(sorted(needed)) or 'none'}")
 
 
+def _positions(r: RouteRow) -> set[tuple[MachineId, Position]]:
+    """How the machines lie that a route holds."""
+    return {(p.machine, p.position) for p in r.locking.points}
+
+
 def _lengths(r: RouteRow, trip: Trip) -> Iterator[tuple[str, tuple[Move, ...], float]]:
     """What is stated in metres, over what it leads, and how long it is told to be."""
     yield "path", trip.run.moves, r.path.length
@@ -237,8 +242,8 @@ def _driven(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) 
         for d in r.locking.points:
             holders.setdefault(d.machine, {})[r.id] = d.position
         trip = matched.get(r.id)
-        of = () if trip is None else [(s, w) for s, w, *_ in foul_neighbours(layout, trip)] + [*crossed(layout, trip)]
-        for section, when in of:
+        joints = [(s, w) for s, w, *_ in foul_neighbours(layout, trip)] if trip is not None else []
+        for section, when in (*joints, *(crossed(layout, trip, _positions(r)) if trip is not None else ())):
             if when is not None:
                 minding.setdefault((section, when[0]), {}).setdefault(r.id, set()).add(when[1].other)
     for r in (r for r in table.routes if r.id in matched):

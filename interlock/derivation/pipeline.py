@@ -36,7 +36,7 @@ from interlock.model.elements import BufferKind, RouteId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.overlap import ends_short, entry_speed, wanted_m
 from interlock.model.traversal import topology
-from interlock.table.cells import Because, ClearCell, FoulCell, OverlapCell, RouteKind, TraversalKey
+from interlock.table.cells import Because, ClearCell, FoulCell, OverlapCell, PointDemand, RouteKind, TraversalKey
 from interlock.table.rows import (
     InterlockingTable,
     RouteClear,
@@ -79,7 +79,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     hostile = Conflicts(paths, by_key, demands, barred)
     _apart(paths, hostile, sink)
     idle_barred(layout, paths, hostile.derived, sink)
-    fouls = {p.id: _foul(p, by_key) for p in paths}
+    fouls = {p.id: _foul(p, by_key, demands[p.id]) for p in paths}
     beside = Beside(layout, paths, demands, fouls, hostile.bits)
     names, hidden = _named(layout, paths, sink)
     _notes(layout, paths, sink)
@@ -231,8 +231,19 @@ def _overlap(layout: Layout, path: Path, swinging: Mapping[SignalId, tuple[int, 
     return OverlapCell(SignalId(path.exit), path.option, swings, tuple(t.key for t in path.overlap), metres, why)
 
 
-def _foul(path: Path, locks: Mapping[TraversalKey, TraversalRow]) -> tuple[FoulCell, ...]:
-    return tuple(dict.fromkeys(c for t in (*path.ways, *path.overlap) for c in locks[t.key].foul))
+def _foul(
+    path: Path, locks: Mapping[TraversalKey, TraversalRow], demands: Sequence[PointDemand]
+) -> tuple[FoulCell, ...]:
+    """What must be clear of the route beside it.  What lies across it on a diamond is left out where the route runs
+    through that section, too, or holds the point that leads away."""
+    ways = (*path.ways, *path.overlap)
+    own, held = {t.section for t in ways}, {(d.machine, d.position) for d in demands}
+    cells = dict.fromkeys(c for t in ways for c in locks[t.key].foul)
+
+    def settled(c: FoulCell) -> bool:
+        return c.section in own or (c.when is not None and (c.when[0], c.when[1].other) in held)
+
+    return tuple(c for c in cells if c.crossing is None or not settled(c))
 
 
 def _end(layout: Layout, p: Path) -> str:
