@@ -1,0 +1,87 @@
+"""Diamonds whose arms lie in two sections: what stands across, on a route or on none, keeps a signal at stop (R6)."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from interlock.audit import audit
+from interlock.logic.lower import lower
+from interlock.model.elements import RouteId
+from interlock.proof.induction.verdict import Verdict
+from interlock.proof.prover import prove
+from interlock.proof.system.transition import System
+from interlock.table.rows import InterlockingTable
+from tests.layouts import built
+from tests.test_runtime import module_of
+
+SCISSORS = "../tests/layouts_for_tests/scissors_two"
+
+
+def across(table: InterlockingTable, route: str) -> list[str]:
+    """What is to be clear across a route on its diamonds, as the table has it."""
+    cells = [c for c in table.route[RouteId(route)].clear.foul if c.crossing is not None]
+    return [f"{c.section}{f' if {c.when[0]} {c.when[1]}' if c.when else ''}" for c in cells]
+
+
+def test_the_section_of_the_other_arm_is_to_be_clear() -> None:
+    _, scissors, _ = built(SCISSORS)
+    assert across(scissors, "P1-E2") == across(scissors, "Q2-W1") == ["XB"]
+    assert across(scissors, "P2-E1") == ["XA"] and across(scissors, "P1-E1") == []
+
+
+def test_it_need_not_be_clear_while_its_point_leads_away() -> None:
+    """Another train may run through BC over 102 in normal meanwhile."""
+    _, junction, _ = built("junction")
+    assert across(junction, "S1J-S5") == ["BC if 102 N"]
+    assert across(junction, "S2J-S6") == [], "it holds 101 N, for its flank"
+    assert "S4J-S6" not in junction.route[RouteId("S1J-S5")].locking.hostile.routes
+
+
+def test_it_is_not_asked_where_the_route_runs_through_it_or_holds_the_point_that_leads_away() -> None:
+    """In a scissors crossover of three or four sections the points of the other crossover lie in the route's own way."""
+    _, station, _ = built("cn6502")
+    assert all(c.crossing is None for r in station.routes for c in r.clear.foul)
+
+
+def test_proceed_is_taken_back_and_not_given_when_something_is_reported_across() -> None:
+    """By the emitted runtime, with inputs as they come from the field."""
+    _, table, controller = built(SCISSORS)
+    one, sym = module_of(SCISSORS).Controller(), controller.symbols
+    (route,) = [r for r in sym.routes if r.id == "P1-E2"]
+    lying = [sym.machines.detected[d.machine, d.position] for d in table.route[route.id].locking.points]
+    quiet = dict.fromkeys([sym.valid, *sym.sections.clear.values(), *lying], 1)
+    quiet = {name: quiet.get(name, 0) for name in (i.name for i in controller.inputs)}
+    restart = max(t.preset_ms for t in controller.timers)
+    for _ in range(restart // 1000 + 5):
+        one.scan(quiet, 1000)
+    one.scan({**quiet, sym.sections.release_all: 1}, 1000)
+    one.scan(quiet, 1000)
+    one.scan({**quiet, **one.request("P1-E2")}, 100)
+    for _ in range(5):
+        shown = one.scan(quiet, 100)
+    lamps = sym.aspects.main_lamps(route.entry)
+    assert any(shown[name] for name in lamps), one.status("P1-E2")
+    there = {**quiet, sym.sections.clear["XB"]: 0}
+    for _ in range(100):
+        shown = one.scan(there, 100)
+        assert not any(shown[name] for name in lamps)
+    for _ in range(200):  # the locks are given back, and it is asked for anew
+        one.scan({**there, sym.cancellation.cancel[route.entry]: 1}, 1000)
+    one.scan({**there, **one.request("P1-E2")}, 100)
+    for _ in range(50):
+        shown = one.scan(there, 100)
+        assert not any(shown[name] for name in lamps)
+
+
+def test_a_table_without_it_is_found_out_by_the_audit_and_by_the_proof() -> None:
+    layout, table, _ = built(SCISSORS)
+
+    def bare(those: tuple) -> tuple:  # type: ignore[type-arg]
+        return tuple(c for c in those if c.crossing is None)
+
+    locks = tuple(replace(t, foul=bare(t.foul)) for t in table.locks)
+    routes = tuple(replace(r, clear=replace(r.clear, foul=bare(r.clear.foul))) for r in table.routes)
+    weak = replace(table, locks=locks, routes=routes)
+    assert {f.column for f in audit(layout, weak)} == {"foul"}
+    proved = prove(System(layout, lower(layout, weak)))
+    assert {c.id for c in proved.claims if c.verdict is not Verdict.PROVED} == {"S-CONDITION"}
