@@ -38,7 +38,7 @@ def test_it_need_not_be_clear_while_its_point_leads_away() -> None:
 
 
 def test_it_is_not_asked_where_the_route_runs_through_it_or_holds_the_point_that_leads_away() -> None:
-    """In a scissors crossover of three or four sections the points of the other crossover lie in the route's own way."""
+    """In a scissors crossover of this station the points of the other crossover lie in the route's own way."""
     _, station, _ = built("cn6502")
     assert all(c.crossing is None for r in station.routes for c in r.clear.foul)
 

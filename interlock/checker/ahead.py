@@ -141,6 +141,14 @@ class Ahead(Topology):
     def w_foul_of(self, p: Path) -> list[FoulJoint]:
         return [f for f in self.lengths.foul_joints if any(map(f.fouls, p.ways))]
 
+    def w_crossed(self) -> list[FoulJoint]:
+        """What lies across diamonds in sections of its own."""
+        return self.lengths.crossed
+
+    def w_crossed_anyhow(self) -> list[FoulJoint]:
+        """That of which no point leads to the diamond."""
+        return [f for f in self.lengths.crossed if f.when is None]
+
     def w_crossed_by(self, p: Path) -> list[FoulJoint]:
         """What lies across a path on its diamonds, in a section of its own."""
         return [f for f in self.lengths.crossed if any(map(f.fouls, p.ways))]

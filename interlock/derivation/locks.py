@@ -165,7 +165,7 @@ def _crossed(layout: Layout, t: Traversal) -> list[FoulCell]:
     for x in crossed_sections(layout) if t.crossings else ():
         if x.fouls(t):
             unless = f", unless {x.when[0]} lies {x.when[1].other}" if x.when is not None else ""
-            why = Because("R6", f"{x.neighbour} lies across the path on the diamond {x.crossing}{unless}")
+            why = Because("R6", f"{x.neighbour} clear across the diamond {x.crossing}{unless}")
             cells.append(FoulCell(x.neighbour, x.section, x.when, why, x.crossing))
     return cells
 
