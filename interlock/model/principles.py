@@ -111,7 +111,8 @@ MEANING: dict[str, str] = {
     ),
     "drive_points": (
         "whether a route drives the other points of its sections along, so that parallel routes stay possible: to "
-        "normal, or to where those hold them, or to where a train there is not foul of them (带动道岔).  A driven point is never a condition of proceed (R10)"
+        "normal, or to where those hold them, or to where a train there is not foul of them (带动道岔).  A driven "
+        "point is never a condition of proceed (R10)"
     ),
     "overlap_m": (
         "metres of overlap beyond every main signal inside the layout where the layout states none (R4: UK 180 m; "
