@@ -50,6 +50,30 @@ def test_help_names_every_verb_and_the_first_command() -> None:
         assert f"  {verb} " in done.stdout
 
 
+@pytest.mark.parametrize("closed", [(0,), (1,), (2,), (0, 1, 2)], ids=str)
+def test_a_service_that_closes_the_streams_gets_its_answer(closed: tuple[int, ...]) -> None:
+    args = (sys.executable, "-m", "interlock", "check", "layouts/fig2_2.yaml")
+    done = subprocess.run(
+        args, capture_output=True, text=True, check=False, preexec_fn=lambda: [os.close(n) for n in closed]
+    )
+    assert done.returncode == 0 and "error" not in done.stdout + done.stderr
+    assert ("no problems" in done.stdout) is (1 not in closed)
+
+
+def test_what_two_options_ask_for_is_not_half_done(tmp_path: Path) -> None:
+    done = run("draw", "layouts/fig2_2.yaml", "--sheets", "--fold", "-o", str(tmp_path / "plan.svg"))
+    assert done.exit_code == 2 and "choose one" in done.output and not list(tmp_path.iterdir())
+    done = run("play", "")
+    assert done.exit_code == 2 and "name the trace" in done.output
+
+
+def test_json_that_does_not_fit_is_said_where_there_is_room() -> None:
+    args = (sys.executable, "-m", "interlock", "check", "layouts/fig2_2.yaml", "--format", "json")
+    with Path("/dev/full").open("w") as full:
+        lost = subprocess.run(args, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+    assert lost.returncode == 1 and "does not fit" in lost.stderr and "Traceback" not in lost.stderr
+
+
 def test_where_there_is_no_room_what_was_there_stays(tmp_path: Path) -> None:
     """A plan that does not fit leaves the one of before, and nothing half-written."""
     plan = tmp_path / "plan.svg"

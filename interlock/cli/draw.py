@@ -22,28 +22,28 @@ from interlock.cli.common import FINDINGS, OK, failed, force_option, format_opti
 )
 @click.option(
     "--sheets",
-    "paper",
-    flag_value=Paper.SHEETS.value,
+    is_flag=True,
     help="Draw on A3 sheets with match lines: NAME-1.svg, NAME-2.svg and so on.",
 )
-@click.option(
-    "--fold", "paper", flag_value=Paper.FOLDED.value, help="Fold the plan into rows, one below the other, for lines."
-)
+@click.option("--fold", is_flag=True, help="Fold the plan into rows, one below the other, for lines.")
 @force_option
 @format_option
-def command(layout: str, output: Path | None, paper: str | None, force: bool, form: str) -> None:
+def command(layout: str, output: Path | None, sheets: bool, fold: bool, force: bool, form: str) -> None:
     """Draw the track plan of LAYOUT as SVG, from its topology alone."""
     target = output or Path(Path(layout).stem + ".svg")
     if target.suffix.lower() != ".svg" and target.resolve() != Path(layout).resolve():
         raise click.UsageError(f"{target}: a plan is drawn as SVG: call it {target.with_suffix('.svg').name}")
+    if sheets and fold:
+        raise click.UsageError("--sheets and --fold are two ways to put a long plan on paper: choose one")
+    paper = Paper.SHEETS if sheets else Paper.FOLDED if fold else Paper.WHOLE
     with progress(layout) as report:
         report("drawing", 0, 0)
-        drawn = draw_file(layout, Paper(paper or Paper.WHOLE))
+        drawn = draw_file(layout, paper)
     if not drawn.pages:
         show(drawn.diagnostics, drawn.source.texts, form)
         sys.exit(FINDINGS)
     files = [target]
-    if paper == Paper.SHEETS:
+    if sheets:
         files = [target.with_stem(f"{target.stem}-{k}") for k in range(1, len(drawn.pages) + 1)]
     sizes = []
     for file, page in zip(files, drawn.pages, strict=True):
@@ -54,7 +54,9 @@ def command(layout: str, output: Path | None, paper: str | None, force: bool, fo
             sys.exit(FINDINGS)
     if form == "json":
         written = [{"file": str(f), "bytes": n} for f, n in zip(files, sizes, strict=True)]
-        put_json({"ok": True, **written[0], "notes": list(drawn.notes), **({"sheets": written} if paper else {})})
+        put_json(
+            {"ok": True, **written[0], "notes": list(drawn.notes), **({"sheets": written} if sheets or fold else {})}
+        )
     else:
         for note in drawn.notes:
             click.echo(f"note: {note}")

@@ -93,6 +93,7 @@ def cli(ctx: click.Context) -> None:
 
 def main() -> None:
     """Run the command line."""
+    _closed_streams()
     gc.disable()  # what a command builds lives to its end, which is soon: the collector would only walk it
     try:
         code = cli(standalone_mode=False)
@@ -125,6 +126,13 @@ def main() -> None:
         _leave(code if isinstance(code, int) else 0)
 
 
+def _closed_streams() -> None:
+    """A stream that the caller has closed, as a service may, is one that nobody reads."""
+    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
+        if getattr(sys, name) is None:
+            setattr(sys, name, os.fdopen(os.open(os.devnull, os.O_RDWR), mode, encoding="utf-8"))
+
+
 def _json() -> bool:
     """Whether the command line asks for JSON, whatever else is wrong with it."""
     args = sys.argv[1:]
@@ -143,9 +151,13 @@ def _say(error: click.ClickException) -> None:
 def _failed(text: str, kind: str = "error") -> None:
     """Why nothing came of it."""
     if _json():
-        _put(text, None)
-    else:
-        click.echo(f"{kind}: {text}", err=True)
+        try:
+            _put(text, None)
+            sys.stdout.flush()
+            return
+        except OSError:  # nor does this fit
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    click.echo(f"{kind}: {text}", err=True)
 
 
 def _put(error: str, fix: str | None) -> None:

@@ -47,6 +47,8 @@ def command(
     """
     if layout is not None and journal:
         raise click.UsageError("--journal is of a panel's record; of a shift's: interlock record LOG --report FOLDER")
+    if not trace.name:
+        raise click.UsageError("name the trace to play: counterexamples/NAME.itf.json, or a record")
     name = trace.name.removesuffix(".json").removesuffix(".itf").removesuffix(".log")
     target = output or trace.with_name(name + ".html")
     try:

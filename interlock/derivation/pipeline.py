@@ -29,6 +29,7 @@ from interlock.derivation.own_train import check_own_train
 from interlock.derivation.practice import check_practice
 from interlock.derivation.reached import check_reached
 from interlock.derivation.routes import Path, find_routes
+from interlock.derivation.shown import check_shown
 from interlock.derivation.voyages import derive_voyages
 from interlock.diag import Element, Sink
 from interlock.diag.called import called
@@ -118,6 +119,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     _never_set(layout, paths, rows, by_key, sink)
     voyages, automatic = derive_voyages(layout, rows, by_key, sink), derive_automatic(layout, paths, sink)
     check_practice(layout, paths, by_key, sink)
+    check_shown(layout, rows, sink)
     beside.report(sink)
     return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
 

@@ -113,6 +113,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL4018": (_E, "a route to whose signal no train can come"),
     "IL4019": (_E, "a section that is demanded clear, and cannot be for that route"),
     "IL4020": (_W, "a way that one machine bars, wanted in both positions"),
+    "IL4021": (_E, "a speed that is shown over sections of a lower one"),
     "IL4012": (_I, "an addition that adds nothing"),
     "IL4010": (_I, "a flank with substitute protection"),
     "IL4009": (_W, "an overlap that was to swing and cannot"),
