@@ -8,8 +8,10 @@ points; machines may work two ends; signals stand at random joints, and at every
 from __future__ import annotations
 
 import random
+import re
 from dataclasses import dataclass, field
 
+from interlock.model.principles import PROFILES
 from tests.layouts import grown
 
 
@@ -308,7 +310,15 @@ def grow(seed: int, steps: int | None = None) -> str:
     g.grow(steps if steps is not None else rng.randint(1, 9))
     g.pair_machines()
     g.place_signals()
-    return driven(g.text())
+    return driven(within_line(g.text()))
+
+
+def within_line(text: str) -> str:
+    """The same with no speed of sections and points above the line's: over sections that state none it would be shown
+    as well (IL4021)."""
+    stated, profile = re.search(r"line_speed_kmh: (\d+)", text), re.search(r"(?m)^profile: (\w+)", text)
+    line = int(stated[1] if stated else PROFILES[profile[1] if profile else "generic"].line_speed_kmh)
+    return re.sub(r"\bspeed: (\d+)", lambda m: f"speed: {min(int(m[1]), line)}", text)
 
 
 def driven(text: str) -> str:

@@ -20,7 +20,7 @@ from interlock.model.layout import Layout
 from interlock.model.overlap import overlap_paths
 from interlock.table.cells import RouteKind
 from interlock.table.rows import InterlockingTable, RouteRow
-from tests.grow import Grown, driven
+from tests.grow import Grown, driven, within_line
 from tests.layouts import grown
 
 SCRIPTS = ("{p}{n}", "{p}{n}", "{p}-{n}", "{n}{p}#", "{p}_{n}/{n}", "Ж{p}{n}", "北{p}{n}", "ﾂ{p}{n}", "é{n}{p}")
@@ -242,7 +242,8 @@ def _overlaps(rng: random.Random, layout: Layout, table: InterlockingTable) -> l
     out = []
     for o in layout.overlaps.all:
         paths = overlap_paths(layout, o.signal)
-        speed = [f"entry_speed: {rng.choice([30, 60])}"] if rng.random() < 0.5 else []
+        line = int(layout.principles.line_speed_kmh)
+        speed = [f"entry_speed: {min(rng.choice([30, 60]), line)}"] if rng.random() < 0.5 else []
         parts = [f"length: {min(o.length, 150):g}", *speed]
         if rng.random() < 0.4:
             parts.append(rng.choice(["release: 75", "release_by_length: yes"]))
@@ -252,7 +253,9 @@ def _overlaps(rng: random.Random, layout: Layout, table: InterlockingTable) -> l
         own = [s for s in last if any(s not in {t.section for t in p} for p in paths)]
         if own:
             before = sum(t.length for t in paths[-1][: last.index(own[0])])
-            parts.append(f"ways: [{{over: [{own[0]}], length: {before + rng.choice([5, 40, 200])}, entry_speed: 25}}]")
+            parts.append(
+                f"ways: [{{over: [{own[0]}], length: {before + rng.choice([5, 40, 200])}, entry_speed: {min(25, line)}}}]"
+            )
         out.append(f"  {o.signal}: {{{', '.join(parts)}}}")
     return ["overlaps:", *out] if out else []
 
@@ -341,7 +344,7 @@ def grow_all(seed: int) -> str:
     g.grow(rng.randint(1, 9))
     g.pair_machines()
     g.place_signals()
-    text = g.text()
+    text = within_line(g.text())
     if g.script[0] in "Ж\u00e9" and random.Random(f"spaces {seed}").random() < 0.5:
         text = spaced(text, g.script[0])
     found = grown(text)

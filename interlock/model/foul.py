@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from interlock.model.elements import BoundaryKind, CrossingId, EdgeId, MachineId, NodeId, PointId, Position, SectionId
+from interlock.model.elements import CrossingId, EdgeId, MachineId, NodeId, PointId, Position, SectionId
 from interlock.model.layout import Layout
 from interlock.model.traversal import Traversal
 
@@ -20,7 +20,8 @@ class FoulJoint:
 
     side: the leg or arm beyond whose joint the neighbour lies.  section: where the ways run that it fouls.  `when` is
     the point of the neighbour that leads vehicles to the joint in that position; detected in the other one, no vehicle
-    in the neighbour stands at the joint.  None: the neighbour fouls whatever points do.
+    in the neighbour stands at the joint.  None: the neighbour fouls whatever points do.  decides: how far that point
+    lies from the element, in metres; nearer than `needed`, whatever passes it comes too near, however it lies.
     """
 
     element: PointId | CrossingId
@@ -31,6 +32,7 @@ class FoulJoint:
     distance: float
     needed: float
     when: tuple[MachineId, Position] | None
+    decides: float = 0.0
 
     @property
     def name(self) -> str:
@@ -88,7 +90,7 @@ def crossed_sections(layout: Layout) -> tuple[CrossedSection, ...]:
     for c in layout.pointwork.crossings:
         sections = [layout.track.section_of(edges[0]) for edges in c.arms]
         for arm in (0, 1) if sections[0] != sections[1] else ():
-            leading = [_decider(layout, e, c.node) for e in c.arms[1 - arm]]
+            leading = [_decider(layout, e, c.node)[0] for e in c.arms[1 - arm]]
             for when in dict.fromkeys(x for x in leading if x is not None) or [None]:
                 found.append(CrossedSection(c.id, arm, sections[arm], sections[1 - arm], when))
     return tuple(found)
@@ -100,10 +102,8 @@ def foul_joints(layout: Layout) -> tuple[FoulJoint, ...]:
 
 
 def foul_boundaries(layout: Layout) -> tuple[FoulBoundary, ...]:
-    """Every foul boundary over which trains leave, in the same order."""
-    at = layout.track.boundary_at
-    found = (f for f in _met(layout) if isinstance(f, FoulBoundary))
-    return tuple(dict.fromkeys(f for f in found if at[f.node].kind is not BoundaryKind.IN))
+    """Every foul boundary, in the same order."""
+    return tuple(dict.fromkeys(f for f in _met(layout) if isinstance(f, FoulBoundary)))
 
 
 def _met(layout: Layout) -> Iterator[FoulJoint | FoulBoundary]:
@@ -145,26 +145,32 @@ class _Walk:
             out.append(FoulBoundary(self.element, far, gone, self.needed))
         for e in layout.onward(edge, far):
             if e.section not in (home, self.section, layout.track.section_of(edge)):
-                when = _decider(layout, e.id, far)
-                out.append(FoulJoint(self.element, self.side, self.section, e.section, far, gone, self.needed, when))
+                when, further = _decider(layout, e.id, far)
+                out.append(
+                    FoulJoint(
+                        self.element, self.side, self.section, e.section, far, gone, self.needed, when, gone + further
+                    )
+                )
             out.extend(self.along(e.id, far, gone, home))
         return out
 
 
-def _decider(layout: Layout, edge: EdgeId, node: NodeId) -> tuple[MachineId, Position] | None:
-    """The first point in the neighbour, if its leg leads to the joint."""
+def _decider(layout: Layout, edge: EdgeId, node: NodeId) -> tuple[tuple[MachineId, Position] | None, float]:
+    """The first point in the neighbour, if its leg leads to the joint, and how far it lies from there."""
     section = layout.track.section_of(edge)
     seen = {node}
+    gone = 0.0
     while True:
         node = layout.track.far(edge, node)
+        gone += layout.track.edge[edge].length
         if node in seen or node in layout.pointwork.crossing_at:
-            return None
+            return None, gone
         seen.add(node)
         point = layout.pointwork.point_at.get(node)
         if point is not None:
             position = point.position_of(edge)
-            return None if position is None else (point.machine, position)
+            return (None if position is None else (point.machine, position)), gone
         onward = [e.id for e in layout.track.edges_at[node] if e.id != edge and e.section == section]
         if len(onward) != 1:
-            return None
+            return None, gone
         edge = onward[0]

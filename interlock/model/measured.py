@@ -76,7 +76,7 @@ def measured(layout: Layout) -> Measured:
         for g in overlaps
         if (known := told_apart(layout, g))
     }
-    fouls = tuple(replace(f, distance=0.0, needed=0.0) for f in foul_joints(layout))
+    fouls = tuple(replace(f, distance=0.0, needed=0.0, decides=0.0) for f in foul_joints(layout))
     approaches = {g.id: approach(layout, g.id) for g in layout.signalling.signals}
     return Measured(overlaps, apart, fouls, crossed_sections(layout), needs(layout), beyond, approaches)
 

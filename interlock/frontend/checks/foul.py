@@ -1,9 +1,9 @@
-"""Tell the author which joints and boundaries are foul (R7).  IL3018, IL3041."""
+"""Tell the author which joints and boundaries are foul (R7).  IL3018, IL3041, IL3042."""
 
 from __future__ import annotations
 
 from interlock.frontend.context import Context
-from interlock.model.elements import Position
+from interlock.model.elements import BoundaryKind, Position
 from interlock.model.foul import foul_boundaries, foul_joints
 from interlock.model.layout import Layout
 
@@ -21,14 +21,26 @@ def check_foul(ctx: Context, layout: Layout) -> None:
             f"routes over the other {side} of {f.element} will require {f.neighbour} clear"
             + (f" unless {f.when[0]} is detected {f.when[1].other}" if f.when is not None else ""),
         )
+        if f.when is not None and f.decides < f.needed:
+            it = f.when[0]
+            ctx.add(
+                "IL3042",
+                f"{it} decides whether the joint {before}|{f.neighbour} is foul of {f.name}, and itself lies only "
+                f"{f.decides:g} m from {f.name}, where {f.needed:g} m are needed: whatever passes {it} comes too near",
+                ctx.at_key(kind, f.element),
+                f"draw {it} as far away as it is (`legs`), or state where the fouling point of {f.element} is "
+                "(`fouling`); if they are so near: `hostile` for the routes over both",
+            )
     for b in foul_boundaries(layout):
         point = b.element in layout.pointwork.point
         kind = "point" if point else "diamond"
         fouling = f", or state where its fouling point is: `points: {{{b.element}: {{fouling: ...}}}}`" if point else ""
+        enters = layout.track.boundary_at[b.node].kind is BoundaryKind.IN
         ctx.add(
             "IL3041",
             f"boundary {b.node} is foul of {kind} {b.element}: it lies {b.distance:g} m from it, and {b.needed:g} m "
-            "are needed; a train that has left may still stand there while another one passes",
+            f"are needed; a train that {'waits to come in' if enters else 'has left'} may {'' if enters else 'still '}"
+            "stand there while another one passes",
             ctx.at_key("boundaries", str(b.node)),
             f"draw the track on beyond the fouling point of {b.element}, in a section of its own{fouling}",
         )
