@@ -253,9 +253,8 @@ def _overlaps(rng: random.Random, layout: Layout, table: InterlockingTable) -> l
         own = [s for s in last if any(s not in {t.section for t in p} for p in paths)]
         if own:
             before = sum(t.length for t in paths[-1][: last.index(own[0])])
-            parts.append(
-                f"ways: [{{over: [{own[0]}], length: {before + rng.choice([5, 40, 200])}, entry_speed: {min(25, line)}}}]"
-            )
+            beyond = before + rng.choice([5, 40, 200])
+            parts.append(f"ways: [{{over: [{own[0]}], length: {beyond}, entry_speed: {min(25, line)}}}]")
         out.append(f"  {o.signal}: {{{', '.join(parts)}}}")
     return ["overlaps:", *out] if out else []
 
