@@ -129,12 +129,12 @@ def test_a_foul_joint_keeps_the_siding_clear_for_the_main_line() -> None:
     [
         ("", "", True),
         ("trains: out", "trains: both", True),  # whatever keeps those away that come in
-        ("trains: out", "trains: in", False),
+        ("trains: out", "trains: in", True),  # one that waits there
         ("legs: 9", "legs: 9, fouling: 4", False),
         ("normal: W8", "normal: t9.start", False),  # there is a section to be clear
     ],
 )
-def test_a_boundary_on_which_a_train_that_has_left_still_stands_foul_is_told(old: str, new: str, told: bool) -> None:
+def test_a_boundary_at_which_a_train_stands_foul_is_told(old: str, new: str, told: bool) -> None:
     text = Path("tests/diagnostics/IL3041.yaml").read_text("utf-8").replace(old, new)
     if "t9" in text:
         text = text.replace("tracks:\n", "tracks:\n  t9: [s9 50, W8]\n")

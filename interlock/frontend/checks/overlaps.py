@@ -1,6 +1,7 @@
 """Alternatives of overlaps that are stated and do not exist, or lie inside others, and overlaps of which none is left.
 
-IL1014, IL2026, IL2027.  Those that a boundary or the end of a track cuts short: IL7012.
+IL1014, IL2026, IL2027.  Those that a boundary or the end of a track cuts short: IL7012; that lead over what a condition
+guards: IL3043.
 """
 
 from __future__ import annotations
@@ -41,6 +42,23 @@ def check_overlaps(ctx: Context, layout: Layout) -> None:
         _bars(ctx, layout, SignalId(g))
     for o in layout.overlaps.all:
         _ends_short(ctx, layout, o.signal)
+        _unasked(ctx, layout, o.signal)
+
+
+def _unasked(ctx: Context, layout: Layout, g: SignalId) -> None:
+    """Report conditions over sections of an overlap: routes over the sections require them, and overlaps do not."""
+    over = {t.section for ways in overlap_paths(layout, g) for t in ways}
+    for c in layout.signalling.conditions:
+        hit = sorted(over & set(c.over))
+        if hit and not c.signals:  # whoever lists signals knows which
+            ctx.add(
+                "IL3043",
+                f"the overlap of {g} leads over {', '.join(hit)}, and a route to {g} does not ask for the condition "
+                f"{c.id}: a train that overruns {g} may meet what it tells of",
+                ctx.at_key("conditions", c.id),
+                f"have the signals before {g} ask for it (`signals`), let the overlap end before {hit[0]}, or bar it: "
+                f"`overlaps: {{{g}: {{not_over: [...]}}}}`",
+            )
 
 
 def _ends_short(ctx: Context, layout: Layout, g: SignalId) -> None:
