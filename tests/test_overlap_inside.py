@@ -420,6 +420,7 @@ def inside_at_random(seed: int) -> str:
     found = grown(text)
     assert found is not None
     out = []
+    line = int(found[0].principles.line_speed_kmh)
     for o in found[0].overlaps.all:
         long = max(overlap_paths(found[0], o.signal), key=len, default=())
         if len(long) < 2:
@@ -427,8 +428,8 @@ def inside_at_random(seed: int) -> str:
             continue
         k = rng.randrange(1, len(long))
         short, whole = (sum(t.length for t in ways) for ways in (long[:k], long))
-        entry = f", entry_speed: {rng.choice([50, 80])}" if rng.random() < 0.3 else ""
-        said = f"length: {short:g}, entry_speed: {rng.choice([25, 40])}"
+        entry = f", entry_speed: {min(rng.choice([50, 80]), line)}" if rng.random() < 0.3 else ""
+        said = f"length: {short:g}, entry_speed: {min(rng.choice([25, 40]), line - 5)}"
         ways = f"{{over: [{long[k].section}], length: {min(whole, 2000):g}{entry}}}"
         out.append(f"  {o.signal}: {{{said}, ways: [{ways}]}}")
     lines = text.splitlines()

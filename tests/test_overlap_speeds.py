@@ -287,11 +287,12 @@ def speeds_at_random(seed: int) -> str | None:
     if found is None:
         return None
     out, some = [], False
+    line = int(found[0].principles.line_speed_kmh)
     for o in found[0].overlaps.all:
         paths = overlap_paths(found[0], o.signal)
         parts = [
             f"length: {min(o.length, 150):g}",
-            *([f"entry_speed: {rng.choice([30, 60])}"] if rng.random() < 0.5 else []),
+            *([f"entry_speed: {min(rng.choice([30, 60]), line)}"] if rng.random() < 0.5 else []),
         ]
         own = [
             s for s in (t.section for t in (paths or ((),))[-1]) if any(s not in {t.section for t in p} for p in paths)
@@ -299,7 +300,8 @@ def speeds_at_random(seed: int) -> str | None:
         if own:
             some = True
             before = sum(t.length for t in paths[-1][: [t.section for t in paths[-1]].index(own[0])])
-            parts.append(f"ways: [{{over: [{own[0]}], length: {before + rng.choice([5, 40, 200])}, entry_speed: 25}}]")
+            beyond = before + rng.choice([5, 40, 200])
+            parts.append(f"ways: [{{over: [{own[0]}], length: {beyond}, entry_speed: {min(25, line)}}}]")
         out.append(f"  {o.signal}: {{{', '.join(parts)}}}")
     lines = text.splitlines()
     first = lines.index("overlaps:")
