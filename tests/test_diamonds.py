@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import pytest
+
 from interlock.audit import audit
 from interlock.logic.lower import lower
 from interlock.model.elements import RouteId
@@ -11,7 +13,7 @@ from interlock.proof.induction.verdict import Verdict
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
 from interlock.table.rows import InterlockingTable
-from tests.layouts import built
+from tests.layouts import built, grown
 from tests.test_runtime import module_of
 
 SCISSORS = "../tests/layouts_for_tests/scissors_two"
@@ -85,3 +87,33 @@ def test_a_table_without_it_is_found_out_by_the_audit_and_by_the_proof() -> None
     assert {f.column for f in audit(layout, weak)} == {"foul"}
     proved = prove(System(layout, lower(layout, weak)))
     assert {c.id for c in proved.claims if c.verdict is not Verdict.PROVED} == {"S-CONDITION"}
+
+
+@pytest.mark.parametrize(("legs", "told"), [(3, ["diamond X lies only 6 m from point 1"]), (20, [])])
+def test_a_diamond_on_the_leg_of_a_point_is_not_nearer_than_vehicles_stand_clear(legs: int, told: list[str]) -> None:
+    """Whatever passes over its other arm is on no section of the point, nor of a way over it."""
+    made = grown(f"""interlock: 1
+name: near
+profile: uk
+principles: {{overlap_m: 0}}
+boundaries:
+  W: {{approach: wa 800, trains: in}}
+  E: {{trains: out}}
+  F: {{trains: out}}
+  N: {{approach: na 800, trains: in}}
+  S: {{trains: out}}
+tracks: {{west: [W, w1 300], main: [m1 300, E], branch: [b1 300, F], north: [N, n1 300], south: [s1 300, S]}}
+points:
+  1: {{section: AC, toe: west.end, normal: main.start, reverse: X.1a, legs: {legs}}}
+crossings:
+  X:
+    legs: {legs}
+    arms: [{{section: AC, ends: [1.reverse, branch.start]}}, {{section: BC, ends: [north.end, south.start]}}]
+signals:
+  A1: {{from: W, into: w1}}
+  A2: {{from: w1, into: AC}}
+  B1: {{from: N, into: n1}}
+  B2: {{from: n1, into: BC}}
+""")
+    assert made is not None
+    assert [d.message.split(",")[0] for d in made[2].diagnostics if d.code == "IL3042"] == told

@@ -96,7 +96,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3037": (_W, "a section that a train may run through unseen"),
     "IL3040": (_W, "a principle that no railway keeps"),
     "IL3043": (_W, "a condition that no route asks for its overlap"),
-    "IL3042": (_W, "a point that decides about a foul joint, and stands too near itself"),
+    "IL3042": (_W, "a point or diamond that lies too near to another one"),
     "IL3041": (_W, "a boundary that is foul of a point or diamond"),
     "IL3021": (_I, "an inclined lane without a condition"),
     "IL3019": (_E, "a signal for a direction in which no train runs"),

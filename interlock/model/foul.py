@@ -62,6 +62,17 @@ class FoulBoundary:
 
 
 @dataclass(frozen=True)
+class NearDiamond:
+    """A diamond on a leg of a point, or on an arm of another diamond, nearer to it than `needed` metres, whose other
+    arm lies in a section of its own: whatever passes there comes too near."""
+
+    element: PointId | CrossingId
+    crossing: CrossingId
+    distance: float
+    needed: float
+
+
+@dataclass(frozen=True)
 class CrossedSection:
     """The section of a diamond's other arm: a vehicle there may stand on the diamond, in the way of whoever passes it.
 
@@ -106,7 +117,12 @@ def foul_boundaries(layout: Layout) -> tuple[FoulBoundary, ...]:
     return tuple(dict.fromkeys(f for f in _met(layout) if isinstance(f, FoulBoundary)))
 
 
-def _met(layout: Layout) -> Iterator[FoulJoint | FoulBoundary]:
+def near_diamonds(layout: Layout) -> tuple[NearDiamond, ...]:
+    """Every diamond that lies too near to a point or another diamond, in the same order."""
+    return tuple(dict.fromkeys(f for f in _met(layout) if isinstance(f, NearDiamond)))
+
+
+def _met(layout: Layout) -> Iterator[FoulJoint | FoulBoundary | NearDiamond]:
     """What is met on the walks out from each leg and arm."""
     margin = layout.principles.clearance_m
     for p in layout.pointwork.points:
@@ -133,14 +149,21 @@ class _Walk:
     start: NodeId
     needed: float
 
-    def along(self, edge: EdgeId, node: NodeId, gone: float, home: SectionId) -> list[FoulJoint | FoulBoundary]:
+    def along(
+        self, edge: EdgeId, node: NodeId, gone: float, home: SectionId
+    ) -> list[FoulJoint | FoulBoundary | NearDiamond]:
         """`home`: the section in which the point or arm lies; within it and the fouled one there is no joint."""
         layout = self.layout
         far = layout.track.far(edge, node)
         gone += layout.track.edge[edge].length
         if gone >= self.needed or far == self.start:
             return []
-        out: list[FoulJoint | FoulBoundary] = []
+        out: list[FoulJoint | FoulBoundary | NearDiamond] = []
+        crossing = layout.pointwork.crossing_at.get(far)
+        if crossing is not None:
+            across = next(layout.track.section_of(arm[0]) for arm in crossing.arms if edge not in arm)
+            if across not in (home, self.section, layout.track.section_of(edge)):
+                out.append(NearDiamond(self.element, crossing.id, gone, self.needed))
         if far in layout.track.boundary_at:
             out.append(FoulBoundary(self.element, far, gone, self.needed))
         for e in layout.onward(edge, far):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from interlock.frontend.context import Context
 from interlock.model.elements import BoundaryKind, Position
-from interlock.model.foul import foul_boundaries, foul_joints
+from interlock.model.foul import foul_boundaries, foul_joints, near_diamonds
 from interlock.model.layout import Layout
 
 
@@ -31,6 +31,16 @@ def check_foul(ctx: Context, layout: Layout) -> None:
                 f"draw {it} as far away as it is (`legs`), or state where the fouling point of {f.element} is "
                 "(`fouling`); if they are so near: `hostile` for the routes over both",
             )
+    for d in near_diamonds(layout):
+        kind = "point" if d.element in layout.pointwork.point else "diamond"
+        ctx.add(
+            "IL3042",
+            f"diamond {d.crossing} lies only {d.distance:g} m from {kind} {d.element}, where {d.needed:g} m are "
+            "needed: whatever passes over its other arm comes too near",
+            ctx.at_key("crossings", d.crossing),
+            f"draw {d.crossing} as far away as it is (`legs`), or state where the fouling point of {d.element} is "
+            "(`fouling`); if they are so near: `hostile` for the routes over both",
+        )
     for b in foul_boundaries(layout):
         point = b.element in layout.pointwork.point
         kind = "point" if point else "diamond"
