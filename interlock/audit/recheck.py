@@ -9,11 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise, product
+from itertools import product
 
 from interlock.audit.added import added, chosen, declared
 from interlock.audit.approach import approach_sections
 from interlock.audit.aspect import aspect
+from interlock.audit.conditions import conditions
 from interlock.audit.flank import flank
 from interlock.audit.foul import Foul, crossed, foul_neighbours
 from interlock.audit.overlaps import overlap_speed, overruns, without_speed
@@ -94,6 +95,7 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
     found += _in_the_way(layout, table, matched)
     found += _hostile(layout, table, matched)
     found += [Finding(*x) for x in added(layout, table, matched)]
+    found += [Finding(*x) for x in conditions(layout, table, matched)]
     found += (Finding(v, "voyage", text) for v, text in voyages(layout, table, matched))
     found += _swings(layout, table, matched)
     return tuple(found)
@@ -192,31 +194,10 @@ def _row(layout: Layout, r: RouteRow, trip: Trip, come: frozenset[SectionId] | N
         yield Finding(r.id, "devices", f"to be closed are {', '.join(sorted(secured)) or 'none'}")
     if (r.signal.aspect.shows, r.signal.aspect.next) != (shown := aspect(layout, trip, _slowest(layout, trip))):
         yield Finding(r.id, "aspect", f"an open {r.entry} shows {shown[0]}")
-    out = {
-        b.node
-        for b in layout.track.boundaries
-        if b.block == "token" and b.node == trip.moves[-1].node and not trip.shunt
-    }
-    if ({r.conditions.token.boundary} if r.conditions.token else set()) != out:
-        yield Finding(r.id, "token", f"the direction is needed at {', '.join(out) or 'no boundary'}")
     if r.signal.speed.kmh != (slowest := _slowest(layout, trip)):
         yield Finding(r.id, "speed", f"the lowest speed along the path is {slowest}")
     if r.signal.closing.whole != (left := _left_behind(layout, trip, rear)):
         yield Finding(r.id, "closing", f"{r.entry} closes with {f'{left} clear' if left else 'the first axle'}")
-    over = [next(iter(rear), None), *trip.run.sections]
-    into = {
-        z.id: sum(a not in z.sections and b in z.sections for a, b in pairwise(over)) for z in layout.declared.zones
-    }
-    if {c.zone: c.entries for c in r.conditions.zones} != {z: n for z, n in into.items() if n}:
-        yield Finding(r.id, "zones", f"leads into {', '.join(z for z, n in into.items() if n) or 'none'}")
-    leaves = None if trip.shunt else trip.moves[-1].node
-    needed = {
-        c.id
-        for c in layout.signalling.conditions
-        if r.entry in c.signals or set(c.over) & set(trip.sections) or leaves in c.exits
-    }
-    if {c.condition for c in r.conditions.external} != needed:
-        yield Finding(r.id, "conditions", f"required are {', '.join(sorted(needed)) or 'none'}")
 
 
 def _positions(r: RouteRow) -> set[tuple[MachineId, Position]]:

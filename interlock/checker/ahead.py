@@ -188,6 +188,11 @@ class Ahead(Topology):
                 out.append(name)
         return out
 
+    def w_conditions_over(self, p: Path) -> list[str]:
+        """The conditions over the sections of a path, or of an overlap."""
+        over = {name: set(v.get("over") or ()) for name, v in self._conditions.items()}
+        return [name for name, those in over.items() if any(w.section in those for w in p.ways)]
+
     def w_line_beyond(self, c: Calling, p: Path) -> list[str]:
         """The line beyond, where a train's path leads over a boundary and the section there is reported."""
         a = self.r.approach.get(p.last.exit)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -9,7 +10,7 @@ from interlock.derivation.routes import Path
 from interlock.model.approach import approach
 from interlock.model.elements import BlockKind, Position, SignalId
 from interlock.model.layout import Layout
-from interlock.model.overlap import route_speed
+from interlock.model.overlap import overlap_paths, route_speed
 from interlock.model.principles import Caution, Closes
 from interlock.model.times import approach_release_s
 from interlock.model.traversal import path_speed, topology
@@ -184,16 +185,24 @@ def derive_zones(layout: Layout, path: Path) -> tuple[ZoneCell, ...]:
     return tuple(out)
 
 
-def derive_conditions(layout: Layout, path: Path) -> tuple[ConditionCell, ...]:
-    """External inputs that the route requires."""
+def derive_conditions(layout: Layout, path: Path, swings: Sequence[int]) -> tuple[ConditionCell, ...]:
+    """External inputs that the route requires, for its path and for each overlap (R4) that it holds or may swing to."""
     out = []
     sections = {t.section for t in path.ways}
+    beyond = {t.section for t in path.overlap}
+    if swings:
+        options = overlap_paths(layout, SignalId(path.exit))
+        beyond |= {t.section for k in swings for t in options[k - 1]}
     for c in layout.signalling.conditions:
         hit = sorted(sections & set(c.over))
+        overrun = sorted(beyond & set(c.over))
         if hit:
             out.append(ConditionCell(c.id, Because("R17", f"required by every route over {', '.join(hit)}")))
         elif path.kind is not RouteKind.SHUNT and path.ways[-1].exit in c.exits:
             out.append(ConditionCell(c.id, Because("R12", f"a train leaves at {path.exit}: {c.text}")))
         elif path.entry in c.signals:
             out.append(ConditionCell(c.id, Because("R17", f"required by every route from {path.entry}")))
+        elif overrun:
+            why = f"a train that overruns {path.exit} may come to {', '.join(overrun)}"
+            out.append(ConditionCell(c.id, Because("R17", why)))
     return tuple(out)

@@ -109,7 +109,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
                 space=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].space)),
                 demanded=asked_clear.get(p.id),
             ),
-            conditions=_conditions(layout, p),
+            conditions=_conditions(layout, p, swinging),
             signal=_signal(layout, p),
             listed=_way(p) not in hidden,
             because=Because("R1", _found(layout, p)),
@@ -139,9 +139,10 @@ def _path(p: Path) -> RoutePath:
     )
 
 
-def _conditions(layout: Layout, p: Path) -> RouteConditions:
+def _conditions(layout: Layout, p: Path, swinging: Mapping[SignalId, tuple[int, ...]]) -> RouteConditions:
+    swings = swinging.get(SignalId(p.exit), ()) if p.overlap else ()
     return RouteConditions(
-        external=derive_conditions(layout, p),
+        external=derive_conditions(layout, p, swings),
         zones=derive_zones(layout, p),
         block=derive_block(layout, p),
         token=derive_token(layout, p),

@@ -243,7 +243,9 @@ class ConditionSpec(Part):
     """A named input from outside that routes require."""
 
     text: Text = key("what it says, for plans and forms", "")
-    over: list[Name] = key("routes over one of these sections require it", [])
+    over: list[Name] = key(
+        "routes over one of these sections require it, and so do routes whose overlap leads over one", []
+    )
     signals: list[Name] = key("routes from one of these signals require it", [])
     exits: list[Name] = key("routes that leave over one of these boundaries require it", [])
 

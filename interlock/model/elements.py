@@ -276,8 +276,8 @@ class Distant:
 class Condition:
     """A named input from outside (hoist stopped, barrier closed) that routes require.
 
-    It is required by every route over one of `over`, by every route from one of `signals`, and by every train route
-    that leaves at one of `exits`.
+    It is required by every route over one of `over`, or with an overlap over one, by every route from one of `signals`,
+    and by every train route that leaves at one of `exits`.
     """
 
     id: ConditionId

@@ -1,5 +1,5 @@
 """Delays that are shorter than the world needs, overlaps that cannot swing in time (R4, R8, R16).  IL3023, IL3024,
-IL3035."""
+IL3035, IL3044."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from interlock.frontend.context import Context
 from interlock.model.elements import SignalId
 from interlock.model.layout import Layout
 from interlock.model.needs import before, needs, standing_s, turning_s
+from interlock.model.overlap import overlap_length
 from interlock.model.times import overlap_release_s
 
 
@@ -21,6 +22,7 @@ def check_delays(ctx: Context, layout: Layout) -> None:
     halt += f", at half of {rules.line_speed_kmh:g} km/h"
     _signals(ctx, layout)
     _released_early(ctx, layout)
+    _made_for_less(ctx, layout)
     timed = dict(layout.signalling.releases)
     trains = [least.stop[g.id] for g in layout.signalling.signals if g.main and g.id not in timed]
     shunts = [least.shunt for g in layout.signalling.signals if g.shunt and g.id not in timed][:1]
@@ -85,6 +87,26 @@ def _released_early(ctx: Context, layout: Layout) -> None:
             at = ("overlaps", g) if g in ctx.file.overlaps else _stated(ctx, "overlap_release_s")
             fix = f"state `overlaps: {{{g}: {{release_by_length: yes}}}}`, or a `release` of at least {ceil(need)} s"
             ctx.add("IL3035", text, ctx.at_key(*at), fix)
+
+
+def _made_for_less(ctx: Context, layout: Layout) -> None:
+    """Overlaps whose length follows from a lower speed than trains come at: it limits nothing of what is shown."""
+    for g, spec in ctx.file.overlaps.items():
+        way = (
+            before(layout, SignalId(g)) if spec.speed is not None and layout.overlaps.length.get(SignalId(g)) else None
+        )
+        kmh = spec.speed or 0
+        if way is None or way.kmh <= kmh or spec.length is not None or spec.successive:
+            continue
+        metres = overlap_length(way.kmh, spec.falling)
+        ctx.add(
+            "IL3044",
+            f"the overlap of {g} has the length for {kmh:g} km/h, and trains may come to {g} at {way.kmh:g} km/h, "
+            f"for which {metres:g} m would be asked",
+            ctx.at("overlaps", g, "speed"),
+            f"state `speed: {way.kmh:g}`, the speed that is run in {way.section} (`sections`), or `entry_speed`, which "
+            "no train is shown more than",
+        )
 
 
 def _stated(ctx: Context, principle: str) -> tuple[str, ...]:

@@ -1,7 +1,7 @@
 """Alternatives of overlaps that are stated and do not exist, or lie inside others, and overlaps of which none is left.
 
-IL1014, IL2026, IL2027.  Those that a boundary or the end of a track cuts short: IL7012; that lead over what a condition
-guards: IL3043.
+IL1014, IL2026, IL2027.  Those that a boundary or the end of a track cuts short: IL7012;
+that take off a derailer beyond their length: IL3043.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from math import isfinite
 
 from interlock.diag import Element
 from interlock.frontend.context import Context
-from interlock.model.elements import BufferKind, OverlapWay, SignalId
+from interlock.model.elements import BufferKind, OverlapWay, PointId, Position, SignalId
 from interlock.model.layout import Layout
 from interlock.model.overlap import (
     covered,
@@ -42,23 +42,7 @@ def check_overlaps(ctx: Context, layout: Layout) -> None:
         _bars(ctx, layout, SignalId(g))
     for o in layout.overlaps.all:
         _ends_short(ctx, layout, o.signal)
-        _unasked(ctx, layout, o.signal)
-
-
-def _unasked(ctx: Context, layout: Layout, g: SignalId) -> None:
-    """Report conditions over sections of an overlap: routes over the sections require them, and overlaps do not."""
-    over = {t.section for ways in overlap_paths(layout, g) for t in ways}
-    for c in layout.signalling.conditions:
-        hit = sorted(over & set(c.over))
-        if hit and not c.signals:  # whoever lists signals knows which
-            ctx.add(
-                "IL3043",
-                f"the overlap of {g} leads over {', '.join(hit)}, and a route to {g} does not ask for the condition "
-                f"{c.id}: a train that overruns {g} may meet what it tells of",
-                ctx.at_key("conditions", c.id),
-                f"have the signals before {g} ask for it (`signals`), let the overlap end before {hit[0]}, or bar it: "
-                f"`overlaps: {{{g}: {{not_over: [...]}}}}`",
-            )
+        _takes_off(ctx, layout, o.signal)
 
 
 def _ends_short(ctx: Context, layout: Layout, g: SignalId) -> None:
@@ -82,6 +66,29 @@ def _ends_short(ctx: Context, layout: Layout, g: SignalId) -> None:
             f"let the layout go on as far as the overlap does, or {stated}",
             about=Element("signals", g),
         )
+
+
+def _takes_off(ctx: Context, layout: Layout, g: SignalId) -> None:
+    """Report derailers that are taken off for an overlap, beyond its length, since sections are held whole."""
+    told = set[PointId]()
+    for ways in overlap_paths(layout, g):
+        wanted, run, at = wanted_m(layout, g, ways), 0.0, layout.signalling.signal[g].node
+        for t in ways:
+            off = {p for p, x in t.points if x is Position.REVERSE and layout.pointwork.point[p].derailer}
+            for e in t.edges:
+                run, at = run + layout.track.edge[e].length, layout.track.far(e, at)
+                end = layout.pointwork.point_at.get(at)
+                if end is None or end.id not in off - told or run < wanted:
+                    continue
+                told.add(end.id)
+                ctx.add(
+                    "IL3043",
+                    f"the overlap of {g} is {wanted:g} m long, and the derailer {end.id} lies {run:g} m beyond {g}: it "
+                    f"is taken off for the overlap, since {t.section} is held whole",
+                    ctx.at_key("overlaps" if g in ctx.file.overlaps else "signals", g),
+                    f"begin a new section before {end.id}, so that the overlap ends there and {end.id} stays on",
+                    about=Element("signals", g),
+                )
 
 
 def _inside(ctx: Context, layout: Layout, g: SignalId, own: Sequence[OverlapWay]) -> set[int]:

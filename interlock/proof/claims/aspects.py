@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, implies, neg, var
-from interlock.model.elements import Position, SignalId
+from interlock.model.elements import Condition, Device, Position, SignalId
 from interlock.model.overlap import entry_speed
 from interlock.model.principles import Caution
 from interlock.model.traversal import Traversal, path_speed
@@ -62,7 +62,7 @@ def entry(
 
 
 def overlap_ready(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
-    """An overlap is clear, its points lie and are detected."""
+    """An overlap is clear, its points lie and are detected, its devices are closed, and the conditions over it hold."""
     points = [(f.layout.pointwork.point[p].machine, x) for t in ways for p, x in t.points]
     return conj(
         [
@@ -70,8 +70,28 @@ def overlap_ready(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
             f.after(lie(f, ways)),
             *(var(f.sym.machines.detected[m, x]) for m, x in points),
             *(neg(var(f.sym.machines.detected[m, x.other])) for m, x in points),
+            *devices_closed(f, ways),
+            *(var(f.sym.condition[c.id]) for c in f.layout.signalling.conditions if _over(c, ways)),
         ]
     )
+
+
+def devices_closed(f: Facts, ways: Sequence[Traversal]) -> list[Expr]:
+    """Each crossing, bridge or door over ways is detected closed, and not open."""
+    return [
+        conj(
+            (
+                var(f.sym.machines.detected[d.id, Position.REVERSE]),
+                neg(var(f.sym.machines.detected[d.id, Position.NORMAL])),
+            )
+        )
+        for d in f.layout.signalling.devices
+        if _over(d, ways)
+    ]
+
+
+def _over(x: Condition | Device, ways: Sequence[Traversal]) -> bool:
+    return any(t.section in x.over for t in ways)
 
 
 def shows_open(f: Facts, g: SignalId, shunt: bool = False) -> Expr:

@@ -20,6 +20,7 @@ from interlock.proof.claims.aspects import (
     allows_clear,
     at_speed,
     clear_aspect,
+    devices_closed,
     distants,
     entry,
     overlap_ready,
@@ -64,7 +65,8 @@ CLAIMS: dict[str, str] = {
     "S-FLANK-SPACE": "Where the principles ask for it: proceed is shown only while the flank space is steadily clear, "
     "but for sections over which, or from which, another movement may be called meanwhile, and the stop lamps of the "
     "signals that protect it are intact.",
-    "S-OVERLAP": "Proceed to a signal with an overlap is shown only when one is steadily clear, lies and is detected.",
+    "S-OVERLAP": "Proceed to a signal with an overlap is shown only when one is steadily clear, lies and is detected, "
+    "its devices are closed, and the conditions over it hold.",
     "S-CONDITION": "Proceed is shown only when every condition of the path holds and the line beyond is steadily "
     "clear.",
     "S-EXCLUDED": "No proceed is shown over a path that no route may take: that the author excludes, alone or past a "
@@ -293,16 +295,7 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
         yield "S-ASPECT", "", implies(clear, allows_clear(f, path))
     if not shunt:
         yield from past_identifier(f, signal, path, here)
-    secured = [
-        conj(
-            (
-                var(f.sym.machines.detected[d.id, Position.REVERSE]),
-                neg(var(f.sym.machines.detected[d.id, Position.NORMAL])),
-            )
-        )
-        for d in f.layout.signalling.devices
-        if any(t.section in d.over for t in path.ways)
-    ]
+    secured = devices_closed(f, path.ways)
     if secured:
         yield "S-DETECTED", " devices", implies(here, conj(secured))
     barred = [neg(var(f.sym.sections.blocked[t.section])) for t in path.ways if t.section in f.sym.sections.blocked]
