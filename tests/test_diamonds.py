@@ -116,4 +116,6 @@ signals:
   B2: {{from: n1, into: BC}}
 """)
     assert made is not None
-    assert [d.message.split(",")[0] for d in made[2].diagnostics if d.code == "IL3042"] == told
+    near = [d.message.split(",")[0] for d in made[2].diagnostics if d.code == "IL3042"]
+    assert [x for x in near if x.startswith("diamond")] == told
+    assert ("1 leads to the diamond X" in near) is bool(told)

@@ -22,7 +22,7 @@ def foul_neighbours(layout: Layout, trip: Trip) -> set[Foul]:
 def _foul_between(layout: Layout, a: Move, b: Move) -> frozenset[Foul]:
     """What stands foul of a path where one move passes to the next."""
     return frozenset(
-        (section, _way_out(layout, edge, near), near, layout.track.section_of(a.edge))
+        (section, _way_out(layout, edge, near, needed - gone), near, layout.track.section_of(a.edge))
         for unused, own, needed in _beside(layout, a, b)
         for (edge, near), gone in distances(layout, a.node, unused, needed).items()
         for section in [layout.track.section_of(edge)]
@@ -44,8 +44,10 @@ def crossed(
             arm = next(arm for arm in crossing.arms if a.edge not in arm)
             section = layout.track.section_of(arm[0])
             if section != layout.track.section_of(a.edge):
-                ways = {(section, w) for e in arm if (w := _way_out(layout, e, a.node)) is not None}
-                found |= ways or {(section, None)}
+                needed = layout.principles.fouling_m + layout.principles.clearance_m
+                out = [(_way_out(layout, e, a.node, 0.0), _way_out(layout, e, a.node, needed)) for e in arm]
+                far = {(section, w) for w, beyond in out if w is not None and w == beyond}
+                found |= far if far and all(w == beyond for w, beyond in out) else {(section, None)}
     taken = {layout.track.section_of(m.edge) for m in (*trip.moves, *trip.over)}
     return {(s, w) for s, w in found if s not in taken and not (w is not None and (w[0], w[1].other) in held)}
 
@@ -64,14 +66,18 @@ def _beside(layout: Layout, a: Move, b: Move) -> Iterator[tuple[EdgeId, set[Sect
             yield e, here | {layout.track.section_of(e)}, layout.principles.fouling_m + margin
 
 
-def _way_out(layout: Layout, edge: EdgeId, near: NodeId) -> tuple[MachineId, Position] | None:
-    """The first point beyond, within the section, that must lie so for a vehicle to come to `near`."""
+def _way_out(layout: Layout, edge: EdgeId, near: NodeId, metres: float) -> tuple[MachineId, Position] | None:
+    """The first point beyond, within the section, that must lie so for a vehicle to come to `near`; none that is nearer
+    than so many metres, since what passes it the other way is too near as well."""
     section = layout.track.section_of(edge)
     for _ in layout.track.edges:
         near = layout.track.far(edge, near)
+        metres -= layout.track.edge[edge].length
         p = layout.pointwork.point_at.get(near)
         if p is not None:
-            return None if edge == p.toe else (p.machine, Position.NORMAL if edge == p.normal else Position.REVERSE)
+            if edge == p.toe or metres > 0:
+                return None
+            return p.machine, Position.NORMAL if edge == p.normal else Position.REVERSE
         further = [e.id for e in layout.track.edges_at[near] if e.id != edge and e.section == section]
         if near in layout.pointwork.crossing_at or len(further) != 1:
             return None

@@ -18,7 +18,8 @@ class FoulJoint:
     """A joint nearer to a point or diamond than a vehicle beyond it stands clear.
 
     element, side: the point's position or the diamond's arm on which the joint lies; ways over the other one are
-    fouled.  when: the first point of the neighbour, if it leads vehicles to the joint in that position.
+    fouled.  when: the first point of the neighbour, if it leads vehicles to the joint in that position, and lies far
+    enough away itself.
     """
 
     element: str
@@ -86,12 +87,14 @@ class Lengths(Overlaps):
         """Of diamonds whose arms lie in two sections the other arm's, for each of its points that lead to the diamond;
         `side` is that arm."""
         found: list[FoulJoint] = []
+        needed = self._d.rule("fouling_m") + self._d.rule("clearance_m")
         for c in self._d.diamonds.values():
             one, two = (self._d.edges[edges[0]].section for edges in c.arms)
             for arm, here, across in ((0, two, one), (1, one, two)) if one != two else ():
-                leading = {d for n in c.arms[arm] if (d := self._decider(self._d.edges[n], c.name)) is not None}
-                whens: list[Demand | None] = [*leading] or [None]
-                found += [FoulJoint(c.name, arm, here, across, c.name, d) for d in whens]
+                ends = [self._d.edges[n] for n in c.arms[arm]]
+                leading, far = ([self._decider(e, c.name, 0.0, m) for e in ends] for m in (0.0, needed))
+                whens = dict.fromkeys(d for d in far if d is not None and leading == far)
+                found += [FoulJoint(c.name, arm, here, across, c.name, d) for d in whens or [None]]
         return found
 
     def _along(
@@ -103,21 +106,22 @@ class Lengths(Overlaps):
             return
         for x in self._d.onward(far, e):
             if x.section not in (home, of[2], e.section):
-                yield FoulJoint(*of, x.section, far, self._decider(x, far))
+                yield FoulJoint(*of, x.section, far, self._decider(x, far, gone, needed))
             yield from self._along(x, far, gone, home, of, needed)
 
-    def _decider(self, e: Edge, node: str) -> Demand | None:
-        """The first point of the section behind a joint, if one of its legs leads to it."""
+    def _decider(self, e: Edge, node: str, gone: float, needed: float) -> Demand | None:
+        """The first point of the section behind a joint, if one of its legs leads to it, and it lies far enough away
+        itself: `gone` metres lead to the joint."""
         seen = {node}
         while True:
-            node = e.far(node)
+            node, gone = e.far(node), gone + e.length
             if node in seen or node in self._d.diamonds:
                 return None
             seen.add(node)
             p = self._d.points.get(node)
             if p is not None:
                 x = p.position(e.name)
-                return None if x is None else Demand(p.machine, x)
+                return None if x is None or gone < needed else Demand(p.machine, x)
             onward = [x for x in self._d.at[node] if x.name != e.name and x.section == e.section]
             if len(onward) != 1:
                 return None

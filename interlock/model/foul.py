@@ -20,8 +20,9 @@ class FoulJoint:
 
     side: the leg or arm beyond whose joint the neighbour lies.  section: where the ways run that it fouls.  `when` is
     the point of the neighbour that leads vehicles to the joint in that position; detected in the other one, no vehicle
-    in the neighbour stands at the joint.  None: the neighbour fouls whatever points do.  decides: how far that point
-    lies from the element, in metres; nearer than `needed`, whatever passes it comes too near, however it lies.
+    in the neighbour stands at the joint.  None: the neighbour fouls whatever points do.  near: a point that decides
+    nothing, since it lies nearer to the element than `needed` itself, at so many metres: whatever passes it comes too
+    near, however it lies.
     """
 
     element: PointId | CrossingId
@@ -32,7 +33,7 @@ class FoulJoint:
     distance: float
     needed: float
     when: tuple[MachineId, Position] | None
-    decides: float = 0.0
+    near: tuple[MachineId, float] | None = None
 
     @property
     def name(self) -> str:
@@ -77,7 +78,8 @@ class CrossedSection:
     """The section of a diamond's other arm: a vehicle there may stand on the diamond, in the way of whoever passes it.
 
     arm: that of the ways which it fouls, in `section`.  `when` is the point of the other section that leads vehicles to
-    the diamond in that position; where points on both sides of the diamond do, there is one of these for each.
+    the diamond in that position; where points on both sides of the diamond do, there is one of these for each.  near:
+    as of a foul joint, a point on either side that lies too near.
     """
 
     crossing: CrossingId
@@ -85,6 +87,7 @@ class CrossedSection:
     section: SectionId
     neighbour: SectionId
     when: tuple[MachineId, Position] | None
+    near: tuple[MachineId, float] | None = None
 
     def fouls(self, t: Traversal) -> bool:
         """A vehicle on the diamond stands in the way."""
@@ -98,12 +101,15 @@ Foul = FoulJoint | CrossedSection
 def crossed_sections(layout: Layout) -> tuple[CrossedSection, ...]:
     """The sections across, of diamonds whose arms lie in two sections, ordered by diamond and arm (R6)."""
     found: list[CrossedSection] = []
+    needed = layout.principles.fouling_m + layout.principles.clearance_m
     for c in layout.pointwork.crossings:
         sections = [layout.track.section_of(edges[0]) for edges in c.arms]
         for arm in (0, 1) if sections[0] != sections[1] else ():
-            leading = [_decider(layout, e, c.node)[0] for e in c.arms[1 - arm]]
-            for when in dict.fromkeys(x for x in leading if x is not None) or [None]:
-                found.append(CrossedSection(c.id, arm, sections[arm], sections[1 - arm], when))
+            leading = [_decider(layout, e, c.node, 0.0, needed) for e in c.arms[1 - arm]]
+            near = next((x for _, x in leading if x is not None), None)
+            whens = dict.fromkeys(x for x, _ in leading if x is not None and near is None)
+            for when in whens or [None]:
+                found.append(CrossedSection(c.id, arm, sections[arm], sections[1 - arm], when, near))
     return tuple(found)
 
 
@@ -168,32 +174,34 @@ class _Walk:
             out.append(FoulBoundary(self.element, far, gone, self.needed))
         for e in layout.onward(edge, far):
             if e.section not in (home, self.section, layout.track.section_of(edge)):
-                when, further = _decider(layout, e.id, far)
+                when, near = _decider(layout, e.id, far, gone, self.needed)
                 out.append(
-                    FoulJoint(
-                        self.element, self.side, self.section, e.section, far, gone, self.needed, when, gone + further
-                    )
+                    FoulJoint(self.element, self.side, self.section, e.section, far, gone, self.needed, when, near)
                 )
             out.extend(self.along(e.id, far, gone, home))
         return out
 
 
-def _decider(layout: Layout, edge: EdgeId, node: NodeId) -> tuple[tuple[MachineId, Position] | None, float]:
-    """The first point in the neighbour, if its leg leads to the joint, and how far it lies from there."""
+def _decider(
+    layout: Layout, edge: EdgeId, node: NodeId, gone: float, needed: float
+) -> tuple[tuple[MachineId, Position] | None, tuple[MachineId, float] | None]:
+    """The first point in the neighbour, if its leg leads to the node, and it lies `needed` metres away, of which `gone`
+    lead to the node; if it is nearer, it decides nothing: that point, and how far away it lies."""
     section = layout.track.section_of(edge)
     seen = {node}
-    gone = 0.0
     while True:
         node = layout.track.far(edge, node)
         gone += layout.track.edge[edge].length
         if node in seen or node in layout.pointwork.crossing_at:
-            return None, gone
+            return None, None
         seen.add(node)
         point = layout.pointwork.point_at.get(node)
         if point is not None:
             position = point.position_of(edge)
-            return (None if position is None else (point.machine, position)), gone
+            if position is not None and gone < needed:
+                return None, (point.machine, gone)
+            return (None if position is None else (point.machine, position)), None
         onward = [e.id for e in layout.track.edges_at[node] if e.id != edge and e.section == section]
         if len(onward) != 1:
-            return None, gone
+            return None, None
         edge = onward[0]

@@ -76,9 +76,17 @@ def measured(layout: Layout) -> Measured:
         for g in overlaps
         if (known := told_apart(layout, g))
     }
-    fouls = tuple(replace(f, distance=0.0, needed=0.0, decides=0.0) for f in foul_joints(layout))
+    fouls = tuple(replace(f, distance=0.0, needed=0.0, near=None) for f in foul_joints(layout))
     approaches = {g.id: approach(layout, g.id) for g in layout.signalling.signals}
-    return Measured(overlaps, apart, fouls, crossed_sections(layout), needs(layout), beyond, approaches)
+    return Measured(
+        overlaps,
+        apart,
+        fouls,
+        tuple(replace(x, near=None) for x in crossed_sections(layout)),
+        needs(layout),
+        beyond,
+        approaches,
+    )
 
 
 def _beyond(layout: Layout, edge: EdgeId, node: NodeId, gone: float, needed: float, seen: frozenset[NodeId]) -> Beyond:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from interlock.frontend.context import Context
 from interlock.model.elements import BoundaryKind, Position
-from interlock.model.foul import foul_boundaries, foul_joints, near_diamonds
+from interlock.model.foul import crossed_sections, foul_boundaries, foul_joints, near_diamonds
 from interlock.model.layout import Layout
 
 
@@ -21,15 +21,33 @@ def check_foul(ctx: Context, layout: Layout) -> None:
             f"routes over the other {side} of {f.element} will require {f.neighbour} clear"
             + (f" unless {f.when[0]} is detected {f.when[1].other}" if f.when is not None else ""),
         )
-        if f.when is not None and f.decides < f.needed:
-            it = f.when[0]
+        if f.near is not None:
+            it, metres = f.near
             ctx.add(
                 "IL3042",
-                f"{it} decides whether the joint {before}|{f.neighbour} is foul of {f.name}, and itself lies only "
-                f"{f.decides:g} m from {f.name}, where {f.needed:g} m are needed: whatever passes {it} comes too near",
+                f"{it} leads to the joint {before}|{f.neighbour}, which is foul of {f.name}, and itself lies only "
+                f"{metres:g} m from {f.name}, where {f.needed:g} m are needed: whatever passes {it} comes too near, "
+                f"and {f.neighbour} is required clear however {it} lies",
                 ctx.at_key(kind, f.element),
                 f"draw {it} as far away as it is (`legs`), or state where the fouling point of {f.element} is "
-                "(`fouling`); if they are so near: `hostile` for the routes over both",
+                "(`fouling`); if they are so near, nothing",
+            )
+    _near_diamonds(ctx, layout)
+    _boundaries(ctx, layout)
+
+
+def _near_diamonds(ctx: Context, layout: Layout) -> None:
+    """Report points and diamonds that lie nearer to a diamond than vehicles on it stand clear."""
+    needed = layout.principles.fouling_m + layout.principles.clearance_m
+    for x in crossed_sections(layout):
+        if x.near is not None:
+            it, metres = x.near
+            ctx.add(
+                "IL3042",
+                f"{it} leads to the diamond {x.crossing}, and lies only {metres:g} m from it, where {needed:g} m are "
+                f"needed: whatever passes {it} comes too near, and {x.neighbour} is required clear however {it} lies",
+                ctx.at_key("crossings", x.crossing),
+                f"draw {it} as far away as it is (`legs`); if they are so near, nothing",
             )
     for d in near_diamonds(layout):
         kind = "point" if d.element in layout.pointwork.point else "diamond"
@@ -41,6 +59,9 @@ def check_foul(ctx: Context, layout: Layout) -> None:
             f"draw {d.crossing} as far away as it is (`legs`), or state where the fouling point of {d.element} is "
             "(`fouling`); if they are so near: `hostile` for the routes over both",
         )
+
+
+def _boundaries(ctx: Context, layout: Layout) -> None:
     for b in foul_boundaries(layout):
         point = b.element in layout.pointwork.point
         kind = "point" if point else "diamond"
