@@ -60,3 +60,5 @@ def test_a_point_too_near_to_a_diamond_does_not_decide_who_is_on_it(legs: float,
     told = [d.message for d in sink.diagnostics if d.code == "IL3042" and "102 leads to the diamond X1" in d.message]
     assert len(told) == (1 if legs == 5 else 0)
     assert audit(layout, table) == ()
+    hostile = table.route[RouteId("S1J-S5")].locking.hostile.routes
+    assert ("S4J-S6" in hostile) is (legs == 5), "its train, in BC, would make S1J show stop"

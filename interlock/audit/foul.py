@@ -32,24 +32,31 @@ def _foul_between(layout: Layout, a: Move, b: Move) -> frozenset[Foul]:
     )
 
 
-def crossed(
-    layout: Layout, trip: Trip, held: Collection[tuple[MachineId, Position]]
-) -> set[tuple[SectionId, tuple[MachineId, Position] | None]]:
+def across(layout: Layout, trip: Trip) -> set[Foul]:
     """The sections in which a vehicle may stand on a diamond of the path, with each point that must lie so for one to
-    come to the diamond; but for those that the path takes itself, and such a point that it holds otherwise."""
-    found: set[tuple[SectionId, tuple[MachineId, Position] | None]] = set()
+    come to the diamond, where, and the section of the path."""
+    found = set[Foul]()
+    needed = layout.principles.fouling_m + layout.principles.clearance_m
     for a, _ in pairs(trip):
         crossing = layout.pointwork.crossing_at.get(a.node)
         if crossing is not None:
             arm = next(arm for arm in crossing.arms if a.edge not in arm)
-            section = layout.track.section_of(arm[0])
-            if section != layout.track.section_of(a.edge):
-                needed = layout.principles.fouling_m + layout.principles.clearance_m
+            section, own = layout.track.section_of(arm[0]), layout.track.section_of(a.edge)
+            if section != own:
                 out = [(_way_out(layout, e, a.node, 0.0), _way_out(layout, e, a.node, needed)) for e in arm]
-                far = {(section, w) for w, beyond in out if w is not None and w == beyond}
-                found |= far if far and all(w == beyond for w, beyond in out) else {(section, None)}
+                far = {w for w, _ in out if w is not None and all(x == y for x, y in out)}
+                found |= {(section, w, a.node, own) for w in far} or {(section, None, a.node, own)}
+    return found
+
+
+def crossed(
+    layout: Layout, trip: Trip, held: Collection[tuple[MachineId, Position]]
+) -> set[tuple[SectionId, tuple[MachineId, Position] | None]]:
+    """What must be clear across the diamonds of the path; but for sections that the path takes itself, and such a point
+    that it holds otherwise."""
     taken = {layout.track.section_of(m.edge) for m in (*trip.moves, *trip.over)}
-    return {(s, w) for s, w in found if s not in taken and not (w is not None and (w[0], w[1].other) in held)}
+    found = {(s, w) for s, w, *_ in across(layout, trip) if s not in taken}
+    return {(s, w) for s, w in found if w is None or (w[0], w[1].other) not in held}
 
 
 def _beside(layout: Layout, a: Move, b: Move) -> Iterator[tuple[EdgeId, set[SectionId], float]]:

@@ -16,7 +16,7 @@ from interlock.audit.approach import approach_sections
 from interlock.audit.aspect import aspect
 from interlock.audit.conditions import conditions
 from interlock.audit.flank import flank
-from interlock.audit.foul import Foul, crossed, foul_neighbours
+from interlock.audit.foul import Foul, across, crossed, foul_neighbours
 from interlock.audit.overlaps import overlap_speed, overruns, without_speed
 from interlock.audit.own_train import own_train_in_the_way
 from interlock.audit.voyages import voyages
@@ -343,7 +343,7 @@ def _ground(layout: Layout, row: RouteRow, trip: Trip) -> _Ground:
         trip.entry,
         frozenset(trip.sections),
         frozenset(special),
-        frozenset(foul_neighbours(layout, trip)),
+        frozenset(foul_neighbours(layout, trip) | across(layout, trip)),
         frozenset(n for m in (*trip.moves, *trip.over) for n in (m.node, layout.track.far(m.edge, m.node))),
         {p.machine: p.position for p in row.locking.points},
         trip.exit,

@@ -17,7 +17,7 @@ from interlock.derivation.unsettled import report_flanks
 from interlock.diag import Sink
 from interlock.model.bits import bits_of
 from interlock.model.elements import MachineId, Position, SectionId
-from interlock.model.foul import FoulJoint, crossed_sections, foul_joints
+from interlock.model.foul import CrossedSection, FoulJoint, crossed_sections, foul_joints
 from interlock.model.layout import Layout
 from interlock.model.traversal import Traversal, topology
 from interlock.table.cells import (
@@ -49,7 +49,7 @@ def derive_locks(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[Tra
         for t in (*path.ways, *path.overlap):
             used[t.key] = t
             over[t.key] = over.get(t.key, 0) | 1 << i
-    fouls, options = foul_joints(layout), Options(layout)
+    fouls, options = (foul_joints(layout), crossed_sections(layout)), Options(layout)
     bare = {key: _row(layout, t, (), used, fouls) for key, t in sorted(used.items())}
     demands = {p.id: route_demands(p, bare) for p in paths}
     hostile = set_apart(paths, bare, demands)
@@ -71,7 +71,7 @@ def derive_locks(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[Tra
         mine = cells.get(key, {})
         flank = tuple(cell(r, mine[r]) for r in requesters(layout, used[key]) if r in mine)
         rows[key] = _row(layout, used[key], flank, used, fouls)
-    if any(f.when is not None for f in fouls):
+    if any(f.when is not None for those in fouls for f in those):
         held = _held(paths, rows)
         rows = {key: _row(layout, used[key], row.flank, used, fouls, held) for key, row in rows.items()}
     report_flanks(layout, paths, places, settled, options, sink)
@@ -159,10 +159,10 @@ def _space(
     )
 
 
-def _crossed(layout: Layout, t: Traversal) -> list[FoulCell]:
+def _crossed(crossed: Sequence[CrossedSection], t: Traversal) -> list[FoulCell]:
     """The sections that lie across the way on diamonds: what stands there may stand on the diamond (R6)."""
     cells = []
-    for x in crossed_sections(layout) if t.crossings else ():
+    for x in crossed if t.crossings else ():
         if x.fouls(t):
             unless = f", unless {x.when[0]} lies {x.when[1].other}" if x.when is not None else ""
             why = Because("R6", f"{x.neighbour} clear across the diamond {x.crossing}{unless}")
@@ -170,14 +170,39 @@ def _crossed(layout: Layout, t: Traversal) -> list[FoulCell]:
     return cells
 
 
+def _across(
+    crossed: Sequence[CrossedSection], t: Traversal, used: Mapping[TraversalKey, Traversal], held: Held
+) -> list[Exclusion]:
+    """Ways through a section that lies across on a diamond, and the other way round, on which a train would make the
+    other one's signal show stop though it does not run over the diamond: no point tells that it is not there, or the
+    one that does is held towards the diamond, for the flank of either route."""
+    found = []
+    for x in (x for x in crossed if t.section in (x.section, x.neighbour)):
+        over = t.section == x.section
+        beyond = [o for o in used.values() if o.section == (x.neighbour if over else x.section)]
+        numbers = sorted(o.number for o in beyond if _apart_across(x, *((t, o) if over else (o, t)), held))
+        if numbers:
+            why = Because("R6", f"a train in {x.neighbour} counts as one on the diamond {x.crossing}")
+            found.append(Exclusion(beyond[0].section, False, tuple(numbers), why))
+    return found
+
+
+def _apart_across(x: CrossedSection, t: Traversal, o: Traversal, held: Held) -> bool:
+    """Whether a way over a diamond, and one of the section across that does not lead over it, exclude each other."""
+    if not x.fouls(t) or (x.crossing, 1 - x.arm) in o.crossings:
+        return False
+    return x.when is None or x.when in held.get(o.key, ()) or x.when in held.get(t.key, ())
+
+
 def _row(
     layout: Layout,
     t: Traversal,
     flank: tuple[FlankCell, ...],
     used: Mapping[TraversalKey, Traversal],
-    fouls: tuple[FoulJoint, ...],
+    beside: tuple[tuple[FoulJoint, ...], tuple[CrossedSection, ...]],
     held: Held = NOTHING_HELD,
 ) -> TraversalRow:
+    fouls, crossed = beside
     demands = {
         layout.pointwork.point[p].machine: PointDemand(
             layout.pointwork.point[p].machine,
@@ -201,7 +226,8 @@ def _row(
         if across != t.section:
             numbers = tuple(sorted(n for (s, n), o in used.items() if s == across and (cid, 1 - arm) in o.crossings))
             exclusions.append(Exclusion(across, False, numbers, Because("R6", f"the ways cross on the diamond {cid}")))
-    foul_cells = _crossed(layout, t)
+    exclusions += _across(crossed, t, used, held)
+    foul_cells = _crossed(crossed, t)
     for f in fouls:
         unless = f", unless {f.when[0]} lies {f.when[1].other}" if f.when is not None else ""
         why = Because("R7", f"the joint {f.section}|{f.neighbour} is foul of {f.name}{unless}")
