@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -12,6 +13,7 @@ from interlock.model.elements import RouteId
 from interlock.proof.induction.verdict import Verdict
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
+from interlock.table.cells import FoulCell
 from interlock.table.rows import InterlockingTable
 from tests.layouts import grown
 
@@ -62,3 +64,61 @@ def test_a_point_too_near_to_a_diamond_does_not_decide_who_is_on_it(legs: float,
     assert audit(layout, table) == ()
     hostile = table.route[RouteId("S1J-S5")].locking.hostile.routes
     assert ("S4J-S6" in hostile) is (legs == 5), "its train, in BC, would make S1J show stop"
+
+
+NEAR = """interlock: 1
+name: near
+profile: uk
+principles: {overlap_m: 0}
+boundaries:
+  W: {approach: wa 800, trains: in}
+  E: {trains: out}
+  F: {trains: out}
+  N: {approach: na 800, trains: in}
+  S: {trains: out}
+tracks: {west: [W, w1 300], main: [m1 300, E], branch: [b1 300, F], north: [N, n1 300], south: [s1 300, S]}
+points:
+  1: {section: AC, toe: west.end, normal: main.start, reverse: X.1a, legs: LEGS}
+crossings:
+  X:
+    legs: LEGS
+    arms: [{section: AC, ends: [1.reverse, branch.start]}, {section: BC, ends: [north.end, south.start]}]
+signals:
+  A1: {from: W, into: w1}
+  A2: {from: w1, into: AC}
+  B1: {from: N, into: n1}
+  B2: {from: n1, into: BC}
+"""
+"""A branch leaves over a diamond, 2 LEGS m behind point 1; another line runs over it from north to south."""
+
+
+@pytest.mark.parametrize("legs", [3, 8])
+def test_what_passes_a_diamond_too_near_to_a_point_is_foul_of_its_other_leg(legs: float) -> None:
+    made = grown(NEAR.replace("LEGS", str(legs)))
+    assert made is not None
+    layout, table, sink = made
+    near = legs == 3
+    assert ("BC" in foul(table, "A2-E")) is near
+    assert ("A2-E" in table.route[RouteId("B2-S")].locking.hostile.routes) is near
+    assert ("AC" in foul(table, "B2-S")) is near, "farther away, point 1 tells, which it holds in normal"
+    told = sorted(d.message.partition(",")[0] for d in sink.diagnostics if d.code == "IL3042")
+    assert told == (["1 leads to the diamond X", "diamond X lies only 6 m from point 1"] if near else [])
+    assert audit(layout, table) == ()
+    proved = prove(System(layout, lower(layout, table)))
+    assert all(c.verdict is Verdict.PROVED for c in proved.claims)
+
+
+def test_a_table_that_does_not_ask_for_it_is_found_out_by_the_audit_and_by_the_proof() -> None:
+    made = grown(NEAR.replace("LEGS", "3"))
+    assert made is not None
+    layout, table, _ = made
+
+    def bare(cells: tuple[FoulCell, ...]) -> tuple[FoulCell, ...]:
+        return tuple(c for c in cells if (c.section, c.crossing) != ("BC", "X"))
+
+    locks = tuple(replace(t, foul=bare(t.foul)) for t in table.locks)
+    routes = tuple(replace(r, clear=replace(r.clear, foul=bare(r.clear.foul))) for r in table.routes)
+    weak = replace(table, locks=locks, routes=routes)
+    assert {(f.route, f.column) for f in audit(layout, weak)} == {("A2-E", "foul"), ("A2-F", "foul")}
+    found = prove(System(layout, lower(layout, weak)))
+    assert {c.id for c in found.claims if c.verdict is not Verdict.PROVED} == {"S-CONDITION"}

@@ -33,20 +33,35 @@ def _foul_between(layout: Layout, a: Move, b: Move) -> frozenset[Foul]:
 
 
 def across(layout: Layout, trip: Trip) -> set[Foul]:
-    """The sections in which a vehicle may stand on a diamond of the path, with each point that must lie so for one to
-    come to the diamond, where, and the section of the path."""
+    """The sections in which a vehicle may stand on a diamond of the path, or on one too near to a point or diamond of
+    the path, with each point that must lie so for one to come to that diamond; the diamond, and the path's section."""
     found = set[Foul]()
-    needed = layout.principles.fouling_m + layout.principles.clearance_m
-    for a, _ in pairs(trip):
-        crossing = layout.pointwork.crossing_at.get(a.node)
-        if crossing is not None:
-            arm = next(arm for arm in crossing.arms if a.edge not in arm)
-            section, own = layout.track.section_of(arm[0]), layout.track.section_of(a.edge)
-            if section != own:
-                out = [(_way_out(layout, e, a.node, 0.0), _way_out(layout, e, a.node, needed)) for e in arm]
-                far = {w for w, _ in out if w is not None and all(x == y for x, y in out)}
-                found |= {(section, w, a.node, own) for w in far} or {(section, None, a.node, own)}
+    for a, b in pairs(trip):
+        own = layout.track.section_of(a.edge)
+        if a.node in layout.pointwork.crossing_at:
+            margin = layout.principles.fouling_m + layout.principles.clearance_m
+            found |= _on_diamond(layout, a.node, a.edge, {own}, own, margin)
+        for unused, here, needed in _beside(layout, a, b):
+            for (edge, near), gone in distances(layout, a.node, unused, needed).items():
+                far, left = layout.track.far(edge, near), needed - gone - layout.track.edge[edge].length
+                if left > 0 and far != a.node and far in layout.pointwork.crossing_at:
+                    seen = {*here, layout.track.section_of(unused), layout.track.section_of(edge), own}
+                    found |= _on_diamond(layout, far, edge, seen, own, left)
     return found
+
+
+def _on_diamond(
+    layout: Layout, node: NodeId, along: EdgeId, seen: Collection[SectionId], own: SectionId, needed: float
+) -> set[Foul]:
+    """Who may stand on a diamond across an edge that leads to it, in none of the sections in which it is seen anyway;
+    a point nearer to the diamond than `needed` tells of nobody that it is not there."""
+    arm = next(arm for arm in layout.pointwork.crossing_at[node].arms if along not in arm)
+    section = layout.track.section_of(arm[0])
+    if section in seen:
+        return set()
+    out = [(_way_out(layout, e, node, 0.0), _way_out(layout, e, node, needed)) for e in arm]
+    far = {w for w, _ in out if w is not None and all(x == y for x, y in out)}
+    return {(section, w, node, own) for w in far} or {(section, None, node, own)}
 
 
 def crossed(

@@ -6,11 +6,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from interlock.checker.drawing import Edge
+from interlock.checker.drawing import Diamond, Edge
 from interlock.checker.kilometres import item_parts
 from interlock.checker.overlaps import Overlaps
 from interlock.checker.railway import Path, Signal
 from interlock.checker.track import Demand, Way
+
+_Side = tuple[str, str | int, str]
+"""A point or diamond, its leg or arm, and the section of the ways over the other one."""
 
 
 @dataclass(frozen=True)
@@ -67,39 +70,56 @@ class Lengths(Overlaps):
     @cached_property
     def foul_joints(self) -> list[FoulJoint]:
         """Joints nearer to a point or diamond than its fouling point and the clearance."""
-        found: list[FoulJoint] = []
+        return [f for start in self._starts for f in self._along(*start)]
+
+    @property
+    def _starts(self) -> Iterator[tuple[Edge, str, float, str, _Side, float]]:
+        """Of a walk out from each leg and arm: the edge, from where, metres gone, the section in which it lies, whose
+        other leg or arm it is about, and how far to go."""
         margin = self._d.rule("clearance_m")
         for p in self._d.points.values():
             for side in ("N", "R"):
-                e = self._d.edges[p.leg(side)]
-                found += self._along(e, p.name, 0.0, p.section, (p.name, side, p.section), p.fouling + margin)
+                yield self._d.edges[p.leg(side)], p.name, 0.0, p.section, (p.name, side, p.section), p.fouling + margin
         for c in self._d.diamonds.values():
             for arm, edges in enumerate(c.arms):
                 across = self._d.edges[c.arms[1 - arm][0]].section
-                for n in edges:
-                    e = self._d.edges[n]
-                    needed = self._d.rule("fouling_m") + margin
-                    found += self._along(e, c.name, 0.0, e.section, (c.name, arm, across), needed)
-        return found
+                for e in (self._d.edges[n] for n in edges):
+                    yield e, c.name, 0.0, e.section, (c.name, arm, across), self._d.rule("fouling_m") + margin
 
     @cached_property
     def crossed(self) -> list[FoulJoint]:
-        """Of diamonds whose arms lie in two sections the other arm's, for each of its points that lead to the diamond;
-        `side` is that arm."""
+        """Of diamonds whose arms lie in two sections the other arm's, for each of its points that lead to the diamond:
+        to whoever passes the diamond (`side` is that arm), or what lies too near to it.  Their node is the diamond."""
         found: list[FoulJoint] = []
         needed = self._d.rule("fouling_m") + self._d.rule("clearance_m")
         for c in self._d.diamonds.values():
             one, two = (self._d.edges[edges[0]].section for edges in c.arms)
-            for arm, here, across in ((0, two, one), (1, one, two)) if one != two else ():
-                ends = [self._d.edges[n] for n in c.arms[arm]]
-                leading, far = ([self._decider(e, c.name, 0.0, m) for e in ends] for m in (0.0, needed))
-                whens = dict.fromkeys(d for d in far if d is not None and leading == far)
-                found += [FoulJoint(c.name, arm, here, across, c.name, d) for d in whens or [None]]
-        return found
+            for arm, here in ((0, two), (1, one)) if one != two else ():
+                found += self._lying_across(c, arm, (c.name, arm, here), 0.0, needed)
+        return list(dict.fromkeys([*found, *(f for start in self._starts for f in self._diamonds_along(*start))]))
 
-    def _along(
-        self, e: Edge, node: str, gone: float, home: str, of: tuple[str, str | int, str], needed: float
+    def _lying_across(self, c: Diamond, arm: int, of: _Side, gone: float, needed: float) -> list[FoulJoint]:
+        ends = [self._d.edges[n] for n in c.arms[arm]]
+        leading, far = ([self._decider(e, c.name, gone, m) for e in ends] for m in (0.0, needed))
+        whens = dict.fromkeys(d for d in far if d is not None and leading == far)
+        return [FoulJoint(*of, ends[0].section, c.name, d) for d in whens or [None]]
+
+    def _diamonds_along(
+        self, e: Edge, node: str, gone: float, home: str, of: _Side, needed: float
     ) -> Iterator[FoulJoint]:
+        """Diamonds met on a walk before it has gone far enough, whose other arm lies in a section of its own."""
+        far, gone = e.far(node), gone + e.length
+        if gone >= needed or far == of[0]:
+            return
+        c = self._d.diamonds.get(far)
+        if c is not None:
+            arm = 1 if e.name in c.arms[0] else 0
+            if self._d.edges[c.arms[arm][0]].section not in (home, of[2], e.section):
+                yield from self._lying_across(c, arm, of, gone, needed)
+        for x in self._d.onward(far, e):
+            yield from self._diamonds_along(x, far, gone, home, of, needed)
+
+    def _along(self, e: Edge, node: str, gone: float, home: str, of: _Side, needed: float) -> Iterator[FoulJoint]:
         far = e.far(node)
         gone += e.length
         if gone >= needed or far == of[0]:

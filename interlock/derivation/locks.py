@@ -161,21 +161,21 @@ def _space(
 
 def _crossed(crossed: Sequence[CrossedSection], t: Traversal) -> list[FoulCell]:
     """The sections that lie across the way on diamonds: what stands there may stand on the diamond (R6)."""
-    cells = []
-    for x in crossed if t.crossings else ():
+    cells = dict[FoulCell, None]()
+    for x in crossed:
         if x.fouls(t):
             unless = f", unless {x.when[0]} lies {x.when[1].other}" if x.when is not None else ""
             why = Because("R6", f"{x.neighbour} clear across the diamond {x.crossing}{unless}")
-            cells.append(FoulCell(x.neighbour, x.section, x.when, why, x.crossing))
-    return cells
+            cells[FoulCell(x.neighbour, x.section, x.when, why, x.crossing)] = None
+    return [*cells]
 
 
 def _across(
     crossed: Sequence[CrossedSection], t: Traversal, used: Mapping[TraversalKey, Traversal], held: Held
 ) -> list[Exclusion]:
     """Ways through a section that lies across on a diamond, and the other way round, on which a train would make the
-    other one's signal show stop though it does not run over the diamond: no point tells that it is not there, or the
-    one that does is held towards the diamond, for the flank of either route."""
+    other one's signal show stop: it runs over a diamond that lies too near to this way, or no point tells that it is
+    not on the diamond, or the one that does is held towards it, for the flank of either route."""
     found = []
     for x in (x for x in crossed if t.section in (x.section, x.neighbour)):
         over = t.section == x.section
@@ -188,9 +188,12 @@ def _across(
 
 
 def _apart_across(x: CrossedSection, t: Traversal, o: Traversal, held: Held) -> bool:
-    """Whether a way over a diamond, and one of the section across that does not lead over it, exclude each other."""
-    if not x.fouls(t) or (x.crossing, 1 - x.arm) in o.crossings:
+    """Whether a way that a diamond's other arm fouls, and one of the section across, exclude each other: but for two
+    ways over the diamond itself, which do so anyhow."""
+    if not x.fouls(t):
         return False
+    if any(c == x.crossing for c, _ in o.crossings):
+        return x.element != x.crossing
     return x.when is None or x.when in held.get(o.key, ()) or x.when in held.get(t.key, ())
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from interlock.model.elements import CrossingId, EdgeId, MachineId, NodeId, PointId, Position, SectionId
+from interlock.model.elements import Crossing, CrossingId, EdgeId, MachineId, NodeId, PointId, Position, SectionId
 from interlock.model.layout import Layout
 from interlock.model.traversal import Traversal
 
@@ -42,9 +42,7 @@ class FoulJoint:
 
     def fouls(self, t: Traversal) -> bool:
         """A vehicle at the joint stands in the way."""
-        if isinstance(self.side, Position):
-            return any(p == self.element and x is not self.side for p, x in t.points)
-        return any(c == self.element and arm != self.side for c, arm in t.crossings)
+        return _in_the_way(self.element, self.side, t)
 
     def touches(self, t: Traversal) -> bool:
         """A movement on the way comes to the joint; any way of the neighbour, where its points tell nothing."""
@@ -63,54 +61,54 @@ class FoulBoundary:
 
 
 @dataclass(frozen=True)
-class NearDiamond:
-    """A diamond on a leg of a point, or on an arm of another diamond, nearer to it than `needed` metres, whose other
-    arm lies in a section of its own: whatever passes there comes too near."""
-
-    element: PointId | CrossingId
-    crossing: CrossingId
-    distance: float
-    needed: float
-
-
-@dataclass(frozen=True)
 class CrossedSection:
-    """The section of a diamond's other arm: a vehicle there may stand on the diamond, in the way of whoever passes it.
+    """The section of a diamond's other arm: a vehicle there may stand on the diamond, in the way of whoever passes the
+    diamond itself, or passes a point, or another diamond, that lies too near to it.
 
-    arm: that of the ways which it fouls, in `section`.  `when` is the point of the other section that leads vehicles to
-    the diamond in that position; where points on both sides of the diamond do, there is one of these for each.  near:
-    as of a foul joint, a point on either side that lies too near.
+    element, side: of the ways in `section` that it fouls, as of a foul joint; of the diamond itself the other arm.
+    `when` is the point of the other section that leads vehicles to the diamond in that position; where points on both
+    sides of the diamond do, there is one of these for each.  near: as of a foul joint, a point on either side that is
+    too near.  distance: from the element to the diamond; 0 of the diamond itself.
     """
 
     crossing: CrossingId
-    arm: int
+    element: PointId | CrossingId
+    side: Position | int
     section: SectionId
     neighbour: SectionId
     when: tuple[MachineId, Position] | None
     near: tuple[MachineId, float] | None = None
+    distance: float = 0.0
+    needed: float = 0.0
 
     def fouls(self, t: Traversal) -> bool:
         """A vehicle on the diamond stands in the way."""
-        return (self.crossing, self.arm) in t.crossings
+        return _in_the_way(self.element, self.side, t)
 
 
 Foul = FoulJoint | CrossedSection
 """What a vehicle may stand at, in the way of another one."""
 
 
+def _in_the_way(element: PointId | CrossingId, side: Position | int, t: Traversal) -> bool:
+    """Whether a way leads over the other leg of a point, or the other arm of a diamond."""
+    if isinstance(side, Position):
+        return any(p == element and x is not side for p, x in t.points)
+    return any(c == element and arm != side for c, arm in t.crossings)
+
+
 def crossed_sections(layout: Layout) -> tuple[CrossedSection, ...]:
-    """The sections across, of diamonds whose arms lie in two sections, ordered by diamond and arm (R6)."""
+    """The sections across, of diamonds whose arms lie in two sections, ordered by diamond and arm (R6); then those of
+    diamonds that lie too near to a point or another diamond, in the order of these (R7)."""
     found: list[CrossedSection] = []
     needed = layout.principles.fouling_m + layout.principles.clearance_m
     for c in layout.pointwork.crossings:
         sections = [layout.track.section_of(edges[0]) for edges in c.arms]
         for arm in (0, 1) if sections[0] != sections[1] else ():
-            leading = [_decider(layout, e, c.node, 0.0, needed) for e in c.arms[1 - arm]]
-            near = next((x for _, x in leading if x is not None), None)
-            whens = dict.fromkeys(x for x, _ in leading if x is not None and near is None)
-            for when in whens or [None]:
-                found.append(CrossedSection(c.id, arm, sections[arm], sections[1 - arm], when, near))
-    return tuple(found)
+            whens, near = _leading(layout, c, 1 - arm, 0.0, needed)
+            across = sections[1 - arm]
+            found += [CrossedSection(c.id, c.id, 1 - arm, sections[arm], across, when, near) for when in whens]
+    return (*found, *dict.fromkeys(f for f in _met(layout) if isinstance(f, CrossedSection)))
 
 
 def foul_joints(layout: Layout) -> tuple[FoulJoint, ...]:
@@ -123,12 +121,7 @@ def foul_boundaries(layout: Layout) -> tuple[FoulBoundary, ...]:
     return tuple(dict.fromkeys(f for f in _met(layout) if isinstance(f, FoulBoundary)))
 
 
-def near_diamonds(layout: Layout) -> tuple[NearDiamond, ...]:
-    """Every diamond that lies too near to a point or another diamond, in the same order."""
-    return tuple(dict.fromkeys(f for f in _met(layout) if isinstance(f, NearDiamond)))
-
-
-def _met(layout: Layout) -> Iterator[FoulJoint | FoulBoundary | NearDiamond]:
+def _met(layout: Layout) -> Iterator[FoulJoint | FoulBoundary | CrossedSection]:
     """What is met on the walks out from each leg and arm."""
     margin = layout.principles.clearance_m
     for p in layout.pointwork.points:
@@ -157,19 +150,22 @@ class _Walk:
 
     def along(
         self, edge: EdgeId, node: NodeId, gone: float, home: SectionId
-    ) -> list[FoulJoint | FoulBoundary | NearDiamond]:
+    ) -> list[FoulJoint | FoulBoundary | CrossedSection]:
         """`home`: the section in which the point or arm lies; within it and the fouled one there is no joint."""
         layout = self.layout
         far = layout.track.far(edge, node)
         gone += layout.track.edge[edge].length
         if gone >= self.needed or far == self.start:
             return []
-        out: list[FoulJoint | FoulBoundary | NearDiamond] = []
+        out: list[FoulJoint | FoulBoundary | CrossedSection] = []
         crossing = layout.pointwork.crossing_at.get(far)
         if crossing is not None:
-            across = next(layout.track.section_of(arm[0]) for arm in crossing.arms if edge not in arm)
+            arm = next(i for i, edges in enumerate(crossing.arms) if edge not in edges)
+            across = layout.track.section_of(crossing.arms[arm][0])
             if across not in (home, self.section, layout.track.section_of(edge)):
-                out.append(NearDiamond(self.element, crossing.id, gone, self.needed))
+                whens, near = _leading(layout, crossing, arm, gone, self.needed)
+                of = (crossing.id, self.element, self.side, self.section, across)
+                out += [CrossedSection(*of, when, near, gone, self.needed) for when in whens]
         if far in layout.track.boundary_at:
             out.append(FoulBoundary(self.element, far, gone, self.needed))
         for e in layout.onward(edge, far):
@@ -180,6 +176,17 @@ class _Walk:
                 )
             out.extend(self.along(e.id, far, gone, home))
         return out
+
+
+def _leading(
+    layout: Layout, crossing: Crossing, arm: int, gone: float, needed: float
+) -> tuple[list[tuple[MachineId, Position] | None], tuple[MachineId, float] | None]:
+    """The points on either side that lead vehicles to a diamond along an arm, or None where none decides; and one that
+    lies too near, with which none does."""
+    found = [_decider(layout, e, crossing.node, gone, needed) for e in crossing.arms[arm]]
+    near = next((x for _, x in found if x is not None), None)
+    whens = dict.fromkeys(when for when, _ in found if when is not None and near is None)
+    return [*whens] or [None], near
 
 
 def _decider(

@@ -82,7 +82,7 @@ def measured(layout: Layout) -> Measured:
         overlaps,
         apart,
         fouls,
-        tuple(replace(x, near=None) for x in crossed_sections(layout)),
+        tuple(dict.fromkeys(replace(x, distance=0.0, needed=0.0, near=None) for x in crossed_sections(layout))),
         needs(layout),
         beyond,
         approaches,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from interlock.frontend.context import Context
 from interlock.model.elements import BoundaryKind, Position
-from interlock.model.foul import crossed_sections, foul_boundaries, foul_joints, near_diamonds
+from interlock.model.foul import crossed_sections, foul_boundaries, foul_joints
 from interlock.model.layout import Layout
 
 
@@ -38,10 +38,23 @@ def check_foul(ctx: Context, layout: Layout) -> None:
 
 def _near_diamonds(ctx: Context, layout: Layout) -> None:
     """Report points and diamonds that lie nearer to a diamond than vehicles on it stand clear."""
-    needed = layout.principles.fouling_m + layout.principles.clearance_m
+    told = dict[tuple[str, str], float]()
     for x in crossed_sections(layout):
-        if x.near is not None:
+        unless = f" unless {x.when[0]} is detected {x.when[1].other}" if x.when is not None else ""
+        if x.element != x.crossing and told.setdefault((x.crossing, x.element), x.distance) == x.distance:
+            kind = "point" if x.element in layout.pointwork.point else "diamond"
+            ctx.add(
+                "IL3042",
+                f"diamond {x.crossing} lies only {x.distance:g} m from {kind} {x.element}, where {x.needed:g} m are "
+                "needed: whatever passes over its other arm comes too near, and "
+                f"{x.neighbour} is required clear{unless}",
+                ctx.at_key("crossings", x.crossing),
+                f"draw {x.crossing} as far away as it is (`legs`), or state where the fouling point of {x.element} is "
+                "(`fouling`); if they are so near, nothing",
+            )
+        elif x.element == x.crossing and x.near is not None:
             it, metres = x.near
+            needed = layout.principles.fouling_m + layout.principles.clearance_m
             ctx.add(
                 "IL3042",
                 f"{it} leads to the diamond {x.crossing}, and lies only {metres:g} m from it, where {needed:g} m are "
@@ -49,16 +62,6 @@ def _near_diamonds(ctx: Context, layout: Layout) -> None:
                 ctx.at_key("crossings", x.crossing),
                 f"draw {it} as far away as it is (`legs`); if they are so near, nothing",
             )
-    for d in near_diamonds(layout):
-        kind = "point" if d.element in layout.pointwork.point else "diamond"
-        ctx.add(
-            "IL3042",
-            f"diamond {d.crossing} lies only {d.distance:g} m from {kind} {d.element}, where {d.needed:g} m are "
-            "needed: whatever passes over its other arm comes too near",
-            ctx.at_key("crossings", d.crossing),
-            f"draw {d.crossing} as far away as it is (`legs`), or state where the fouling point of {d.element} is "
-            "(`fouling`); if they are so near: `hostile` for the routes over both",
-        )
 
 
 def _boundaries(ctx: Context, layout: Layout) -> None:
