@@ -108,6 +108,18 @@ def test_what_passes_a_diamond_too_near_to_a_point_is_foul_of_its_other_leg(legs
     assert all(c.verdict is Verdict.PROVED for c in proved.claims)
 
 
+@pytest.mark.parametrize(("fouling", "asked"), [(12, False), (45, True)])
+def test_a_point_whose_own_legs_are_still_too_near_where_the_diamond_lies_decides_nothing(
+    fouling: float, asked: bool
+) -> None:
+    """40 m behind point 1: its legs are clear of each other 12 m behind it, or 45 m."""
+    made = grown(NEAR.replace("LEGS", "20").replace("legs: 20}", f"legs: 20, fouling: {fouling}}}"))
+    assert made is not None
+    layout, table, _ = made
+    assert ("AC" in foul(table, "B2-S")) is asked and ("BC" in foul(table, "A2-E")) is asked
+    assert audit(layout, table) == ()
+
+
 def test_a_table_that_does_not_ask_for_it_is_found_out_by_the_audit_and_by_the_proof() -> None:
     made = grown(NEAR.replace("LEGS", "3"))
     assert made is not None

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator
 
 from interlock.audit.flank import pairs
 from interlock.audit.walk import Move, Trip, distances
-from interlock.model.elements import EdgeId, MachineId, NodeId, Position, SectionId
+from interlock.model.elements import EdgeId, MachineId, NodeId, Point, Position, SectionId
 from interlock.model.layout import Layout, of_layout
 
 Foul = tuple[SectionId, tuple[MachineId, Position] | None, NodeId, SectionId]
@@ -22,7 +22,7 @@ def foul_neighbours(layout: Layout, trip: Trip) -> set[Foul]:
 def _foul_between(layout: Layout, a: Move, b: Move) -> frozenset[Foul]:
     """What stands foul of a path where one move passes to the next."""
     return frozenset(
-        (section, _way_out(layout, edge, near, needed - gone), near, layout.track.section_of(a.edge))
+        (section, _decides(layout, edge, near, gone, needed), near, layout.track.section_of(a.edge))
         for unused, own, needed in _beside(layout, a, b)
         for (edge, near), gone in distances(layout, a.node, unused, needed).items()
         for section in [layout.track.section_of(edge)]
@@ -40,28 +40,27 @@ def across(layout: Layout, trip: Trip) -> set[Foul]:
         own = layout.track.section_of(a.edge)
         if a.node in layout.pointwork.crossing_at:
             margin = layout.principles.fouling_m + layout.principles.clearance_m
-            found |= _on_diamond(layout, a.node, a.edge, {own}, own, margin)
+            found |= _on_diamond(layout, a.node, a.edge, {own}, own, (0.0, margin))
         for unused, here, needed in _beside(layout, a, b):
             for (edge, near), gone in distances(layout, a.node, unused, needed).items():
-                far, left = layout.track.far(edge, near), needed - gone - layout.track.edge[edge].length
-                if left > 0 and far != a.node and far in layout.pointwork.crossing_at:
+                far, run = layout.track.far(edge, near), gone + layout.track.edge[edge].length
+                if run < needed and far != a.node and far in layout.pointwork.crossing_at:
                     seen = {*here, layout.track.section_of(unused), layout.track.section_of(edge), own}
-                    found |= _on_diamond(layout, far, edge, seen, own, left)
+                    found |= _on_diamond(layout, far, edge, seen, own, (run, needed))
     return found
 
 
 def _on_diamond(
-    layout: Layout, node: NodeId, along: EdgeId, seen: Collection[SectionId], own: SectionId, needed: float
+    layout: Layout, node: NodeId, along: EdgeId, seen: Collection[SectionId], own: SectionId, way: tuple[float, float]
 ) -> set[Foul]:
     """Who may stand on a diamond across an edge that leads to it, in none of the sections in which it is seen anyway;
-    a point nearer to the diamond than `needed` tells of nobody that it is not there."""
+    `way`: metres to the diamond, and how far away a point must be that tells of somebody that it is not there."""
     arm = next(arm for arm in layout.pointwork.crossing_at[node].arms if along not in arm)
     section = layout.track.section_of(arm[0])
     if section in seen:
         return set()
-    out = [(_way_out(layout, e, node, 0.0), _way_out(layout, e, node, needed)) for e in arm]
-    far = {w for w, _ in out if w is not None and all(x == y for x, y in out)}
-    return {(section, w, node, own) for w in far} or {(section, None, node, own)}
+    leading = [_decides(layout, e, node, *way) for e in arm if _way_out(layout, e, node) is not None]
+    return {(section, w if all(leading) else None, node, own) for w in leading or [None]}
 
 
 def crossed(
@@ -88,18 +87,27 @@ def _beside(layout: Layout, a: Move, b: Move) -> Iterator[tuple[EdgeId, set[Sect
             yield e, here | {layout.track.section_of(e)}, layout.principles.fouling_m + margin
 
 
-def _way_out(layout: Layout, edge: EdgeId, near: NodeId, metres: float) -> tuple[MachineId, Position] | None:
-    """The first point beyond, within the section, that must lie so for a vehicle to come to `near`; none that is nearer
-    than so many metres, since what passes it the other way is too near as well."""
+def _decides(
+    layout: Layout, edge: EdgeId, near: NodeId, gone: float, needed: float
+) -> tuple[MachineId, Position] | None:
+    """How a point must lie for a vehicle to come to `near`, if it tells that whoever passes it otherwise is clear: it
+    lies so far away that neither its own legs nor those where the walk began are too near to each other."""
+    out = _way_out(layout, edge, near)
+    if out is None or gone + out[2] < max(needed, out[0].fouling + layout.principles.clearance_m):
+        return None
+    return out[0].machine, out[1]
+
+
+def _way_out(layout: Layout, edge: EdgeId, near: NodeId) -> tuple[Point, Position, float] | None:
+    """The first point beyond, within the section, that must lie so for a vehicle to come to `near`; how far away."""
     section = layout.track.section_of(edge)
+    gone = 0.0
     for _ in layout.track.edges:
         near = layout.track.far(edge, near)
-        metres -= layout.track.edge[edge].length
+        gone += layout.track.edge[edge].length
         p = layout.pointwork.point_at.get(near)
         if p is not None:
-            if edge == p.toe or metres > 0:
-                return None
-            return p.machine, Position.NORMAL if edge == p.normal else Position.REVERSE
+            return None if edge == p.toe else (p, Position.NORMAL if edge == p.normal else Position.REVERSE, gone)
         further = [e.id for e in layout.track.edges_at[near] if e.id != edge and e.section == section]
         if near in layout.pointwork.crossing_at or len(further) != 1:
             return None

@@ -100,8 +100,9 @@ class Lengths(Overlaps):
 
     def _lying_across(self, c: Diamond, arm: int, of: _Side, gone: float, needed: float) -> list[FoulJoint]:
         ends = [self._d.edges[n] for n in c.arms[arm]]
-        leading, far = ([self._decider(e, c.name, gone, m) for e in ends] for m in (0.0, needed))
-        whens = dict.fromkeys(d for d in far if d is not None and leading == far)
+        leading = [x for e in ends if (x := self._leading(e, c.name)) is not None]
+        far = all(gone + metres >= max(needed, own) for _, metres, own in leading)
+        whens = dict.fromkeys(d for d, *_ in leading if far)
         return [FoulJoint(*of, ends[0].section, c.name, d) for d in whens or [None]]
 
     def _diamonds_along(
@@ -130,9 +131,14 @@ class Lengths(Overlaps):
             yield from self._along(x, far, gone, home, of, needed)
 
     def _decider(self, e: Edge, node: str, gone: float, needed: float) -> Demand | None:
-        """The first point of the section behind a joint, if one of its legs leads to it, and it lies far enough away
-        itself: `gone` metres lead to the joint."""
-        seen = {node}
+        """The point that leads to a joint, if it lies far enough away itself: `gone` metres lead to the joint."""
+        found = self._leading(e, node)
+        return found[0] if found is not None and gone + found[1] >= max(needed, found[2]) else None
+
+    def _leading(self, e: Edge, node: str) -> tuple[Demand, float, float] | None:
+        """The first point of the section behind a node, if one of its legs leads there; how far away it lies, and how
+        far what stands clear of its legs."""
+        seen, gone = {node}, 0.0
         while True:
             node, gone = e.far(node), gone + e.length
             if node in seen or node in self._d.diamonds:
@@ -141,7 +147,7 @@ class Lengths(Overlaps):
             p = self._d.points.get(node)
             if p is not None:
                 x = p.position(e.name)
-                return None if x is None or gone < needed else Demand(p.machine, x)
+                return None if x is None else (Demand(p.machine, x), gone, p.fouling + self._d.rule("clearance_m"))
             onward = [x for x in self._d.at[node] if x.name != e.name and x.section == e.section]
             if len(onward) != 1:
                 return None

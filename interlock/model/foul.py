@@ -21,8 +21,8 @@ class FoulJoint:
     side: the leg or arm beyond whose joint the neighbour lies.  section: where the ways run that it fouls.  `when` is
     the point of the neighbour that leads vehicles to the joint in that position; detected in the other one, no vehicle
     in the neighbour stands at the joint.  None: the neighbour fouls whatever points do.  near: a point that decides
-    nothing, since it lies nearer to the element than `needed` itself, at so many metres: whatever passes it comes too
-    near, however it lies.
+    nothing, since it lies nearer to the element than the fouling point of either and the clearance, at so many metres
+    of so many needed: whatever passes it comes too near, however it lies.
     """
 
     element: PointId | CrossingId
@@ -33,7 +33,7 @@ class FoulJoint:
     distance: float
     needed: float
     when: tuple[MachineId, Position] | None
-    near: tuple[MachineId, float] | None = None
+    near: tuple[MachineId, float, float] | None = None
 
     @property
     def name(self) -> str:
@@ -77,7 +77,7 @@ class CrossedSection:
     section: SectionId
     neighbour: SectionId
     when: tuple[MachineId, Position] | None
-    near: tuple[MachineId, float] | None = None
+    near: tuple[MachineId, float, float] | None = None
     distance: float = 0.0
     needed: float = 0.0
 
@@ -180,7 +180,7 @@ class _Walk:
 
 def _leading(
     layout: Layout, crossing: Crossing, arm: int, gone: float, needed: float
-) -> tuple[list[tuple[MachineId, Position] | None], tuple[MachineId, float] | None]:
+) -> tuple[list[tuple[MachineId, Position] | None], tuple[MachineId, float, float] | None]:
     """The points on either side that lead vehicles to a diamond along an arm, or None where none decides; and one that
     lies too near, with which none does."""
     found = [_decider(layout, e, crossing.node, gone, needed) for e in crossing.arms[arm]]
@@ -191,9 +191,10 @@ def _leading(
 
 def _decider(
     layout: Layout, edge: EdgeId, node: NodeId, gone: float, needed: float
-) -> tuple[tuple[MachineId, Position] | None, tuple[MachineId, float] | None]:
+) -> tuple[tuple[MachineId, Position] | None, tuple[MachineId, float, float] | None]:
     """The first point in the neighbour, if its leg leads to the node, and it lies `needed` metres away, of which `gone`
-    lead to the node; if it is nearer, it decides nothing: that point, and how far away it lies."""
+    lead to the node, and as its own fouling point asks; if it is nearer, it decides nothing: that point, how far away
+    it lies, and how far it should."""
     section = layout.track.section_of(edge)
     seen = {node}
     while True:
@@ -205,8 +206,9 @@ def _decider(
         point = layout.pointwork.point_at.get(node)
         if point is not None:
             position = point.position_of(edge)
+            needed = max(needed, point.fouling + layout.principles.clearance_m)
             if position is not None and gone < needed:
-                return None, (point.machine, gone)
+                return None, (point.machine, gone, needed)
             return (None if position is None else (point.machine, position)), None
         onward = [e.id for e in layout.track.edges_at[node] if e.id != edge and e.section == section]
         if len(onward) != 1:

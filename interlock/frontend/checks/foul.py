@@ -22,11 +22,11 @@ def check_foul(ctx: Context, layout: Layout) -> None:
             + (f" unless {f.when[0]} is detected {f.when[1].other}" if f.when is not None else ""),
         )
         if f.near is not None:
-            it, metres = f.near
+            it, metres, needed = f.near
             ctx.add(
                 "IL3042",
                 f"{it} leads to the joint {before}|{f.neighbour}, which is foul of {f.name}, and itself lies only "
-                f"{metres:g} m from {f.name}, where {f.needed:g} m are needed: whatever passes {it} comes too near, "
+                f"{metres:g} m from {f.name}, where {needed:g} m are needed: whatever passes {it} comes too near, "
                 f"and {f.neighbour} is required clear however {it} lies",
                 ctx.at_key(kind, f.element),
                 f"draw {it} as far away as it is (`legs`), or state where the fouling point of {f.element} is "
@@ -53,8 +53,7 @@ def _near_diamonds(ctx: Context, layout: Layout) -> None:
                 "(`fouling`); if they are so near, nothing",
             )
         elif x.element == x.crossing and x.near is not None:
-            it, metres = x.near
-            needed = layout.principles.fouling_m + layout.principles.clearance_m
+            it, metres, needed = x.near
             ctx.add(
                 "IL3042",
                 f"{it} leads to the diamond {x.crossing}, and lies only {metres:g} m from it, where {needed:g} m are "
