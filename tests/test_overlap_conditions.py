@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from copy import deepcopy
 from dataclasses import replace
 from pathlib import Path
 
@@ -17,6 +18,7 @@ from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
 from interlock.table.rows import InterlockingTable
 from tests.layouts import built, grown
+from tests.test_runtime import module_of
 
 PLAIN = "../tests/layouts_for_tests/overlap_condition"
 SWING = (Path(__file__).parent / "layouts_for_tests" / "swing.yaml").read_text(encoding="utf-8")
@@ -83,3 +85,32 @@ def test_a_crossing_over_an_overlap_is_claimed_to_be_closed(key: str) -> None:
     assert not_proved(layout, table) == set()
     locks = tuple(replace(t, points=tuple(p for p in t.points if p.machine != "L1")) for t in table.locks)
     assert "S-OVERLAP" in not_proved(layout, replace(table, locks=locks))
+
+
+@pytest.mark.parametrize("name", [PLAIN, "../tests/layouts_for_tests/swing_condition"])
+def test_a_signal_shows_stop_when_its_overlap_is_blocked(name: str) -> None:
+    """Whoever works there is as much in the way as a train; for what is only another alternative it stays open."""
+    _, table, controller = built(name)
+    one, sym = module_of(name).Controller(), controller.symbols
+    route = next(r for r in sym.routes if r.path.overlap is not None)
+    lying = [sym.machines.detected[d.machine, d.position] for d in table.route[route.id].locking.points]
+    quiet = dict.fromkeys([sym.valid, *sym.sections.clear.values(), *sym.condition.values(), *lying], 1)
+    quiet = {n: quiet.get(n, 0) for n in (i.name for i in controller.inputs)}
+    for _ in range(max(t.preset_ms for t in controller.timers) // 1000 + 5):
+        one.scan(quiet, 1000)
+    one.scan({**quiet, sym.sections.release_all: 1}, 1000)
+    one.scan(quiet, 1000)
+    one.scan({**quiet, **one.request(route.id)}, 100)
+    assert route.path.overlap is not None
+    under = {s for s, _ in sym.overlaps.ways[route.path.overlap]}
+    beside = {s for o, ways in sym.overlaps.ways.items() if o[0] == route.path.overlap[0] for s, _ in ways} - under
+    lamps = sym.aspects.main_lamps(route.entry)
+    for _ in range(30):
+        shown = one.scan(quiet, 100)
+    assert any(shown[n] for n in lamps), one.status(route.id)
+    for s in beside:
+        shown = deepcopy(one).scan({**quiet, sym.sections.blocked[s]: 1}, 100)
+        assert any(shown[n] for n in lamps)
+    for s in under:
+        shown = deepcopy(one).scan({**quiet, sym.sections.blocked[s]: 1}, 100)
+        assert not any(shown[n] for n in lamps)

@@ -218,7 +218,7 @@ def proceed_terms(d: Draft, r: RouteRow) -> list[Term]:
             out += [*_detected(d, k), *not_blocked(k[0])]
     if r.path.berth is not None:
         out += [*_detected(d, r.path.traversals[-1]), *not_blocked(r.path.berth)]
-    return [*out, *_some_overlap_lies(d, r)]
+    return [*out, *_some_overlap_lies(d, r), *_overlap_not_blocked(d, r)]
 
 
 def passing_terms(d: Draft, r: RouteRow) -> list[Term]:
@@ -226,7 +226,20 @@ def passing_terms(d: Draft, r: RouteRow) -> list[Term]:
     out = []
     for k in r.path.traversals:
         out += [*_detected(d, k), *not_blocked(k[0])]
-    return [*out, *_some_overlap_lies(d, r)]
+    return [*out, *_some_overlap_lies(d, r), *_overlap_not_blocked(d, r)]
+
+
+def _overlap_not_blocked(d: Draft, r: RouteRow) -> list[Term]:
+    """Nobody has blocked the overlap of the route, or the one to which it has swung."""
+    cell = r.locking.overlap
+    if cell is None or not cell.swings:
+        return [x for s, _ in (cell.ways if cell is not None else ()) for x in not_blocked(s)]
+    out = []
+    for o in ((cell.signal, k) for k in sorted({cell.option, *cell.swings})):
+        free = conj(neg(var(names.BLOCKED(s))) for s, _ in d.overlaps.ways[o])
+        note = f"overlap {o[1]} of {o[0]} not blocked, or not held"
+        out.append(Term(disj((neg(d.overlaps.held(o)), free)), "overlap not blocked", note))
+    return out
 
 
 def _some_overlap_lies(d: Draft, r: RouteRow) -> list[Term]:

@@ -62,7 +62,9 @@ def entry(
 
 
 def overlap_ready(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
-    """An overlap is clear, its points lie and are detected, its devices are closed, and the conditions over it hold."""
+    """An overlap is clear and not blocked, its points lie and are detected, its devices are closed, and the conditions
+    over it hold."""
+    blocked = f.sym.sections.blocked
     points = [(f.layout.pointwork.point[p].machine, x) for t in ways for p, x in t.points]
     return conj(
         [
@@ -71,6 +73,7 @@ def overlap_ready(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
             *(var(f.sym.machines.detected[m, x]) for m, x in points),
             *(neg(var(f.sym.machines.detected[m, x.other])) for m, x in points),
             *devices_closed(f, ways),
+            *(neg(var(blocked[t.section])) for t in ways if t.section in blocked),
             *(var(f.sym.condition[c.id]) for c in f.layout.signalling.conditions if _over(c, ways)),
         ]
     )

@@ -65,8 +65,8 @@ CLAIMS: dict[str, str] = {
     "S-FLANK-SPACE": "Where the principles ask for it: proceed is shown only while the flank space is steadily clear, "
     "but for sections over which, or from which, another movement may be called meanwhile, and the stop lamps of the "
     "signals that protect it are intact.",
-    "S-OVERLAP": "Proceed to a signal with an overlap is shown only when one is steadily clear, lies and is detected, "
-    "its devices are closed, and the conditions over it hold.",
+    "S-OVERLAP": "Proceed to a signal with an overlap is shown only when one is steadily clear and not blocked, lies "
+    "and is detected, its devices are closed, and the conditions over it hold.",
     "S-CONDITION": "Proceed is shown only when every condition of the path holds and the line beyond is steadily "
     "clear.",
     "S-EXCLUDED": "No proceed is shown over a path that no route may take: that the author excludes, alone or past a "

@@ -51,12 +51,12 @@ def _commands(w: Words, m: MachineId) -> Iterator[tuple[str, str, Expr]]:
     for x in Position:
         command, other = w.points.commanded(m, x), w.points.commanded(m, x.other)
         key, opposite = var(w.sym.machines.by_hand[m, x]), var(w.sym.machines.by_hand[m, x.other])
-        permitted = conj(()) if w.points.closing(m, x) else conj((w.points.movable(m), nothing_set))
+        permitted = conj(()) if w.points.closing(m, x) else conj((w.points.movable(m), nothing_set, no_overlap))
         turned = conj((key, neg(opposite), permitted))
         yield "F-POINT", f"{m} {x} by hand", implies(turned, w.after(command))
         yield "F-POINT", f"{m} {x} stays", implies(w.ends(command), w.after(other))
         if m in w.layout.machines.device and x is Position.NORMAL:
-            back = conj((w.points.movable(m), nothing_set, neg(opposite)))
+            back = conj((w.points.movable(m), nothing_set, no_overlap, neg(opposite)))
             yield "F-POINT", f"{m} returns", implies(back, w.after(command))
         demanded = [
             w.signals.set_now(r)

@@ -295,6 +295,18 @@ def _holds_added(w: Words, r: RouteSymbols, name: Name) -> Expr:
     return iff(w.after(var(name)), conj((disj((var(name), w.signals.set_now(r))), under_way)))
 
 
+def _overlaps(w: Words, r: RouteSymbols) -> list[tuple[SignalId, int]]:
+    """The overlap of a route, and those to which it may swing: that every path to its signal has (R4)."""
+    own = r.path.overlap
+    if own is None or own[0] not in w.sym.overlaps.swings:
+        return [] if own is None else [own]
+    found: dict[object, set[tuple[SignalId, int]]] = {}
+    for x in w.sym.routes:
+        if x.path.overlap is not None and x.path.overlap[0] == own[0]:
+            found.setdefault((x.entry, x.call_on, x.path.ways), set()).add(x.path.overlap)
+    return sorted({own, *set[tuple[SignalId, int]].intersection(*found.values())})
+
+
 def _in_order(w: Words, r: RouteSymbols, wide: bool, clear: bool = True) -> Iterator[Expr]:
     """The conditions of proceed, in every scan (R3); `wide`: with all that might count for the flank space.  Behind the
     first axle the path need not be `clear`."""
@@ -305,11 +317,16 @@ def _in_order(w: Words, r: RouteSymbols, wide: bool, clear: bool = True) -> Iter
     yield from _added_lie(w, r)
     for s, _ in (*r.path.ways, *([r.path.berth] if r.path.berth is not None else [])):
         yield neg(w.ways.blocked(s))
+    beyond = _overlaps(w, r)
+    for o in beyond:
+        held = [neg(var(sym.overlaps.held[o]))] if len(beyond) > 1 else []
+        yield disj((*held, conj(neg(w.ways.blocked(s)) for s, _ in sym.overlaps.ways[o])))
     yield from map(neg, _rear(w, r))
     ways = [w.ways.way(s, n) for s, n in r.path.ways]
+    reached = {t.section for t in ways} | {s for o in beyond for s, _ in sym.overlaps.ways[o]}
     for c in w.layout.signalling.conditions:
         exits = not r.shunt and ways[-1].exit in c.exits
-        if r.entry in c.signals or any(t.section in c.over for t in ways) or exits:
+        if r.entry in c.signals or not reached.isdisjoint(c.over) or exits:
             yield var(sym.condition[c.id])
     for d in of_sections(w.layout.declared.demanded):
         if route_fits(f, d.routes, r):
