@@ -109,7 +109,7 @@ def test_parts_do_not_grow_with_a_line(monkeypatch: pytest.MonkeyPatch) -> None:
         made = grown(line(stations))
         assert made is not None
         inquiry = inquiry_of(System(made[0], lower(made[0], made[1])), monkeypatch, 3000)
-        largest.append(max(len(seen) for _, seen in inquiry._parts(1, parts.GOALS)))
+        largest.append(max(len(seen) for _, seen in inquiry._parts(inquiry.places, 1, parts.GOALS)))
     assert largest[1] < 1.2 * largest[0]
 
 

@@ -35,7 +35,7 @@ FEW = 800  # at first a part of fewer goals is joined with the next place: neigh
 LEFT = 8  # afterwards one of fewer: more facts lie around each, and few goals are left at a place
 NEAR = 3000  # a part of a place that depends on more names than this is joined with those of the next places
 LARGE = 8000  # goals of a part that depends on more names than this are first asked of one state, or of one place
-SAMPLE, RUN = 16, 100  # so many runs of so many goals tell how much the goals of a system depend on
+SAMPLE = 16  # one goal of so many tells how much the goals of a system depend on
 HUB = 60  # a variable in more facts than this says nothing about what lies together
 
 
@@ -256,7 +256,7 @@ class Inquiry:
         found: dict[str, list[list[int]]] = {}
         wide: list[int] = []
         most = max(1, min(GOALS, -(-len(left) // self.limits.jobs)))
-        for goals, seen in self._parts(FEW if rings == 1 else LEFT, most):
+        for goals, seen in self._parts(self.places, FEW if rings == 1 else LEFT, most):
             if large is not None and len(seen) > large:
                 wide += goals
                 continue
@@ -267,15 +267,16 @@ class Inquiry:
         return [*self._wide(wide), *(Question(first, rings, equal) for first, *equal in found.values())]
 
     def _is_wide(self, goals: Sequence[int]) -> bool:
-        """Most goals of a large system, as far as some tell, depend on too much to lie in a part of their own."""
+        """Most goals of a large system, as far as some tell, depend on too much to lie in a part of their own.
+
+        Where none is asked place by place, the places of all goals need not be found.
+        """
         if len(self.parts.relation.definitions) <= LARGE:
             return False
-        sizes = []
-        for k in range(0, len(goals), max(1, len(goals) // SAMPLE)):
-            seen: dict[Name, None] = {}
-            self.parts.cone(chain.from_iterable(self.parts.read_by(self.goals[n]) for n in goals[k : k + RUN]), seen)
-            sizes.append(len(seen))
-        return sorted(sizes)[len(sizes) // 2] > NEAR
+        some = goals[::SAMPLE]
+        places = [[some[n] for n in those] for those in self.parts.places([self.goals[n] for n in some])]
+        wide = [len(those) for those, seen in self._parts(places, FEW // SAMPLE, GOALS // SAMPLE) if len(seen) > LARGE]
+        return 2 * sum(wide) > len(some)
 
     def _wide(self, wide: Sequence[int]) -> list[Asked]:
         """Claims about one state, and local abstractions for all other goals."""
@@ -291,11 +292,13 @@ class Inquiry:
         goals = [(n, self.goals[n]) for n in sorted(wide)]  # in one order everywhere, so that like places have one form
         return self.local.batches([(n, after(g.expr) if g.later else g.expr) for n, g in goals]) if wide else []
 
-    def _parts(self, few: int, most: int) -> Iterator[tuple[list[int], dict[Name, None]]]:
+    def _parts(
+        self, places: Iterable[Sequence[int]], few: int, most: int
+    ) -> Iterator[tuple[list[int], dict[Name, None]]]:
         """The open goals of places that lie together, and what they depend on."""
         goals: list[int] = []
         seen: dict[Name, None] = {}
-        for place in self.places:
+        for place in places:
             new = [n for n in place if not self.found[n].follows]
             self.parts.cone(chain.from_iterable(self.parts.read_by(self.goals[n]) for n in new), seen)
             goals += new
