@@ -323,7 +323,6 @@ class _Ground:
     sections: frozenset[SectionId]
     nodes: frozenset[NodeId]
     foul: frozenset[Foul]
-    touched: frozenset[NodeId]
     positions: dict[MachineId, Position]
     exit: str
     shunt: bool
@@ -344,7 +343,6 @@ def _ground(layout: Layout, row: RouteRow, trip: Trip) -> _Ground:
         frozenset(trip.sections),
         frozenset(special),
         frozenset(foul_neighbours(layout, trip) | across(layout, trip)),
-        frozenset(n for m in (*trip.moves, *trip.over) for n in (m.node, layout.track.far(m.edge, m.node))),
         {p.machine: p.position for p in row.locking.points},
         trip.exit,
         trip.shunt,
@@ -527,7 +525,7 @@ def _cannot_both(layout: Layout, a: _Ground, b: _Ground, held: HeldOver) -> Clas
         for section, when, near, of in x.foul:
             if section in y.sections | y.over and (
                 when is None
-                or near in y.touched
+                or any(near in (m.node, layout.track.far(m.edge, m.node)) for m in y.ways[section])
                 or when in held[section, y.ways[section]]
                 or when in held[of, x.ways[of]]
             ):
