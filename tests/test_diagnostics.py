@@ -89,6 +89,18 @@ def test_files_that_are_no_layout(tmp_path: Path) -> None:
     assert codes_of(big) == {"IL1009"}
 
 
+def test_bytes_of_no_known_encoding_are_told_with_place_and_how_to_save(tmp_path: Path) -> None:
+    path = tmp_path / "odd.yaml"
+    path.write_bytes(b"interlock: 1\r\nname: demo\r\ntitle: \xc3\x9cber \x81 x\r\n")
+    (found,) = check_file(str(path)).diagnostics
+    assert found.code == "IL1002" and "the byte 129 here (hexadecimal 81)" in found.message
+    assert found.span is not None and (found.span.line, found.span.column) == (3, 13)
+    assert "save it as UTF-8" in found.fix and "^" in screen(path)
+    path.write_bytes(b"\x00\x01\x81program\x00")
+    (found,) = check_file(str(path)).diagnostics
+    assert found.code == "IL1002" and "zero bytes" in found.message and "text file" in found.fix
+
+
 def test_a_file_that_may_not_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def refused(path: str) -> int:
         raise PermissionError(13, "Permission denied", path)

@@ -341,3 +341,86 @@ def test_channels_exchanged_in_the_file_of_pins_are_told_until_somebody_takes_th
     told("pin", "--force")
     assert other in pins.read_text("utf-8")
     assert not told("check")
+
+
+def edited(mine: Path, old: str, new: str) -> Path:
+    """The file of pins with something else in one place."""
+    pins = mine.with_suffix(".pins")
+    told = pins.read_text("utf-8")
+    assert old in told
+    pins.write_text(told.replace(old, new, 1), "utf-8")
+    return pins
+
+
+SUSPECT = (
+    (
+        "CLR_q1: I0.3",
+        "CLR_q1: I500.3",
+        "IL2028",
+        "CLR_q1 is pinned to I500.3, and no card has byte I500",
+        20,
+        "(main has I0, I1, I2, I3)",
+    ),
+    ("CLR_q1: I0.3", "CRL_q1: I0.3", "IL2029", "CRL_q1 is pinned to I0.3", 20, "write CLR_q1 here"),
+    ("q1: {CLR_q1", "qq1: {CLR_q1", "IL2029", "stands under qq1 here, but it is a variable of q1", 20, "under q1"),
+    ("4: Q2}", "4: Q2}\n  mian: {1: I8}", "IL2029", "the layout has no substation mian", 6, "did you mean main?"),
+    (
+        "q1: {CLR_q1: I0.3}",
+        "zz: {OLD: I3.7}",
+        "IL2029",
+        "OLD is pinned to I3.7, but the layout has no such",
+        20,
+        "reserved",
+    ),
+)
+
+
+@pytest.mark.parametrize(("old", "new", "code", "text", "line", "fix"), SUSPECT, ids=[s[1] for s in SUSPECT])
+def test_pins_that_nothing_bears_out_are_told_with_place_and_fix(
+    mine: Path, old: str, new: str, code: str, text: str, line: int, fix: str
+) -> None:
+    pins = edited(mine, old, new)
+    checked = check_file(str(mine))
+    (found,) = [d for d in checked.diagnostics if d.code == code]
+    assert checked.ok and text in found.message and fix in found.fix
+    assert found.span is not None and (found.span.file, found.span.line) == (str(pins), line)
+    shown = CliRunner().invoke(cli, ["pin", str(mine)]).output
+    assert (text in shown) is ("OLD" not in new), "what is only gone, `pin` is about to reserve"
+
+
+def test_an_address_that_the_layout_states_needs_no_card(mine: Path) -> None:
+    mine.write_text(MINE + "addresses: {CLR_q1: I500.3}\n", "utf-8")
+    run("pin", mine, "--yes")
+    assert "I500.3" in mine.with_suffix(".pins").read_text("utf-8") and "IL2028" not in run("check", mine)
+    mine.write_text(MINE, "utf-8")
+    assert "IL2028" in run("check", mine)
+
+
+def test_ends_of_lines_as_windows_has_them_are_no_change(mine: Path) -> None:
+    pins = mine.with_suffix(".pins")
+    pins.write_bytes(pins.read_bytes().replace(b"\n", b"\r\n"))
+    assert "IL5011" not in run("check", mine) and "nothing has changed" in run("pin", mine)
+    mine.write_text(MINE + "conditions: {ROPE: {text: rope, over: [q1]}}\n", "utf-8")
+    assert "new      E_ROPE: main I2.2" in run("pin", mine)
+    mine.write_text(MINE, "utf-8")
+    pins.write_bytes(pins.read_bytes().replace(b"\n", b"\r\n").replace(b"I0.3", b"I3.3"))
+    assert "IL5011" in run("check", mine) and "not as interlock wrote it" in run("pin", mine, code=1)
+
+
+def test_a_folder_of_the_name_of_the_pins_is_told_as_that(mine: Path) -> None:
+    pins = mine.with_suffix(".pins")
+    pins.unlink()
+    pins.mkdir()
+    for verb in ("check", "pin", "compile"):
+        said = run(verb, mine, code=1)
+        assert f"{pins} is a folder; the channels of {mine} are read from a file of that name" in said
+        assert "move the folder away" in said and "name a layout file" not in said
+
+
+def test_pins_that_are_no_text_are_called_pins(mine: Path) -> None:
+    pins = mine.with_suffix(".pins")
+    pins.write_bytes(b"%PDF-1.7\xff")
+    assert "a file of pins is a text file" in run("check", mine, code=1)
+    with open(pins, "wb") as handle:
+        handle.truncate(50_000_000)
+    assert "a file of pins has at most 4 MB" in run("check", mine, code=1)

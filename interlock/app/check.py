@@ -87,7 +87,8 @@ def audited(checked: Checked, findings: Sequence[Finding]) -> Checked:
 
 
 def _addresses(layout: Layout, table: InterlockingTable, source: Source, sink: Sink) -> None:
-    from interlock.logic.cabinet import BadAddress, allocate, clashes
+    from interlock.app.pinned import check_pins
+    from interlock.logic.cabinet import BadAddress, allocate, clashes, wires
     from interlock.logic.expr import interning
     from interlock.logic.lower import lower
 
@@ -105,6 +106,7 @@ def _addresses(layout: Layout, table: InterlockingTable, source: Source, sink: S
             sink.add("IL2015", str(error), source.at("addresses", error.variable), fix)
             return
     _changed_by_hand(source, sink)
+    check_pins(layout, wires(layout, controller), source, sink)
     new = [c for c in made.wires if c.variable not in layout.hardware.pins.by_variable]
     if layout.hardware.pins and new:
         shown = ", ".join(f"{c.variable} {c.address}" for c in new[:8]) + (" ..." if len(new) > 8 else "")

@@ -24,7 +24,12 @@ class NotOurs(Exception):
 
 
 def is_ours(data: bytes) -> bool:
-    """Whether these bytes were written by interlock, and are as it wrote them."""
+    """Whether these bytes were written by interlock, and are as it wrote them, but for the ends of lines of text that
+    git or an editor may have made those of Windows."""
+    return _is_sealed(data) or _is_sealed(data.replace(b"\r\n", b"\n"))
+
+
+def _is_sealed(data: bytes) -> bool:
     found = LINE.search(data)
     return found is not None and hashlib.sha256(data[: found.start()]).hexdigest().encode() == found[1]
 

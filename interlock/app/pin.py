@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from interlock.app.own import write_own
+from interlock.app.pinned import check_pins
 from interlock.derivation import derive
 from interlock.diag import Diagnostic, Sink
 from interlock.diag.suggest import did_you_mean
@@ -94,6 +95,7 @@ def pin_file(path: str, release: Sequence[str] = ()) -> Repinned:
             fix = "see io/channels.csv of a compiled layout for the variables with a wire"
             sink.add("IL2015", str(error), source.at("addresses", error.variable), fix)
             return Repinned(source, file, sink.diagnostics)
+        check_pins(layout, wires(layout, controller), source, sink, gone=False)
     found = tuple(changes(layout.hardware.pins, pins))
     text = pins_text(layout, pins)
     return Repinned(source, file, sink.diagnostics, pins, found, text, not layout.hardware.pins, released)

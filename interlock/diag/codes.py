@@ -56,6 +56,8 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL2021": (_E, "a pin that cannot be"),
     "IL2022": (_E, "the layout contradicts a pin"),
     "IL2023": (_W, "channels that are not pinned yet"),
+    "IL2028": (_W, "a pin on no card"),
+    "IL2029": (_W, "a pin of what the layout does not have"),
     "IL2018": (_W, "an allowance that allows nothing"),
     "IL2025": (_E, "a signal that cannot show an identifier light"),
     "IL2026": (_E, "an overlap inside a longer one of the same signal, not told apart from it"),

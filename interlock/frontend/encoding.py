@@ -32,8 +32,11 @@ def _without_mark(data: bytes) -> str | None:
     return None
 
 
-def decode(path: str, data: bytes, sink: Sink) -> tuple[str | None, str]:
-    """The text, or None with IL1002; and what to show of the file: the text as its author probably sees it."""
+def decode(path: str, data: bytes, sink: Sink, what: str = "layout") -> tuple[str | None, str]:
+    """The text, or None with IL1002; and what to show of the file: the text as its author probably sees it.
+
+    `what`: what the file is to be.
+    """
     unmarked, at = _without_mark(data), 0
     try:
         text = _lines(data.decode("utf-8-sig"))
@@ -43,13 +46,11 @@ def decode(path: str, data: bytes, sink: Sink) -> tuple[str | None, str]:
         at = error.start
     for head, kind in _KINDS.items():
         if data.startswith(head):
-            _report(sink, f"{path} is not UTF-8 text: it is {kind}", Span(path, 0, 0), "a layout is a text file")
+            _report(sink, f"{path} is not UTF-8 text: it is {kind}", Span(path, 0, 0), f"a {what} is a text file")
             return None, ""
     coding = _coding(data) or unmarked
     if coding is None:
-        said = f"{path} is not UTF-8 text: byte {at} can stand in no text"
-        _report(sink, said, Span(path, 0, 0), "a PDF, a spreadsheet or a drawing is not a layout")
-        return None, ""
+        return None, _no_text(path, data, at, sink, what)
     shown = _lines(data.decode(coding, "replace"))
     fix = f"save it as UTF-8 (`Save as`, encoding UTF-8), or run `iconv -f {coding.upper()} -t UTF-8 {path} > new.yaml`"
     said = f"the file is not UTF-8 text; it looks like {_NAMES[coding]}"
@@ -60,6 +61,24 @@ def decode(path: str, data: bytes, sink: Sink) -> tuple[str | None, str]:
         for found in re.finditer(r"[^\x00-\x7f]+", line):
             _report(sink, said, Span(path, i + 1, found.start() + 1, len(found[0])), fix)
     return None, shown
+
+
+def _no_text(path: str, data: bytes, at: int, sink: Sink, what: str) -> str:
+    """Report bytes of no coding that is known here, at the first that is not UTF-8; what to show of the file."""
+    if b"\x00" in data:
+        said = f"{path} is not UTF-8 text: it holds zero bytes, as drawings and programs do, and no text"
+        _report(
+            sink,
+            said,
+            Span(path, 0, 0),
+            f"a {what} is a text file; name that, or save this one as text, encoding UTF-8",
+        )
+        return ""
+    before, shown = (_lines(part.decode("utf-8-sig", "replace")) for part in (data[:at], data))
+    said = f"the file is not UTF-8 text: the byte {data[at]} here (hexadecimal {data[at]:02X}) is no character of it"
+    fix = "open it in the editor that wrote it, and save it as UTF-8 (`Save as`, encoding UTF-8)"
+    _report(sink, said, Span(path, before.count("\n") + 1, len(before.rpartition("\n")[2]) + 1), fix)
+    return shown
 
 
 def _report(sink: Sink, said: str, span: Span, fix: str) -> None:

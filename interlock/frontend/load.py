@@ -121,18 +121,26 @@ def _beside(path: str) -> str:
     return next((os.path.join(folder, n) for n in difflib.get_close_matches(name, there, n=1, cutoff=0.75)), "")
 
 
-def read(path: str, sink: Sink) -> tuple[str | None, str]:
-    """The text of a file, or None with IL1001, IL1002 or IL1003; and what can be shown of it."""
+def read(path: str, sink: Sink, layout: str = "") -> tuple[str | None, str]:
+    """The text of a file, or None with IL1001, IL1002 or IL1003; and what can be shown of it.
+
+    `layout`: the layout file beside which this one is read as its pins; empty where this is the layout.
+    """
+    what = "file of pins" if layout else "layout"
     try:
         if os.path.isdir(path):
-            sink.add("IL1001", f"{path} is a folder", Span(path, 0, 0), "name a layout file, for instance mine11.yaml")
+            said, fix = f"{path} is a folder", "name a layout file, for instance mine11.yaml"
+            if layout:
+                said += f"; the channels of {layout} are read from a file of that name"
+                fix = "move the folder away, or give it another name"
+            sink.add("IL1001", said, Span(path, 0, 0), fix)
             return None, ""
         if os.path.getsize(path) > MAX_BYTES:
             sink.add(
                 "IL1003",
                 f"{path} has {os.path.getsize(path) / 1e6:.0f} MB",
                 Span(path, 0, 0),
-                f"a layout has at most {MAX_BYTES // 1_000_000} MB; is this another kind of file?",
+                f"a {what} has at most {MAX_BYTES // 1_000_000} MB; is this another kind of file?",
             )
             return None, ""
         with open(path, "rb") as handle:
@@ -142,7 +150,7 @@ def read(path: str, sink: Sink) -> tuple[str | None, str]:
         fix = f"did you mean {near}?" if near else "check the name and the permissions"
         sink.add("IL1001", f"{path}: {error.strerror}", Span(path, 0, 0), fix)
         return None, ""
-    return decode(path, data, sink)
+    return decode(path, data, sink, what)
 
 
 def load(path: str, sink: Sink) -> tuple[Layout | None, Source]:
@@ -154,7 +162,7 @@ def load(path: str, sink: Sink) -> tuple[Layout | None, Source]:
     file = beside(path)
     if layout is None or not os.path.lexists(file):
         return layout, source
-    text, shown = read(file, sink)
+    text, shown = read(file, sink, path)
     pins = None if text is None else read_pins(file, text, layout.name, sink)
     source = replace(source, pins=pins, beside=((file, shown if text is None else text),))
     return None if pins is None else replace(layout, hardware=replace(layout.hardware, pins=pins.pins)), source
