@@ -60,6 +60,15 @@ def test_a_service_that_closes_the_streams_gets_its_answer(closed: tuple[int, ..
     assert ("no problems" in done.stdout) is (1 not in closed)
 
 
+@pytest.mark.parametrize("verb", ["check", "compile", "pin", "prove", "draw", "why", "dispatch", "simulate", "blocks"])
+def test_a_layout_that_cannot_be_opened_is_a_diagnostic_without_a_line(verb: str) -> None:
+    body = json.loads(CliRunner().invoke(cli, [verb, "missing.yaml", "--format", "json"]).stdout)
+    (found,) = (body[0] if isinstance(body, list) else body)["diagnostics"]
+    assert (found["code"], found["file"]) == ("IL1001", "missing.yaml")
+    assert (found["line"], found["column"], found["width"], found["source"]) == (None,) * 4
+    assert "error" not in body
+
+
 def test_what_two_options_ask_for_is_not_half_done(tmp_path: Path) -> None:
     done = run("draw", "layouts/fig2_2.yaml", "--sheets", "--fold", "-o", str(tmp_path / "plan.svg"))
     assert done.exit_code == 2 and "choose one" in done.output and not list(tmp_path.iterdir())

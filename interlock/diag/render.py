@@ -87,9 +87,7 @@ def as_json(diagnostics: Iterable[Diagnostic], sources: Mapping[str, str] | None
             "severity": str(d.severity),
             "message": d.message,
             "file": d.span.file if d.span else None,
-            "line": d.span.line if d.span else None,
-            "column": d.span.column if d.span else None,
-            "width": d.span.width if d.span else None,
+            **_spot(d),
             "source": lines.at(d),
             "element": {"kind": d.about.room, "name": d.about.name} if d.about else None,
             "also": [
@@ -100,6 +98,12 @@ def as_json(diagnostics: Iterable[Diagnostic], sources: Mapping[str, str] | None
         }
         for d in limited(diagnostics)
     ]
+
+
+def _spot(d: Diagnostic) -> dict[str, object]:
+    """Line, column and width; null for a file that could not be opened, as for what has no place."""
+    known = d.span is not None and d.span.line > 0
+    return {name: getattr(d.span, name) if known else None for name in ("line", "column", "width")}
 
 
 def summary(diagnostics: Iterable[Diagnostic]) -> str:
