@@ -317,6 +317,20 @@ class Known:
 # --- the whole -------------------------------------------------------------------------------------
 
 
+def _missing(folder: Path, missing: list[str], of: int) -> tuple[bool, str]:
+    """Whether every file is there; where the first that is not was looked for, and why there."""
+    if not missing:
+        return True, ""
+    beside = all("/" not in path for path in missing)
+    fix = (
+        "copy the certificate whole" if beside else "put layout, outputs and certificate back as they lay to each other"
+    )
+    looked = f"{missing[0]} is not there (looked for at {(folder / missing[0]).resolve()})"
+    are = "is" if len(missing) == 2 else "are"
+    more = f", nor {are} {len(missing) - 1} more of the {of} files that manifest.json names, seen from its folder"
+    return False, f"{looked}{more if missing[1:] else ''}: {fix}, or run `interlock certify` anew"
+
+
 def check_files(folder: Path) -> dict[str, bytes]:
     """The manifest's digests agree with the files; returns what was read, so that nothing is read twice."""
     need((folder / "manifest.json").is_file(), "no certificate: there is no manifest.json in this folder")
@@ -331,6 +345,7 @@ def check_files(folder: Path) -> dict[str, bytes]:
     need({"system.txt", "proof.txt.xz"} <= set(files), "the manifest names no proof")
     alike = {unicodedata.normalize("NFC", path).casefold() for path in files}
     need(len(alike) == len(files), "two names of the manifest are one name on some computers")
+    need(*_missing(folder, [path for path in files if not (folder / path).exists()], len(files)))
     found = {path: (folder / path).read_bytes() for path in files if (folder / path).is_file()}  # no pipe, no device
     for path, digest in files.items():
         need(

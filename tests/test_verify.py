@@ -81,6 +81,23 @@ def copy(tmp_path: Path) -> Path:
     return tmp_path / "proofs/fig2_2"
 
 
+def test_a_certificate_away_from_what_it_names_says_what_is_missing_and_where_it_was_looked_for(
+    copy: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    away = tmp_path / "far" / "away" / "fig2_2"
+    shutil.copytree(copy, away)
+    assert main([str(away)]) == 1
+    said = capsys.readouterr().out
+    first = tmp_path / "far" / "generated/fig2_2/manifest.json"
+    assert f"../../generated/fig2_2/manifest.json is not there (looked for at {first})" in said
+    assert ", nor are 3 more of the 7 files" in said and "back as they lay to each other" in said
+    assert "changed or written anew" not in said
+    (copy / "needed.txt").unlink()
+    assert main([str(copy)]) == 1
+    said = capsys.readouterr().out
+    assert f"needed.txt is not there (looked for at {copy / 'needed.txt'}): copy the certificate whole" in said
+
+
 def files_of(folder: Path) -> list[Path]:
     """Every file of a bundle: those that the manifest names, and the manifest."""
     named = json.loads((folder / "manifest.json").read_text("utf-8"))["files"]
