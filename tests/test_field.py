@@ -347,6 +347,43 @@ def test_what_the_operator_types(ready: Ready) -> None:
     operator.type("voyage in end")
 
 
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("BLK_q1=2", "BLK_q1=2: BLK_q1 is 0 or 1"),
+        ("BLK_q1 = x", "BLK_q1=x: BLK_q1 is 0 or 1"),
+        ("BLK_q1=", "BLK_q1=: BLK_q1 is 0 or 1"),
+        ("REQ=99", "REQ=99: REQ is a number from 0 to "),
+        ("REQ=" + "9" * 5000, "REQ is a number from 0 to "),
+        ("BLK_qq1=1", "there is no variable BLK_qq1: did you mean BLK_q1?"),
+        ("CLR_q1=1", "CLR_q1 is read from a substation: it is not set by hand"),
+        ("YP_X7=1", "YP_X7 is written by the controller: it is not set by hand"),
+        ("VALID=1", "VALID says whether inputs are valid: it is not set by hand"),
+        ("set X1-X55", "there is no route X1-X55: did you mean X1-X5?"),
+        ("cancel", "write cancel SIGNAL"),
+    ],
+)
+def test_what_is_wrong_with_a_command_is_said(ready: Ready, line: str, said: str) -> None:
+    with pytest.raises(BadCommand) as told:
+        operate(ready, line)
+    assert said in str(told.value)
+    assert operate(ready, "BLK_q1 = 1") == {"BLK_q1": 1}
+
+
+def test_where_trains_stand_is_not_known_while_inputs_are_lost(ready: Ready) -> None:
+    operator = Operator(ready)
+    with pytest.raises(BadCommand, match="no inputs have been read yet: whether a train stands in q1 is not known"):
+        operator.type("train 12 q1")
+    operator.inputs(Cycle({"VALID": 0}, {}, False, ("west: no connection",)), 100)
+    with pytest.raises(
+        BadCommand, match=r"inputs are lost \(west: no connection\): .* say it again when they are valid"
+    ):
+        operator.type("train 12 q1")
+    operator.inputs(Cycle({"VALID": 1, "CLR_q1": 1}, {}, True, ()), 100)
+    with pytest.raises(BadCommand, match="q1 is clear: no train stands there"):
+        operator.type("train 12 q1")
+
+
 def test_commands_are_for_one_cycle_and_values_stay(ready: Ready) -> None:
     operator = Operator(ready)
     operator.type("BLK_q1=1")
@@ -435,6 +472,55 @@ def test_no_connection_is_told_not_thrown(ready: Ready) -> None:
         link.read()
     link.close()
     assert _runs([1, 2, 3, 5000], 2000) == [(1, 3), (5000, 1)]
+
+
+def test_what_modbus_says_is_put_in_words(ready: Ready) -> None:
+    from pymodbus.exceptions import ConnectionException, ModbusException, ModbusIOException
+
+    assert ready.allocation is not None
+    link = ModbusLink(ready.allocation, "west", "10.0.0.7", 502, 3)
+
+    class Client:
+        connected, answer = True, object()
+
+        def close(self) -> None:
+            pass
+
+        def read_discrete_inputs(self, *args: object, **more: object) -> object:
+            if isinstance(self.answer, Exception):
+                raise self.answer
+            return self.answer
+
+    class Refusal:
+        exception_code = 2
+        isError = staticmethod(lambda: True)
+
+    class Short:
+        bits = (True,) * 3
+        isError = staticmethod(lambda: False)
+
+    link._client = client = Client()
+    for answer, said in (
+        (
+            ModbusIOException("No response received after 0 retries, continue with next request"),
+            "does not answer within",
+        ),
+        (ModbusIOException("Unable to decode request"), "is it Modbus TCP?"),
+        (ModbusException("Unknown response 99"), "is it Modbus TCP?"),
+        (ConnectionException("ModbusTcpClient 10.0.0.7:502"), "the connection to 10.0.0.7:502 was broken off"),
+        (
+            ConnectionResetError(104, "Connection reset by peer"),
+            "no connection to 10.0.0.7:502: Connection reset by peer",
+        ),
+        (Refusal(), "10.0.0.7:502 refuses the discrete inputs 0 to "),
+        (Refusal(), "it has not that many addresses (Modbus exception 2)"),
+        (Short(), "10.0.0.7:502 answers with 3 of "),
+        (None, "no answer from 10.0.0.7:502"),
+    ):
+        client.answer = answer
+        with pytest.raises(LinkLost) as told:
+            link.read()
+        assert said in str(told.value) and "Modbus Error" not in str(told.value)
 
 
 def test_the_command_runs_proves_and_stops(ready: Ready) -> None:

@@ -10,6 +10,7 @@ from interlock.app.check import derive_file
 from interlock.app.numbers import Numbers
 from interlock.app.prove import prove_derived
 from interlock.app.proved import Proved
+from interlock.diag.suggest import did_you_mean
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.commands import BadOrder, errand
 from interlock.dispatch.plan.railway import NoVoyage, Railway, TooManyPlaces
@@ -67,6 +68,7 @@ class Operator:
         assert ready.table is not None and ready.controller is not None and ready.layout is not None
         self._ready = ready
         self._once: dict[str, int] = {}
+        self._last: Cycle | None = None
         self.held: dict[str, int] = {}
         rules, symbols = ready.layout.principles, ready.controller.symbols
         self.voyages = tuple(v.name for v in ready.table.voyages)
@@ -127,12 +129,19 @@ class Operator:
             raise BadCommand("write train NUMBER SECTION for a train that stands there")
         if all(str(s.id) != section for s in self._ready.layout.track.sections):
             raise BadCommand(f"there is no section {section}")
+        if self._last is None or not self._last.valid:
+            why = "; ".join(self._last.lost) if self._last is not None else ""
+            lost = f"inputs are lost ({why})" if why else "no inputs have been read yet"
+            raise BadCommand(
+                f"{lost}: whether a train stands in {section} is not known; say it again when they are valid"
+            )
         if not self.numbers.stands(number, section):
             raise BadCommand(f"{section} is clear: no train stands there")
 
     def inputs(self, last: Cycle | None, dt_ms: int) -> dict[str, int]:
         """What the next cycle reads, `dt_ms` milliseconds after the last; commands are used up."""
         assert self._ready.allocation is not None
+        self._last = last
         seen = {} if last is None else {**last.inputs, **last.outputs}
         self.numbers.cycle(seen, last is not None and last.valid)
         asked = self.dispatcher.step(seen, dt_ms)
@@ -171,11 +180,13 @@ def operate(ready: Ready, line: str) -> dict[str, int]:
     """The operator's inputs that a line asks for.  Raises `BadCommand`."""
     assert ready.table is not None and ready.controller is not None and ready.allocation is not None
     verb, name = spoken(line)
-    inputs: dict[str, Input] = {i.name: i for i in ready.controller.inputs if i.name in ready.allocation.written}
+    if "=" in line:
+        return _by_hand(ready, line)
     if name and verb == "set":
         row = next((r for r in ready.table.routes if name in (r.id, *r.names)), None)
         if row is None:
-            raise BadCommand(f"there is no route {name}")
+            names = [x for r in ready.table.routes for x in (str(r.id), *r.names)]
+            raise BadCommand(f"there is no route {name}: {did_you_mean(name, names)}")
         return {ready.controller.symbols.requests.request: row.number}
     if name and verb == "swing":
         number = next((k for g, k in ready.controller.symbols.overlaps.swing_request.items() if g == name), None)
@@ -189,15 +200,38 @@ def operate(ready: Ready, line: str) -> dict[str, int]:
         return {cancel: 1}
     if verb == "release" and not name:
         return {"RELALL": 1}
-    if "=" in verb and not name:
-        written, _, value = verb.partition("=")
-        given = inputs.get(written)
-        if given is not None and value.isdecimal() and int(value) < (given.size - 1 if given.size else 2):
-            return {written: int(value)}
+    if verb in ALONE and not name:
+        raise BadCommand(f"write {verb} {ALONE[verb]}")
     raise BadCommand(
         "write set ROUTE, swing SIGNAL, voyage NAME, voyage NAME end, train NUMBER SECTION, cancel SIGNAL, release, "
         "or VARIABLE=VALUE"
     )
+
+
+ALONE = {"set": "ROUTE", "swing": "SIGNAL", "cancel": "SIGNAL"}
+"""What has to be named with a verb."""
+
+
+def _by_hand(ready: Ready, line: str) -> dict[str, int]:
+    """VARIABLE=VALUE.  Raises `BadCommand`, which says what is wrong with either."""
+    assert ready.controller is not None and ready.allocation is not None
+    written, _, value = (part.strip() for part in line.partition("="))
+    inputs: dict[str, Input] = {i.name: i for i in ready.controller.inputs}
+    given = inputs.get(written) if written in ready.allocation.written else None
+    if given is None:
+        if written in {*inputs, *ready.allocation.read} | {c.variable for c in ready.allocation.wires}:
+            whose = "is read from a substation" if written in inputs else "is written by the controller"
+            whose = "says whether inputs are valid" if written == ready.controller.symbols.valid else whose
+            raise BadCommand(f"{written} {whose}: it is not set by hand")
+        raise BadCommand(f"there is no variable {written}: {did_you_mean(written, ready.allocation.written)}")
+    # the largest number of an input stands for all that name nothing
+    most = given.size - 2 if given.size else 1
+    if value.isdecimal() and len(value) < 9 and int(value) <= most:
+        return {written: int(value)}
+    allowed = f"a number from 0 to {most}" if most > 1 else "0 or 1"
+    if written == ready.controller.symbols.requests.request:
+        allowed += " (0 asks for nothing; `set ROUTE` asks for a route by its name)"
+    raise BadCommand(f"{written}={value}: {written} is {allowed}")
 
 
 def run(

@@ -13,6 +13,17 @@ from typing import Any
 from interlock.field.plc import LinkLost
 from interlock.logic.cabinet import Allocation
 
+REFUSALS = {
+    1: "it does not know this function",
+    2: "it has not that many addresses",
+    3: "it does not take that many at once",
+    4: "it has failed inside",
+    6: "it is busy",
+    10: "its gateway has no way to the device",
+    11: "its gateway gets no answer from the device",
+}
+"""What the exceptions of Modbus say."""
+
 
 class ModbusLink:
     """One substation; connects when it is first used, and again after it was lost."""
@@ -27,30 +38,48 @@ class ModbusLink:
         self._inputs = {c.variable: 8 * c.byte + c.bit for c in own if c.direction == "I"}
         self._outputs = {c.variable: 8 * c.byte + c.bit for c in own if c.direction == "Q"}
         self._beats = [c.variable for c in a.sent if c.substation == station]
-        self._device = device
+        self._device, self._place, self._timeout_s = device, f"{host}:{port}", timeout_s
         self._client: Any = ModbusTcpClient(host, port=port, timeout=timeout_s, retries=0)
 
-    def _ask(self, what: str, *args: Any, **more: Any) -> Any:
+    def _ask(self, what: str, which: str, *args: Any, **more: Any) -> Any:
+        """Raises `LinkLost`, in words of whoever looks after the substation."""
         from pymodbus.exceptions import ModbusException
 
         try:
             if not self._client.connected and not self._client.connect():
-                raise LinkLost("no connection")
+                raise LinkLost(f"no connection to {self._place}")
             answer = getattr(self._client, what)(*args, device_id=self._device, **more)
         except (ModbusException, OSError) as error:
             self._client.close()
-            raise LinkLost(str(error) or type(error).__name__) from None
-        if answer is None or answer.isError():
-            raise LinkLost(f"refuses {what}")
+            raise LinkLost(self._said(error)) from None
+        if answer is None:
+            raise LinkLost(f"no answer from {self._place}")
+        if answer.isError():
+            code = getattr(answer, "exception_code", 0)
+            why = f"{REFUSALS.get(code, 'it does not say why')} (Modbus exception {code})"
+            raise LinkLost(f"{self._place} refuses {which}: {why}")
         return answer
+
+    def _said(self, error: Exception) -> str:
+        """What has happened on the way: the library has words of its own, for programmers."""
+        from pymodbus.exceptions import ConnectionException, ModbusIOException
+
+        if isinstance(error, ConnectionException):
+            return f"the connection to {self._place} was broken off"
+        if isinstance(error, ModbusIOException) and "No response" in str(error):
+            return f"{self._place}, device {self._device}, does not answer within {self._timeout_s:g} s"
+        if isinstance(error, OSError):
+            return f"no connection to {self._place}: {error.strerror or type(error).__name__}"
+        return f"{self._place} answers something else than what was asked: is it Modbus TCP?"
 
     def read(self) -> Mapping[str, int]:
         """All inputs of the substation in as few requests as the protocol allows."""
         bits: dict[int, bool] = {}
         for first, count in _runs(self._inputs.values(), 2000):
-            answer = self._ask("read_discrete_inputs", first, count=count)
+            which = f"the discrete inputs {first} to {first + count - 1}"
+            answer = self._ask("read_discrete_inputs", which, first, count=count)
             if len(answer.bits) < count:
-                raise LinkLost("too few inputs")
+                raise LinkLost(f"{self._place} answers with {len(answer.bits)} of {count} inputs")
             bits |= {first + k: bool(answer.bits[k]) for k in range(count)}
         return {n: int(bits[at]) for n, at in self._inputs.items()}
 
@@ -59,7 +88,8 @@ class ModbusLink:
         told = {**values, **dict.fromkeys(self._beats, heartbeat)}
         wanted = {at: told[n] for n, at in self._outputs.items()}
         for first, count in _runs(wanted, 1900, gaps=False):
-            self._ask("write_coils", first, [wanted[first + k] for k in range(count)])
+            which = f"the coils {first} to {first + count - 1}"
+            self._ask("write_coils", which, first, [wanted[first + k] for k in range(count)])
 
     def close(self) -> None:
         """Close the connection."""
