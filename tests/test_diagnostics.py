@@ -15,10 +15,11 @@ import pytest
 
 from interlock.app.check import check_file
 from interlock.app.explain import explain
+from interlock.derivation import derive
 from interlock.diag import Severity, Sink, render
 from interlock.diag.codes import CODES
 from interlock.frontend import load, load_text
-from interlock.frontend.examples import EXAMPLES, LISTS, WHOLE
+from interlock.frontend.examples import BARE, EXAMPLES, LISTS, WHOLE
 from interlock.frontend.schema import LayoutFile
 from tests.screens import FOLDER, MISTAKES, screen
 
@@ -298,3 +299,74 @@ def test_a_broken_file_of_3_mb_gives_twenty_messages_and_a_count(kind: str, mess
     assert resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before < 30
     assert shown.count("error[") == messages and len(shown.splitlines()) < 140
     assert "239982 errors more, not shown" in shown if messages == 20 else "and at 59980 other places" in shown
+
+
+def told_of(text: str) -> list[str]:
+    """Each error and warning of a layout as a line: code, message and fix."""
+    sink = Sink()
+    layout, _ = load_text("x.yaml", text, sink)
+    if layout is not None:
+        derive(layout, sink)
+    return [f"{d.code} {d.message} | {d.fix}" for d in sink.diagnostics if d.severity != "info"]
+
+
+LOOP = Path("layouts/passing_loop.yaml").read_text("utf-8")
+FITTING = (
+    (LOOP.replace("X1: {from: IG, into: 2DG}", "X1:"), "write it like `X1: {from: q1, into: q2}`"),
+    (LOOP.replace("main: [IG 850]", "main:"), "write `main: [q1 400]`"),
+    (LOOP + "overlaps:\n  X1:\n", "write it like `X1: {length: 180}`"),
+    (LOOP + "sections:\n  IG:\n", "write `IG: {}`, or with what there is to say, for instance `IG: {speed: 60}`"),
+    (
+        LOOP + "exclude: [{from: X, to: X1, via: [3G], reason: x}]\n",
+        "remove it, or correct `via`: the routes between these ends lead over IAG, 1DG, IG",
+    ),
+    (LOOP + "exclude: [{from: X, to: S3, via: [3G], reason: x}]\n", "from X routes lead to X1, X3"),
+    (
+        LOOP + "routes: {R: {from: X, to: X1, via: [3G]}}\n",
+        "there is no route from X to X1 (named R) over 3G | correct `via`: the routes between these ends lead over IAG",
+    ),
+    (
+        LOOP + "demand: [{point: 1, lies: normal, routes: {from: X, to: X1, via: [3G]}, reason: x}]\n",
+        "correct it: the routes between these ends lead over IAG, 1DG, IG",
+    ),
+    (
+        LOOP + "overlaps: {X1: {speed: 999999}}\n",
+        "overlaps.X1.speed: 999999 is no speed (above 0, to 400 km/h) | write km/h",
+    ),
+    (
+        LOOP + "overlaps: {X1: {speed: 200, falling: 100}}\n",
+        "from `speed: 200` and `falling: 100` 2200 m follow, and an overlap has at most 2000 m | correct the two",
+    ),
+    (
+        LOOP + "overlaps: {X1: {length: 50, ways: [{over: [2DG], entry_speed: 80, falling: 100}]}}\n",
+        "overlaps.X1.ways: from `entry_speed: 80` and `falling: 100` 2200 m follow",
+    ),
+    (
+        LOOP + "principles: {release_delay_s: -1}\n",
+        "-1 is out of range (above 0, to 86400) | write a number above 0",
+    ),
+    (
+        LOOP + "principles: {release_delay_s: 0}\n",
+        "0 is out of range (above 0, to 86400) | write a number above 0",
+    ),
+    (LOOP + "principles: {point_start_gap_s: -1}\n", "-1 is out of range (0 to 86400) | write a number, 0 or more"),
+    (LOOP + "principles: {release_delay_s: 99999}\n", "at most 86400; a time is in seconds, and a day has so many"),
+    (
+        LOOP + "principles: {point_supervision_s: 0.1}\n",
+        "`point_supervision_s: 6` under `principles`, or a shorter `point_run_s` if the machines run so fast",
+    ),
+)
+
+
+@pytest.mark.parametrize(("text", "said"), FITTING, ids=[said[:40] for _, said in FITTING])
+def test_the_fix_is_of_what_is_wrong(text: str, said: str) -> None:
+    told = told_of(text)
+    assert any(said in x for x in told), told
+
+
+@pytest.mark.parametrize("room", sorted(BARE))
+def test_entries_that_may_say_nothing_may(room: str) -> None:
+    entry = {"boundaries": "Z", "sections": "IG", "health": "main"}[room]
+    more = f"  {entry}: {{}}\n"
+    text = LOOP.replace("boundaries:\n", f"boundaries:\n{more}") if room == "boundaries" else f"{LOOP}{room}:\n{more}"
+    assert not any(x.startswith(("IL1010", "IL1012")) for x in told_of(text))

@@ -55,6 +55,13 @@ def test_a_train_that_is_too_long_for_its_overlaps_is_told_so() -> None:
         (("1:W>E+q4+q3",), "1:W>E+q4+q3: no chain of routes takes 1 from W over q3, q4 to E"),
         (("1:q4/X5>W",), "routes lead from q4 to E; name another place"),
         (("7 W E",), "7 W E: '7 W E' is neither a voyage nor"),
+        (("7 W E",), "write 7:W>E"),
+        (("7 W>E",), "write 7:W>E"),
+        (("7;W>E",), "write 7:W>E"),
+        (("W>E",), "write the locomotive's number before it: 12:W>E"),
+        (("7",), "write number, origin and destination, in quotes for the shell: '12:E>W'"),
+        (("7:W>",), "in quotes for the shell: '12:E>W'"),
+        (("7\nW",), "in quotes for the shell: '12:E>W'"),
         (("1:W>q7",), "routes lead from W to E, X1, X3, X5; name another place"),
     ],
 )

@@ -10,7 +10,7 @@ from interlock.app.check import Checked, derive_file
 from interlock.app.dispatching import Coming, Ground, Outcome
 from interlock.app.replay import GONE, BadPlan, Plan, PlanTrain, Replay, Replayed, from_text
 from interlock.diag import Diagnostic, Sink
-from interlock.diag.suggest import Suggestion, did_you_mean
+from interlock.diag.suggest import did_you_mean
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.commands import BadOrder, errand
 from interlock.dispatch.language import beside, load
@@ -282,8 +282,7 @@ def _setting(
             railway.draft(one)
             errands.append(one)
         except BadOrder as error:
-            fix: str | Suggestion = error.fix or (did_you_mean(error.word, error.known) if error.known else "")
-            sink.add(error.code, f"{c}: {error.text}", None, fix)
+            sink.add(error.code, f"{c}: {error.text}", None, error.advice)
         except NoVoyage as error:
             sink.add("IL6005", f"{c}: {error}", None, error.fix)
         except TooManyPlaces as error:

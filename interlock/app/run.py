@@ -112,7 +112,9 @@ class Operator:
                     run = self.dispatcher.carry_out(*errand(self.dispatcher.railway, told, 0.0))
                 if told not in self.voyages or self.numbers.kept:
                     self.numbers.expects(run)
-            except (NoVoyage, TooManyPlaces, BadOrder) as error:
+            except BadOrder as error:
+                raise BadCommand(": ".join(filter(None, (str(error), error.advice)))) from error
+            except (NoVoyage, TooManyPlaces) as error:
                 raise BadCommand(str(error)) from error
         elif ended and self.dispatcher.end(ended):
             self.numbers.ends(ended)

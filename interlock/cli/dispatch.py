@@ -125,8 +125,8 @@ def _refuse_cut(commands: tuple[str, ...]) -> None:
     cut = next((c for c in commands if _CUT.fullmatch(c)), None)
     if cut is not None:
         raise click.UsageError(
-            f"{cut} names no destination.  Put the command in quotes, '{cut}>...': a shell takes > for itself, and has "
-            "written this run's results into a file with the destination's name"
+            f"{cut} names no destination.  Put the command in quotes, '{cut}>DESTINATION'.  Where it had one without "
+            "them, the shell has taken the > for itself, and has written this run's results into a file of that name"
         )
 
 

@@ -8,9 +8,10 @@ conditions, and loses none.  Diagnostics IL2019, IL4011, IL4012, IL4019.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from itertools import product
 
-from interlock.derivation.routes import Path, where_routes_lead
+from interlock.derivation.routes import Path, over_which, where_routes_lead
 from interlock.diag import Element, Sink
 from interlock.model.elements import Choice, Demanded, Position, RouteId, SectionId
 from interlock.model.layout import Layout
@@ -36,6 +37,9 @@ def chosen(choice: Choice, paths: Sequence[Path]) -> list[Path]:
 
 
 def _led(choice: Choice, paths: Sequence[Path]) -> str:
+    alike = chosen(replace(choice, via=(), not_via=()), paths)
+    if alike and (choice.via or choice.not_via):
+        return f": {over_which([t.section for t in p.ways] for p in alike)}"
     return where_routes_lead(choice.entry, choice.exit, ((p.entry, p.exit) for p in paths))
 
 

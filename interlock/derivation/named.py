@@ -6,8 +6,9 @@ Input: the layout and its paths.  Output: names of routes, automatic routes; dia
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
-from interlock.derivation.routes import Path
+from interlock.derivation.routes import Path, over_which
 from interlock.derivation.voyages import priority
 from interlock.diag import Element, Sink
 from interlock.diag.suggest import did_you_mean
@@ -105,5 +106,10 @@ def _telling(own: Sequence[SectionId], others: Sequence[set[SectionId]]) -> list
 
 
 def _none(n: NamedRoute, paths: Sequence[Path], text: str, sink: Sink, at: Element) -> None:
+    alike = [[t.section for t in p.run] for p in paths if _fits(replace(n, via=()), p)]
+    if n.via and alike:
+        fix = f"correct `via`: {over_which(alike)}"
+        sink.add("IL2007", f"{text} over {' and '.join(n.via)}", None, fix, about=at)
+        return
     ends = sorted({_ends(p)[0] for p in paths if p.entry == n.entry})
     sink.add("IL2007", text, None, did_you_mean(n.exit, ends), about=at)

@@ -138,7 +138,7 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
     topo = topology(layout)
     found: list[_Found] = []
     ahead: list[_Found] = []  # to signals that can be passed, whether or not a route may end there
-    led: list[tuple[str, str]] = []  # from signals to where paths end, those that are excluded too
+    led: list[_Found] = []  # those that are excluded too
     fits = [0] * len(layout.declared.excluded)
     for g in layout.signalling.signals:
         reached: set[str] = set()
@@ -159,7 +159,7 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
                 path = _Found(g, kind, name, exit_kind, ways)
                 out = [i for i, x in enumerate(layout.declared.excluded) if _excludes(x, path)]
                 reached.add(name)
-                led.append((g.id, name))
+                led.append(path)
                 if kind in (RouteKind.MAIN, RouteKind.IDENTIFIER) and name in layout.signalling.identifiers:
                     ahead.append(path)
                 if not out:
@@ -171,11 +171,28 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
             _tell_none(g.id, dropped, sink)
     past = _past(layout, found, ahead, fits, sink)
     found = [f for f in found if f.kind is not RouteKind.IDENTIFIER] + past
-    for i, (x, n) in enumerate(zip(layout.declared.excluded, fits, strict=True)):
-        if not n:
-            fix = "remove it, or correct its ends" + where_routes_lead(x.entry, x.exit, led)
-            sink.add("IL2012", f"the exclusion ({x.reason}) fits no route", None, fix, about=Element("exclude", i))
+    _tell_idle(layout, fits, led, sink)
     return _numbered(layout, found, sink)
+
+
+def _tell_idle(layout: Layout, fits: Sequence[int], led: Sequence[_Found], sink: Sink) -> None:
+    """IL2012 of exclusions that fit no route: what of them is to be corrected."""
+    for i, (x, n) in enumerate(zip(layout.declared.excluded, fits, strict=True)):
+        if n:
+            continue
+        alike = [f for f in led if _excludes(replace(x, via=(), not_via=()), f)]
+        if alike and (x.via or x.not_via):
+            fix = "remove it, or correct `via`: " + over_which([t.section for t in f.run] for f in alike)
+        else:
+            ends = where_routes_lead(x.entry, x.exit, ((f.signal.id, f.end) for f in led))
+            fix = f"remove it, or correct its ends{ends}"
+        sink.add("IL2012", f"the exclusion ({x.reason}) fits no route", None, fix, about=Element("exclude", i))
+
+
+def over_which(ways: Iterable[Sequence[SectionId]]) -> str:
+    """Over which sections routes lead that fit but for these; the first three."""
+    told = list(dict.fromkeys(", ".join(dict.fromkeys(w)) for w in ways))
+    return "the routes between these ends lead over " + ", or over ".join(told[:3]) + (", ..." if told[3:] else "")
 
 
 def _tell_none(g: SignalId, dropped: Sequence[_Dropped], sink: Sink) -> None:

@@ -15,6 +15,7 @@ import unicodedata
 from collections.abc import Sequence
 
 from interlock.diag.called import called
+from interlock.diag.suggest import did_you_mean, nearest
 from interlock.dispatch.plan.railway import OUTSIDE, Errand, Leg, Railway
 from interlock.model.elements import BoundaryKind, SectionId, SignalId
 from interlock.table.cells import TraversalKey
@@ -33,6 +34,11 @@ class BadOrder(Exception):
         super().__init__(text)
         self.code, self.text, self.known, self.word, self.fix = code, text, tuple(known), word, fix
 
+    @property
+    def advice(self) -> str:
+        """What to do: as stated, or the name that is probably meant."""
+        return self.fix or (str(did_you_mean(self.word, self.known)) if self.known else "")
+
 
 def errand(railway: Railway, command: str, length_m: float, train: str = "") -> tuple[Errand, int]:
     """The errand of a command and its class of priority.  Raises `BadOrder`."""
@@ -46,7 +52,9 @@ def errand(railway: Railway, command: str, length_m: float, train: str = "") -> 
     found = _COMMAND.fullmatch(_SIGN.sub(r"\1", command.strip()))
     if found is None:
         text = f"'{command}' is neither a voyage nor a command NUMBER:ORIGIN>DESTINATION"
-        raise BadOrder("IL6004", text, tuple(voyages), command, _written(command))
+        near = nearest(command, tuple(voyages))
+        fix = f"did you mean {near}?" if near else _written(command, railway)
+        raise BadOrder("IL6004", text, tuple(voyages), command, fix)
     legs = tuple(_leg(railway, x) for x in found["legs"].split(">")[1:])
     start = _fits(railway, _start(railway, found["start"]), length_m)
     return Errand(train or found["train"], length_m, start, legs), 0
@@ -61,15 +69,30 @@ def _fits(railway: Railway, start: tuple[TraversalKey, ...], length_m: float) ->
     return start
 
 
-def _written(command: str) -> str:
-    """How a command that is none could be written; empty where nobody can tell."""
+def _written(command: str, railway: Railway) -> str:
+    """How a command that is none could be written; else the form of one, in names of the layout."""
+    origins, ends = _origins(railway), [str(b.node) for b in railway.layout.track.boundaries]
     plain = "".join(unicodedata.normalize("NFKC", command).split())
     if plain != command and _COMMAND.fullmatch(plain):
         return f"write {plain}"
     words = command.split()
     if len(words) == 3 and not _SIGNS & set(command):
         return "write {}:{}>{}".format(*words)
-    return f"write the locomotive's number before it: 12:{command}" if _COMMAND.fullmatch(f"12:{command}") else ""
+    number, sign, rest = re.fullmatch(r"\s*(\w*)([\s;,.=-]*)(.*)", command, re.DOTALL).groups()  # type: ignore[union-attr]
+    if number and sign and _COMMAND.fullmatch(f"{number}:{rest}") and rest.split(">")[0].strip() in origins:
+        return f"write {number}:{rest}"
+    if _COMMAND.fullmatch(f"12:{command}"):
+        return f"write the locomotive's number before it: 12:{command}"
+    if not origins:
+        return "name a voyage of the layout"
+    start = origins[0]
+    end = next((e for e in ends if e != start), start)
+    return f"write number, origin and destination, in quotes for the shell: '12:{start}>{end}'"
+
+
+def _origins(railway: Railway) -> list[str]:
+    """The boundaries at which trains come in."""
+    return [str(b.node) for b in railway.layout.track.boundaries if b.kind is not BoundaryKind.OUT]
 
 
 def voyage_start(railway: Railway, row: VoyageRow) -> tuple[TraversalKey, ...]:
@@ -82,7 +105,7 @@ def voyage_start(railway: Railway, row: VoyageRow) -> tuple[TraversalKey, ...]:
 
 def _start(railway: Railway, word: str) -> tuple[TraversalKey, ...]:
     layout = railway.layout
-    known = [str(b.node) for b in layout.track.boundaries if b.kind is not BoundaryKind.OUT]
+    known = _origins(railway)
     sections = [str(s.id) for s in layout.track.sections if not s.approach]
     parts = word.split("/")  # names have a `/`, too
     divided = [("/".join(parts[:k]), "/".join(parts[k:])) for k in range(1, len(parts))]

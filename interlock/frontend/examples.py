@@ -43,6 +43,8 @@ EXAMPLES: Mapping[str, str] = {
 
 LISTS = frozenset({"automatic", "exclude", "hostile", "demand", "waive", "allow"})
 """Keys of the layout with a list of such entries; the others give each a name."""
+BARE = frozenset({"boundaries", "sections", "health"})
+"""Keys of the layout whose entries may say nothing more than their name."""
 WHOLE = frozenset({"principles", "target", "title_block"})
 """Keys of the layout that are one mapping."""
 

@@ -24,6 +24,8 @@ from interlock.model.traversal import topology
 
 ENDS = frozenset({"toe", "normal", "reverse", "1a", "1b", "2a", "2b", "outer", "inner"})
 """Ends of points, slips, crossings and derailers: each is that of an edge."""
+LONGEST_M = 2000
+"""Metres of an overlap at most."""
 
 
 def resolve_overlaps(ctx: Context, principles: Principles, signals: tuple[Signal, ...], wiring: Wiring) -> Overlaps:
@@ -85,7 +87,10 @@ def _metres(ctx: Context, name: str, spec: OverlapSpec) -> float | None:
         text = f"overlaps.{name}: {those} each say how far the overlap goes"
         ctx.add("IL1014", text, at, "leave one of them, and remove the rest")
         return None
-    if (sum(said) != 1 and not follows) or not (spec.successive or 0 <= metres <= 2000):
+    if metres > LONGEST_M and not spec.successive and spec.length is None:
+        _too_long(ctx, f"overlaps.{name}", spec, metres, at)
+        return None
+    if (sum(said) != 1 and not follows) or not (spec.successive or 0 <= metres <= LONGEST_M):
         ctx.add(
             "IL1014",
             f"overlaps.{name}: give a length of 0 to 2000 m, or a speed, or `successive: yes`",
@@ -125,6 +130,15 @@ def _metres(ctx: Context, name: str, spec: OverlapSpec) -> float | None:
         ctx.add("IL1014", f"overlaps.{name}: `release` and `release_by_length` are two times", at, "remove one of them")
         return None
     return metres
+
+
+def _too_long(ctx: Context, what: str, spec: OverlapSpec | OverlapWaySpec, metres: float, at: Span) -> None:
+    """Report a speed and a gradient from which no length of an overlap follows."""
+    stated = getattr(spec, "speed", None)
+    name, kmh = ("entry_speed", spec.entry_speed) if stated is None else ("speed", stated)
+    made = f"from `{name}: {kmh:g}` and `falling: {spec.falling:g}` {metres:.0f} m follow, and an overlap has at most"
+    fix = "correct the two: `falling` is in permille; or state the `length` in place of them"
+    ctx.add("IL1014", f"{what}: {made} {LONGEST_M} m", at, fix)
 
 
 def _falls_beside(ctx: Context, what: str, at: Span) -> None:
@@ -167,7 +181,10 @@ def _way_metres(ctx: Context, name: str, i: int, way: OverlapWaySpec) -> float |
     except PydanticCustomError as error:
         _no_number(ctx, ("overlaps", name, "ways", i, "length"), error)
         return None
-    if (way.length is None and way.entry_speed is None) or not 0 < metres <= 2000:
+    if metres > LONGEST_M and way.length is None:
+        _too_long(ctx, f"overlaps.{name}.ways", way, metres, at)
+        return None
+    if (way.length is None and way.entry_speed is None) or not 0 < metres <= LONGEST_M:
         ctx.add(
             "IL1014",
             f"overlaps.{name}.ways: give a length above 0, to 2000 m, or an `entry_speed`",

@@ -19,6 +19,7 @@ NAME = re.compile(rf"{_WORD}([ _/-]{_WORD})*")
 """Letters and digits of any script, a `#` after them, and single signs or spaces between."""
 MAX_LENGTH_M = 100_000.0
 STEEPEST = 1000  # permille: no track is steeper than 1 in 1
+FASTEST = 400  # km/h
 ADDRESS = re.compile(r"([IQ])([0-9]{1,4})\.([0-7])")
 """I or Q, byte, bit."""
 _NUMBER = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)")
@@ -193,20 +194,19 @@ def _coordinate(value: object) -> object:
 
 
 def _seconds(value: object) -> object:
-    x = _amount(value)
-    if x == 0:
-        fix = "write a number above 0"
-        raise PydanticCustomError("range", "{v} is out of range (above 0, to 86400)", {"v": value, "fix": fix})
-    return x
+    return _amount(value, zero=False)
 
 
-def _amount(value: object) -> float:
+def _amount(value: object, zero: bool = True) -> float:
     if not isinstance(value, str):
         raise PydanticCustomError("number", "a number is expected")
     x = number(value)
-    if not math.isfinite(x) or not 0 <= x <= 86_400:
-        fix = "write a number from 0 to 86400; times are in seconds, and a day has so many"
-        raise PydanticCustomError("range", "{v} is out of range (0 to 86400)", {"v": value, "fix": fix})
+    if not math.isfinite(x) or not 0 <= x <= 86_400 or (x == 0 and not zero):
+        least = "0" if zero else "above 0,"
+        fix = "write a number, 0 or more" if zero else "write a number above 0"
+        if x > 86_400:
+            fix = "write a number of at most 86400; a time is in seconds, and a day has so many"
+        raise PydanticCustomError("range", "{v} is out of range ({l} to 86400)", {"v": value, "l": least, "fix": fix})
     return x
 
 
@@ -231,6 +231,19 @@ def _speed(value: object) -> int:
     if x != round(x) or not 5 <= x <= 400:
         raise PydanticCustomError("range", "{v} is no speed (whole km/h, 5 to 400)", {"v": value, "fix": fix})
     return round(x)
+
+
+def _towards(value: object) -> float:
+    """A speed for which something is made, with decimals if need be."""
+    if not isinstance(value, str):
+        raise PydanticCustomError("number", "a number is expected")
+    x = number(value)
+    if not 0 < x <= FASTEST:
+        fix = f"write km/h, above 0 and at most {FASTEST}"
+        raise PydanticCustomError(
+            "range", "{v} is no speed (above 0, to {m} km/h)", {"v": value, "m": FASTEST, "fix": fix}
+        )
+    return x
 
 
 def _kmh(text: str) -> float:
@@ -324,6 +337,9 @@ Seconds = Annotated[
 ]
 Amount = Annotated[float, BeforeValidator(_amount), WithJsonSchema({"type": "number", "minimum": 0, "maximum": 86400})]
 Speed = Annotated[int, BeforeValidator(_speed), WithJsonSchema({"type": "integer", "minimum": 5, "maximum": 400})]
+Kmh = Annotated[
+    float, BeforeValidator(_towards), WithJsonSchema({"type": "number", "exclusiveMinimum": 0, "maximum": FASTEST})
+]
 End = Annotated[str, BeforeValidator(_text), WithJsonSchema(_END_SCHEMA)]
 Pair = Annotated[list[End], Field(min_length=2, max_length=2)]
 

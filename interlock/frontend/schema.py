@@ -19,6 +19,7 @@ from interlock.frontend.scalars import (
     End,
     Item,
     Kilometre,
+    Kmh,
     Length,
     Level,
     Metres,
@@ -276,7 +277,7 @@ class OverlapSpec(Part):
     """The overlap beyond a main signal inside the layout: `length`, or `speed` and `falling`, or `successive`."""
 
     length: Metres | None = key("metres, 0 for no overlap; without it, what `speed` or `successive` says", None)
-    speed: Length | None = key(
+    speed: Kmh | None = key(
         "km/h towards the signal, from which the length follows; without it, what `length` or `successive` says", None
     )
     falling: Permille = key("permille by which the track falls to the signal, or rises (-); not beside `length`", 0.0)

@@ -13,7 +13,7 @@ from pydantic import ValidationError
 
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import Suggestion, did_you_mean, nearest
-from interlock.frontend.examples import EXAMPLES, LISTS, WHOLE, example_at
+from interlock.frontend.examples import BARE, EXAMPLES, LISTS, WHOLE, example_at
 from interlock.frontend.scalars import NAME, number_fix, number_text
 from interlock.frontend.yaml_tree import Mapping, Node, Scalar, Sequence, stands_beside
 
@@ -281,12 +281,12 @@ def _shape_fix(path: Loc, want: str, node: Node) -> str:
         return "write one text"
     if want == "a list":
         inside = _bare(node.text) if isinstance(node, Scalar) else _listed(path, node)
-        return f"write `{key}: [{inside}]`, in square brackets" if inside else f"write `{key}: [...]`"
+        return f"write `{key}: [{inside}]`, in square brackets" if inside else f"write `{key}: [{_item_of(path)}]`"
     if isinstance(node, Scalar) and not node.text:
         return (
             f"write its entries below, indented by two more spaces, or remove `{key}`"
             if len(path) < 2
-            else f"write `{key}: {{}}`"
+            else _filled(path, key)
         )
     if isinstance(node, Sequence) and len(path) < 2:
         first = node.items[0] if node.items else node
@@ -296,6 +296,19 @@ def _shape_fix(path: Loc, want: str, node: Node) -> str:
         return f"write `{shown}: {{...}}` lines below `{key}`: the name of each before its values, no dashes"
     example = example_at(path) or f"{key}: {{key: value, ...}}"
     return f"write it like `{example}`; `interlock explain IL1012` shows the shapes"
+
+
+def _item_of(path: Loc) -> str:
+    """What may stand in a list that was left empty."""
+    return {"tracks": "q1 400", "substations": "q1, X1"}.get(str(path[0]), "...") if len(path) == 2 else "..."
+
+
+def _filled(path: Loc, key: str) -> str:
+    """How an entry is written that was left empty."""
+    example = example_at(path)
+    if example and len(path) == 2 and path[0] in BARE:
+        return f"write `{key}: {{}}`, or with what there is to say, for instance `{example}`"
+    return f"write it like `{example}`, below the name or in braces" if example else f"write `{key}: {{}}`"
 
 
 def _listed(path: Loc, node: Node) -> str:

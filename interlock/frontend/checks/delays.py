@@ -13,6 +13,13 @@ from interlock.model.needs import before, needs, standing_s, turning_s
 from interlock.model.overlap import overlap_length
 from interlock.model.times import overlap_release_s
 
+OTHERWISE = {
+    "restart_delay_s": "",
+    "point_supervision_s": ", or a shorter `point_run_s` if the machines run so fast",
+    "token_delay_s": ", or a shorter `token_agreed_s` if that was agreed",
+}
+"""What else may be changed, where that is no speed."""
+
 
 def check_delays(ctx: Context, layout: Layout) -> None:
     """Compare what the principles order with what speeds, braking and reaction need; the claim D-PRESET does it too."""
@@ -43,7 +50,7 @@ def check_delays(ctx: Context, layout: Layout) -> None:
         if round(own * 1000) < need:
             spoken = "principles" in ctx.file.model_fields_set
             wanted = f"{name}: {-(-need // 1000)}"
-            slower = "" if name == "restart_delay_s" else ", or the lower speeds that are run there"
+            slower = OTHERWISE.get(name, ", or the lower speeds that are run there")
             ctx.add(
                 "IL3023",
                 f"{name} is {own:g} s, and {need / 1000:.1f} s are needed {words}",
