@@ -69,6 +69,30 @@ def test_a_layout_that_cannot_be_opened_is_a_diagnostic_without_a_line(verb: str
     assert "error" not in body
 
 
+@pytest.mark.parametrize(
+    "args",
+    [
+        ("check", "layouts/cn6502.yaml"),
+        ("check", "missing.yaml", "--format", "json"),
+        ("why", "layouts/fig2_2.yaml"),
+        ("explain",),
+        ("schema",),
+        ("draw", "missing.yaml"),
+        ("--help",),
+        ("schema", "--of", "nothing", "--format", "json"),
+    ],
+    ids=" ".join,
+)
+def test_a_reader_that_closes_the_pipe_ends_every_command_alike_and_quietly(args: tuple[str, ...]) -> None:
+    read, write = os.pipe()
+    os.close(read)
+    command = (sys.executable, "-m", "interlock", *args)
+    done = subprocess.run(command, stdout=write, stderr=subprocess.PIPE, text=True, check=False)
+    os.close(write)
+    assert done.returncode == 141
+    assert "Traceback" not in done.stderr and "rror" not in done.stderr
+
+
 def test_what_two_options_ask_for_is_not_half_done(tmp_path: Path) -> None:
     done = run("draw", "layouts/fig2_2.yaml", "--sheets", "--fold", "-o", str(tmp_path / "plan.svg"))
     assert done.exit_code == 2 and "choose one" in done.output and not list(tmp_path.iterdir())

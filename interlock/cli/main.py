@@ -1,6 +1,7 @@
 """The entry point: picks a verb, and turns what goes wrong inside into exit code 70 instead of a traceback.
 
-Exit codes: 0 fine, 1 findings or refuted, 2 usage, 3 could not be proved, 70 internal error, 130 interrupted.
+Exit codes: 0 fine, 1 findings or refuted, 2 usage, 3 could not be proved, 70 internal error, 130 interrupted, 141 the
+reader has closed the pipe.
 """
 
 from __future__ import annotations
@@ -12,13 +13,14 @@ import json
 import os
 import sys
 from itertools import pairwise
-from typing import NoReturn
+from typing import Any, NoReturn
 
 import click
 
 from interlock import __version__
 
 INTERRUPTED = 130  # 128 and the number of the signal, as shells have it
+UNREAD = 141  # the same, where whoever reads the output has closed it: `interlock check ... | head -1`
 
 VERBS = {
     "init": "Write a starter layout, or a large one for trials.",
@@ -45,8 +47,24 @@ VERBS = {
 }
 
 
+class _Unread(Exception):
+    """Nobody reads on.  (By itself click makes an exit code 1 of that, as of findings.)"""
+
+
 class _Verbs(click.Group):
     """Loads a verb's module only when it is called, so that `--help` is quick."""
+
+    def make_context(self, *args: Any, **more: Any) -> click.Context:
+        try:
+            return super().make_context(*args, **more)
+        except BrokenPipeError:
+            raise _Unread from None
+
+    def invoke(self, ctx: click.Context) -> Any:
+        try:
+            return super().invoke(ctx)
+        except BrokenPipeError:
+            raise _Unread from None
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(VERBS)
@@ -93,6 +111,13 @@ def cli(ctx: click.Context) -> None:
 
 def main() -> None:
     """Run the command line."""
+    try:
+        _run()
+    except (_Unread, BrokenPipeError):
+        os._exit(UNREAD)
+
+
+def _run() -> None:
     _closed_streams()
     gc.disable()  # what a command builds lives to its end, which is soon: the collector would only walk it
     try:
@@ -104,9 +129,8 @@ def main() -> None:
     except click.ClickException as error:
         _say(error)
         _leave(error.exit_code)
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        sys.exit(1)
+    except (_Unread, BrokenPipeError):
+        raise
     except Exception as error:
         if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT):
             _failed(f"what is written does not fit: {error.strerror}")
@@ -177,7 +201,9 @@ def _leave(code: int | str | None) -> NoReturn:
     try:
         sys.stdout.flush()
         sys.stderr.flush()
-    except OSError:  # nobody reads on, or there is no room: what was said did not arrive
+    except BrokenPipeError:
+        raise
+    except OSError:  # there is no room: what was said did not arrive
         os._exit(1)
     os._exit(code if isinstance(code, int) else int(code is not None))
 
