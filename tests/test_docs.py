@@ -6,6 +6,7 @@ import importlib
 import inspect
 import re
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -119,6 +120,44 @@ def test_the_library_refuses_what_it_would_pass_over() -> None:
     for said, call in refused:
         with pytest.raises(ValueError, match=said):
             call()
+
+
+def test_the_library_says_of_a_value_of_another_kind_what_is_wanted() -> None:
+    loop = interlock.load("layouts/fig2_2.yaml")
+    table = interlock.derive(loop)
+    wrong: Any = "x.yaml"
+    refused = (
+        (
+            r"loads takes a layout's text \(str\), and it is of type bytes: `load` reads",
+            lambda: interlock.loads(wrong.encode()),
+        ),
+        (
+            r"derive takes a layout \(Layout\), and 'x.yaml' is of type str: `load\(path\)`",
+            lambda: interlock.derive(wrong),
+        ),
+        ("compile takes a layout", lambda: interlock.compile(wrong)),
+        ("lower takes a layout", lambda: interlock.lower(wrong, table)),
+        (
+            r"lower takes a table \(InterlockingTable\), and .*: `derive\(layout\)` makes",
+            lambda: interlock.lower(loop, wrong),
+        ),
+        (r"prove takes a controller .*: `lower\(layout, table\)` makes", lambda: interlock.prove(loop, wrong)),
+        ("not int", lambda: interlock.load(len(wrong))),  # type: ignore[arg-type]
+    )
+    for said, call in refused:
+        with pytest.raises(TypeError, match=said):
+            call()
+    assert interlock.load(wrong.replace("x.yaml", "layouts/fig2_2.yaml").encode()).name == loop.name
+
+
+def test_the_library_says_which_extra_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+    loop = interlock.load("layouts/fig2_2.yaml")
+    controller = interlock.lower(loop, interlock.derive(loop))
+    monkeypatch.setattr("interlock.app.library.find_spec", lambda module: None)
+    with pytest.raises(ModuleNotFoundError, match=r"the engine cvc5 needs the extra `recheck`: .*interlock\[recheck\]"):
+        interlock.prove(loop, controller, engine="cvc5")
+    with pytest.raises(ModuleNotFoundError, match=r"the dialect c99 needs the extra `c99`: .*interlock\[c99\]"):
+        interlock.compile(loop, dialects=("c99",))
 
 
 @pytest.mark.parametrize("dialects", [("foo",), ("scl300", "all"), "scl300"])

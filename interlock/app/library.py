@@ -9,10 +9,12 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from importlib.util import find_spec
 from pathlib import Path
 
 from interlock.app.check import Checked, audited, check_file, derived, second_opinion
 from interlock.diag import Diagnostic, Severity, Sink
+from interlock.diag.extras import install
 from interlock.diag.render import full
 from interlock.emit.bundle import not_replaced, strangers, write_folder
 from interlock.frontend import Source, load_text
@@ -71,12 +73,13 @@ class Compiled:
 def load(path: str | os.PathLike[str]) -> Layout:
     """The layout in a file.  Raises `LayoutError` when it cannot be read or has errors."""
     sink = Sink()
-    layout, source = load_file(os.fspath(path), sink)
+    layout, source = load_file(os.fsdecode(path), sink)
     return _sound(layout, source, sink)
 
 
 def loads(text: str, name: str = "layout.yaml") -> Layout:
     """The layout in a text; `name` is how its diagnostics call it.  Raises `LayoutError`."""
+    _given("loads", text, str, "a layout's text", "`load` reads a file, and decodes it")
     sink = Sink()
     layout, source = load_text(name, text, sink)
     return _sound(layout, source, sink)
@@ -90,11 +93,12 @@ def _sound(layout: Layout | None, source: Source, sink: Sink) -> Layout:
 
 def check(path: str | os.PathLike[str]) -> Checked:
     """A layout file with all of its diagnostics, warnings too; its layout and table are None when it has errors."""
-    return check_file(os.fspath(path))
+    return check_file(os.fsdecode(path))
 
 
 def derive(layout: Layout) -> InterlockingTable:
     """The interlocking table of a layout, seen in the same way by the audit.  Raises `LayoutError`."""
+    _layout("derive", layout)
     found = derived(layout.name, layout, Source(layout.name, ""), Sink())
     found = audited(found, second_opinion(found))
     if not found.ok or found.table is None:
@@ -104,6 +108,8 @@ def derive(layout: Layout) -> InterlockingTable:
 
 def lower(layout: Layout, table: InterlockingTable) -> Controller:
     """The controller of a table.  Raises ValueError for the table of another layout."""
+    _layout("lower", layout)
+    _given("lower", table, InterlockingTable, "a table", "`derive(layout)` makes one")
     if table.layout_digest != layout.digest:
         raise ValueError(f"the table is that of another layout, not of {layout.name}")
     with interning():
@@ -124,13 +130,18 @@ def prove(
 
     `jobs` processes (forks); `engine` is minisat, z3 or cvc5 (extra `recheck`); what does not follow is searched for
     in runs of `search_depth` scans, for `search_seconds` a claim.  Raises ValueError for another engine, for a number
-    that leaves nothing to be done, and for the controller of another layout.
+    that leaves nothing to be done, and for the controller of another layout; ModuleNotFoundError for an engine whose
+    extra is not installed.
     """
     from interlock.proof.engines import ENGINES
     from interlock.proof.prover import prove as decide
     from interlock.proof.system.transition import System
 
+    _layout("prove", layout)
+    _given("prove", controller, Controller, "a controller", "`lower(layout, table)` makes one")
     _one_of((engine,), ENGINES, "engine")
+    if engine in _ENGINES:
+        _needs(*_ENGINES[engine], f"the engine {engine}")
     _positive(jobs=jobs, search_depth=search_depth, search_seconds=search_seconds)
     inside = {s for s, section in layout.track.section.items() if not section.approach}
     if controller.name != layout.name or set(controller.symbols.ways.ends) != inside:
@@ -150,13 +161,17 @@ def compile(layout: Layout, *, jobs: int = 1, dialects: tuple[str, ...] = (), pr
     """Derive, audit, lower and prove a layout, write its texts, read them back and compare them: all outputs.
 
     Raises `LayoutError`, and ValueError for `jobs` below 1 and for a dialect that is none.  `dialects`: other tools'
-    forms of the PLC text, beside the portable one; `c99` (extra `c99`) is the C runtime.
+    forms of the PLC text, beside the portable one; `c99` (extra `c99`) is the C runtime, and ModuleNotFoundError where
+    that extra is not installed.
     """
     from interlock.app.compile import build_derived, finish
     from interlock.app.texts import C99
     from interlock.st.dialects import BY_NAME
 
+    _layout("compile", layout)
     _one_of(dialects, (*BY_NAME, C99), "dialect")
+    if C99 in dialects:
+        _needs("pycparser", "c99", f"the dialect {C99}")
     _positive(jobs=jobs)
     begun = derived(layout.name, layout, Source(layout.name, ""), Sink())
     proved, files = build_derived(begun, limits=Limits(jobs=jobs), progress=progress, dialects=dialects)
@@ -164,6 +179,28 @@ def compile(layout: Layout, *, jobs: int = 1, dialects: tuple[str, ...] = (), pr
         raise LayoutError(proved.checked.diagnostics, {})
     told = (*proved.checked.diagnostics, *proved.notes)
     return Compiled(layout, proved.proof, proved.green, told, finish(proved.checked, files))
+
+
+_ENGINES = {"cvc5": ("cvc5", "recheck")}
+"""Of engines that are not installed with interlock: the module, and the extra that brings it."""
+
+
+def _needs(module: str, extra: str, what: str) -> None:
+    """Raises ModuleNotFoundError, which says how an extra is installed, before any work is done."""
+    if find_spec(module) is None:
+        raise ModuleNotFoundError(f"{what} needs the extra `{extra}`: {install(extra)}", name=module)
+
+
+def _given(function: str, value: object, wanted: type, what: str, how: str) -> None:
+    """Raises TypeError for a value of another kind, and says what makes one that is wanted."""
+    if not isinstance(value, wanted):
+        told = repr(value) if isinstance(value, str) and len(value) < 80 else "it"
+        kind = type(value).__name__
+        raise TypeError(f"{function} takes {what} ({wanted.__name__}), and {told} is of type {kind}: {how}")
+
+
+def _layout(function: str, value: object) -> None:
+    _given(function, value, Layout, "a layout", "`load(path)` or `loads(text)` makes one")
 
 
 def _one_of(names: Iterable[str], known: Iterable[str], what: str) -> None:
