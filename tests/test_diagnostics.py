@@ -342,6 +342,21 @@ FITTING = (
         "overlaps.X1.ways: from `entry_speed: 80` and `falling: 100` 2200 m follow",
     ),
     (
+        LOOP + "overlaps: {X1: {length: 0, swing: yes}}\n",
+        "IL1014 overlaps.X1: there is no overlap of 0 m that could have `swing` | state its length, or remove `swing`",
+    ),
+    (LOOP + "zones: {Z: {sections: [IG, IG], trains: 2}}\n", "IL1022 zones.Z.sections: IG is named twice"),
+    (
+        LOOP
+        + "exclude: [{from: X, to: X1, via: [IG, IAG], reason: a}, {from: X, to: X1, via: [IAG, IG], reason: b}]\n",
+        "IL1022 `exclude`: this entry says what the one in line 29 says",
+    ),
+    (
+        LOOP + "automatic: [{from: X, to: X3}, {from: X, to: X1}, {from: X, to: X1, via: [IG]}]\n",
+        "IL1022 `automatic`: this entry means X-X1, as entry 2 does",
+    ),
+    (LOOP + "target: {}\n", "IL1023 `target` says nothing | write what there is to say"),
+    (
         LOOP + "principles: {release_delay_s: -1}\n",
         "-1 is out of range (above 0, to 86400) | write a number above 0",
     ),

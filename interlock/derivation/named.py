@@ -1,6 +1,7 @@
 """The routes that names and switches for automatic working mean.
 
-Input: the layout and its paths.  Output: names of routes, automatic routes; diagnostics IL2002, IL2007 and IL2024.
+Input: the layout and its paths.  Output: names of routes, automatic routes; diagnostics IL1022, IL2002, IL2007 and
+IL2024.
 """
 
 from __future__ import annotations
@@ -51,11 +52,16 @@ def derive_automatic(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple
     As the layout names them; where the principle `priorities` asks for it, the class of priority comes first.
     """
     out: list[Path] = []
+    first: dict[RouteId, str] = {}
     for n in layout.declared.automatic:
         fits = [p for p in paths if p.kind is RouteKind.MAIN and _fits(n, p)]
         at = Element("automatic", int(n.name))
         if fits:
-            out.append(_one(n, fits, "automatic working", sink, at))
+            meant = _one(n, fits, "automatic working", sink, at)
+            if first.setdefault(meant.id, n.name) != n.name:
+                text = f"`automatic`: this entry means {meant.id}, as entry {int(first[meant.id]) + 1} does"
+                sink.add("IL1022", text, None, "remove one of them, or correct the one that means another", about=at)
+            out.append(meant)
         else:
             _none(n, paths, f"there is no train route from {n.entry} to {n.exit}", sink, at)
     if layout.principles.priorities:

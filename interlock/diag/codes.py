@@ -33,6 +33,8 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL1019": (_E, "YAML tags are not part of the layout language"),
     "IL1020": (_I, "more problems than are shown"),
     "IL1021": (_E, "a section and its length that can be read in two ways"),
+    "IL1022": (_W, "something is said twice"),
+    "IL1023": (_W, "a part that says nothing"),
     # 2: names and references
     "IL2001": (_E, "a reference to something that does not exist"),
     "IL2002": (_E, "a name is used for two things"),

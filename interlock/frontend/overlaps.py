@@ -102,8 +102,10 @@ def _metres(ctx: Context, name: str, spec: OverlapSpec) -> float | None:
         rise = f"overlaps.{name}: for a rise of {-spec.falling:g} permille nothing is left of the length"
         ctx.add("IL1014", rise, at, "state the `length`; for no overlap at all: `length: 0`")
         return None
-    if metres == 0 and (spec.ways or spec.entry_speed or spec.release or spec.release_by_length):
-        ctx.add("IL1014", f"overlaps.{name}: there is no overlap of 0 m", at, "give its length, or its `entry_speed`")
+    if metres == 0 and (spec.swing or spec.ways or spec.entry_speed or spec.release or spec.release_by_length):
+        empty = [k for k in ("swing", "ways", "entry_speed", "release", "release_by_length") if getattr(spec, k)]
+        text = f"overlaps.{name}: there is no overlap of 0 m that could have `{empty[0]}`"
+        ctx.add("IL1014", text, at, f"state its length, or remove `{'`, `'.join(empty)}`")
         return None
     if spec.falling and (spec.length is not None or spec.successive):
         _falls_beside(ctx, f"overlaps.{name}", at)

@@ -12,6 +12,7 @@ from interlock.frontend.checks.lengths import check_lengths
 from interlock.frontend.checks.machines import check_machines
 from interlock.frontend.checks.overlaps import check_overlaps
 from interlock.frontend.checks.principles import check_principles
+from interlock.frontend.checks.repeated import check_repeated
 from interlock.frontend.checks.signals import check_signals
 from interlock.frontend.checks.standing import check_standing
 from interlock.frontend.checks.unseen import check_unseen
@@ -34,4 +35,5 @@ CHECKS = (
     check_principles,
     check_approach,
     check_facing,
+    check_repeated,
 )
