@@ -431,6 +431,25 @@ def test_a_loading_place_on_the_way_of_others_is_no_wrong_place(tmp_path: Path) 
     assert w.tipped == {"a": 1, "c": 1} and len(through) == 2 and not any(w.wrong.counts().values())
 
 
+def test_what_cannot_be_compared_is_told_with_its_place_below_what_was_run(tmp_path: Path) -> None:
+    file = tmp_path / "x.dispatch"
+    file.write_text(THROUGH, "utf-8")
+    arguments = ["layouts/pit_bottom.yaml", "--dispatch", str(file), "--hours", "0.5", "--steady", "--optimum", "1"]
+    done = CliRunner().invoke(command, arguments, catch_exceptions=False)
+    assert done.exit_code == 1 and "trains tipped a shift:" in done.output and "standstills: 0" in done.output
+    said = f"{file}:12:3: error[IL6012]: `--optimum` makes no plan of this: train 11 has several ways from q1 on for"
+    assert said in done.output and "fix: leave out `--optimum`" in done.output and "Place(" not in done.output
+    body = json.loads(CliRunner().invoke(command, [*arguments, "--format", "json"]).stdout)
+    assert not body["ok"] and body["shifts"] and [d["code"] for d in body["diagnostics"]] == ["IL6012"]
+
+
+def test_a_confidence_interval_of_trains_has_nothing_below_0() -> None:
+    found = mean([0, 0, 7])
+    assert found.value - found.half < 0 and found.least == 0
+    sure = mean([6, 7, 7])
+    assert sure.least == sure.value - sure.half > 0
+
+
 def test_the_command_writes_records_and_tells_its_counts(tmp_path: Path) -> None:
     arguments = [HEISHAN, "--hours", "0.5", "--shifts", "2", "-o", str(tmp_path)]
     done = CliRunner().invoke(command, arguments, catch_exceptions=False)

@@ -175,7 +175,7 @@ def horizon(setting: Setting, hours: float, zones: bool = False) -> Horizon:
     for number, train in enumerate(setting.orders.file.fleet):
         ways = [Way(setting, d, train, s) for d in setting.derived if train in d.journeys for s in slots]
         if not ways:
-            raise NoHorizon(f"{train} has no order")
+            raise NoHorizon(f"no order is for train {train}", "fleet", train)
         turns = _turns(ways, end)
         total += turns
         operations, quits = _train(ways, turns, end)

@@ -80,6 +80,11 @@ class Mean:
     half: float
     count: int
 
+    @property
+    def least(self) -> float:
+        """The lower end, of what is counted or weighed: nothing is less than nothing."""
+        return max(0.0, self.value - self.half)
+
 
 def mean(values: Sequence[float]) -> Mean:
     """Of at least one value; one alone says nothing of its spread."""

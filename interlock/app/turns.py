@@ -17,7 +17,11 @@ STOPS_M = 5.0
 
 
 class NoHorizon(ValueError):
-    """The shift is not of the kind that can be compared; says why."""
+    """The shift is not of the kind that can be compared; says why, and `at` what of the dispatch file."""
+
+    def __init__(self, text: str, *at: str) -> None:
+        super().__init__(text)
+        self.at = at
 
 
 class Way:
@@ -35,7 +39,7 @@ class Way:
         inner = {str(s) for z in setting.layout.declared.zones if slot.rpartition(" ")[0] == z.id for s in z.sections}
         line = next(b for b in setting.track.beyond if b.name == file.places[build.at].at)
         found = [Operation(self._seconds(line.approach_m))]
-        for section, metres, turned in _sections(journey):
+        for section, metres, turned in _sections(journey, order.name):
             seconds = self._seconds(metres)
             if section == load.at:
                 self.load = len(found)
@@ -43,7 +47,11 @@ class Way:
                 work = floor(60 * (load.minutes or 0))
                 seconds = self._seconds(inside) + work + self._seconds(inside - self.length)
             elif turned:
-                raise NoHorizon(f"{order.name} turns in {section}, where nothing is loaded")
+                raise NoHorizon(
+                    f"a train of the order {order.name} turns in {section}, and is not loaded there",
+                    "orders",
+                    order.name,
+                )
             held = [section, *([slot] if slot and section in inner else [])]
             found.append(Operation(seconds, (), tuple(Use(x, self._seconds(self.length)) for x in held)))
         found.append(Operation(self._seconds(LEAVES_M)))
@@ -92,13 +100,16 @@ class Way:
         return max(0, floor(metres / self.speed))
 
 
-def _sections(journey: Journey) -> Iterator[tuple[str, float, bool]]:
+def _sections(journey: Journey, order: str) -> Iterator[tuple[str, float, bool]]:
     """The sections of a journey that has one way, with metres, and whether the train turns there."""
     place = journey.start
     found: list[tuple[str, float, bool]] = []
     while journey.steps[place]:
         if len(journey.steps[place]) > 1:
-            raise NoHorizon(f"{journey.errand.train} has several ways from {place}")
+            beyond = f"from {place.under[-1][0]} on" if place.under else "there"
+            raise NoHorizon(
+                f"train {journey.errand.train} has several ways {beyond} for the order {order}", "orders", order
+            )
         step: Step = journey.steps[place][0]
         if step.turned and found:
             found[-1] = (*found[-1][:2], True)

@@ -31,6 +31,8 @@ from interlock.cli.common import (
     took,
     without_rule_option,
 )
+from interlock.diag import Diagnostic, Sink
+from interlock.diag.render import as_json
 from interlock.dispatch.assign import Assigning
 from interlock.simulate.mishaps import TRIAL, Rates
 
@@ -100,20 +102,36 @@ def command(
                 layout, file, seeds, options, executor, lambda k: report(f"{10 * k // shifts * 10} % done", k, shifts)
             )
         files = _write(output, setting, done, force) if output is not None else []
-        best = None if optimum is None else compared(setting, hours or setting.orders.file.shift_h, optimum, jobs)
-    except (NoCluster, NoHorizon) as error:
+        best, why = (None, None) if optimum is None else _best(setting, hours, optimum, jobs)
+    except NoCluster as error:
         failed(str(error), form)
         sys.exit(FINDINGS)
     except OSError as error:
         failed(told(error, Path(error.filename or str(output))), form)
         sys.exit(FINDINGS)
     if form == "json":
-        put_json(_body(done, files) | ({} if best is None else {"planned": best.planned, "most": best.most}))
+        body = _body(done, files) | ({} if best is None else {"planned": best.planned, "most": best.most})
+        put_json(body if why is None else body | {"ok": False, "diagnostics": as_json([why], texts)})
     else:
         _print(setting, done, files, took(began))
         if best is not None:
             _compare(done, best)
-    sys.exit(FINDINGS if any(any(w.wrong.counts().values()) for w in done) else OK)
+        if why is not None:
+            show([why], dict(texts), form)
+    sys.exit(FINDINGS if why is not None or any(any(w.wrong.counts().values()) for w in done) else OK)
+
+
+def _best(
+    setting: Setting, hours: float | None, seconds: float, jobs: int
+) -> tuple[Compared | None, Diagnostic | None]:
+    """What a plan brings out; or why there is nothing that shifts can be compared with."""
+    try:
+        return compared(setting, hours or setting.orders.file.shift_h, seconds, jobs), None
+    except NoHorizon as error:
+        sink, fix = Sink(), "leave out `--optimum`; the shifts themselves are run all the same"
+        text = f"`--optimum` makes no plan of this: {error}"
+        sink.add("IL6012", text, setting.orders.at(*error.at, key=True), fix)
+        return None, sink.diagnostics[0]
 
 
 def _compare(done: Sequence[Worked], best: Compared) -> None:
@@ -171,11 +189,12 @@ def _print(setting: Setting, done: Sequence[Worked], files: Sequence[str], took:
     many_ = f"{len(done)} shifts, seeds {done[0].seed} to {done[-1].seed}" if len(done) > 1 else f"seed {done[0].seed}"
     click.echo(f"{setting.layout.name}: {fleet} trains, {many_}")
     m = mean([w.trains for w in done])
-    sure = f" (95 % confidence interval of the mean {m.value - m.half:.2f} to {m.value + m.half:.2f})"
+    sure = f" (95 % confidence interval of the mean {m.least:.2f} to {m.value + m.half:.2f})"
     click.echo(f"  trains tipped a shift: {m.value:.4g}{sure if m.count > 1 else ''}")
     for ore in sorted({x for w in done for x in w.tonnes}):
         t = mean([w.tonnes.get(ore, 0.0) for w in done])
-        click.echo(f"  tonnes of {ore} a shift: {t.value:.6g}" + (f" ± {t.half:.4g}" if t.count > 1 else ""))
+        spread = f" ± {t.half:.4g}" if t.value >= t.half else f" (0 to {t.value + t.half:.4g})"
+        click.echo(f"  tonnes of {ore} a shift: {t.value:.6g}" + (spread if t.count > 1 else ""))
     for d in setting.derived:
         x = mean([w.tipped.get(d.name, 0) for w in done])
         late = mean([w.late.get(d.name, 0) for w in done]).value
