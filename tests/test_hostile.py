@@ -16,6 +16,7 @@ from interlock.derivation.conflicts import Conflicts, classify
 from interlock.model.bits import bits
 from interlock.model.elements import RouteId
 from interlock.table.cells import Hostile, HostileRoutes
+from tests import layouts
 from tests.grow import grow
 from tests.layouts import SHIPPED, built, grown
 
@@ -38,6 +39,7 @@ def test_a_pair_is_hostile_if_something_makes_it_so(name: str, monkeypatch: pyte
             made.append(self)
 
     monkeypatch.setattr(pipeline, "Conflicts", Kept)
+    layouts._grown.cache_clear()  # derived here, whatever was before
     found = grown(TEXTS[name])
     if found is None:
         return  # refused by the front end
