@@ -306,8 +306,23 @@ WEAKENED = {
     ),
     "an overlap may be occupied": (
         "junction",
+        "(each w in ways(o): steadily_clear(section(w)) and not blocked(section(w)))",
+        "(each w in ways(o): (steadily_clear(section(w)) or valid) and not blocked(section(w)))",
+    ),
+    "an overlap may be blocked": (
+        "junction",
+        "(each w in ways(o): steadily_clear(section(w)) and not blocked(section(w)))",
         "(each w in ways(o): steadily_clear(section(w)))",
-        "(each w in ways(o): steadily_clear(section(w)) or valid)",
+    ),
+    "a condition over an overlap may be missing": (
+        "../tests/layouts_for_tests/overlap_condition",
+        " and (each e in conditions_over(o): holds(e))",
+        "",
+    ),
+    "a crossing over an overlap may be open": (
+        "../tests/layouts_for_tests/swing_condition",
+        " and (each e in devices_over(o): closed_and_detected(e))",
+        "",
     ),
     "locks may be given up under a train": (
         "mine11",
