@@ -15,7 +15,7 @@ from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
 from interlock.table.cells import FoulCell
 from interlock.table.rows import InterlockingTable
-from tests.layouts import grown
+from tests.layouts import built, grown
 
 CROSSOVER = (Path(__file__).parent / "diagnostics" / "IL3042.yaml").read_text(encoding="utf-8")
 """A crossover of two sections: the joint lies `legs` of point 1 away from it, and point 2 as far again."""
@@ -126,7 +126,7 @@ def test_a_table_that_does_not_ask_for_it_is_found_out_by_the_audit_and_by_the_p
     layout, table, _ = made
 
     def bare(cells: tuple[FoulCell, ...]) -> tuple[FoulCell, ...]:
-        return tuple(c for c in cells if (c.section, c.crossing) != ("BC", "X"))
+        return tuple(c for c in cells if c.section != "BC")
 
     locks = tuple(replace(t, foul=bare(t.foul)) for t in table.locks)
     routes = tuple(replace(r, clear=replace(r.clear, foul=bare(r.clear.foul))) for r in table.routes)
@@ -134,3 +134,50 @@ def test_a_table_that_does_not_ask_for_it_is_found_out_by_the_audit_and_by_the_p
     assert {(f.route, f.column) for f in audit(layout, weak)} == {("A2-E", "foul"), ("A2-F", "foul")}
     found = prove(System(layout, lower(layout, weak)))
     assert {c.id for c in found.claims if c.verdict is not Verdict.PROVED} == {"S-CONDITION"}
+
+
+FACING = {
+    "trains before two signals": ("../tests/diagnostics/IL3045", "S0-S1", "V0-V1", "v1", "q1"),
+    "an overlap, and a train before a signal": ("../tests/layouts_for_tests/foul_overlap", "S0-S1", "V0-V1", "v1", "o"),
+    "a train on one leg, and one over a diamond on the other": (
+        "../tests/layouts_for_tests/foul_facing",
+        "SP-SR",
+        "SC-S",
+        "c",
+        "r2",
+    ),
+}
+
+
+@pytest.mark.parametrize("which", FACING)
+def test_who_stands_at_the_joints_of_both_legs_is_in_each_others_way(which: str) -> None:
+    name, one, other, beyond, own = FACING[which]
+    layout, table, controller = built(name)
+    assert beyond in foul(table, one) and own in foul(table, other)
+    assert other in table.route[RouteId(one)].locking.hostile.routes
+    assert audit(layout, table) == ()
+    proved = prove(System(layout, controller))
+    assert all(c.verdict is Verdict.PROVED for c in proved.claims)
+
+
+@pytest.mark.parametrize("which", FACING)
+def test_a_table_that_does_not_keep_them_apart_is_found_out(which: str) -> None:
+    name, _, other, _, own = FACING[which]
+    layout, table, _ = built(name)
+
+    def bare(cells: tuple[FoulCell, ...]) -> tuple[FoulCell, ...]:
+        return tuple(c for c in cells if c.section != own)
+
+    locks = tuple(replace(t, foul=bare(t.foul)) for t in table.locks)
+    routes = tuple(replace(r, clear=replace(r.clear, foul=bare(r.clear.foul))) for r in table.routes)
+    weak = replace(table, locks=locks, routes=routes)
+    assert (other, "foul") in {(f.route, f.column) for f in audit(layout, weak)}
+    found = prove(System(layout, lower(layout, weak)))
+    assert "S-CONDITION" in {c.id for c in found.claims if c.verdict is not Verdict.PROVED}
+
+
+def test_where_the_legs_are_drawn_as_long_as_they_are_nothing_is_foul() -> None:
+    made = grown(Path("tests/diagnostics/IL3045.yaml").read_text(encoding="utf-8").replace("legs: 5", "legs: 20"))
+    assert made is not None
+    assert "V0-V1" not in made[1].route[RouteId("S0-S1")].locking.hostile.routes
+    assert foul(made[1], "S0-S1") == []

@@ -13,9 +13,69 @@ Foul = tuple[SectionId, tuple[MachineId, Position] | None, NodeId, SectionId]
 
 
 def foul_neighbours(layout: Layout, trip: Trip) -> set[Foul]:
-    """Sections that begin too near to a point of the path, on its unused leg, or to a diamond on its other arm; the
-    point that leads there, where, and the section of the path."""
-    return set[Foul]().union(*(_foul_between(layout, a, b) for a, b in pairs(trip)))
+    """Sections that begin too near to a point of the path, on its unused leg, or to a diamond on its other arm, also
+    where the path only comes as near to it; the point that leads there, where, and the section of the path."""
+    found = set[Foul]().union(*(_foul_between(layout, a, b) for a, b in pairs(trip)))
+    return found | _facing(layout, trip)
+
+
+def _facing(layout: Layout, trip: Trip) -> set[Foul]:
+    """What stands foul of a path that comes too near to a point on one leg, or to a diamond on one arm."""
+    found = set[Foul]()
+    for edge in {m.edge for m in (*trip.moves, *trip.over)}:
+        own = layout.track.section_of(edge)
+        for node, side in _reached_at(layout).get(edge, ()):
+            for other, (_, fouls) in _sides(layout)[node].items():
+                if other != side:
+                    found |= {(s, w, near, own) for s, w, near in fouls if s != own}
+    return found
+
+
+_Side = tuple[set[EdgeId], set[tuple[SectionId, tuple[MachineId, Position] | None, NodeId]]]
+"""The edges too near to a point or diamond, on one leg or arm, and the sections that begin there."""
+
+
+@of_layout
+def _reached_at(layout: Layout) -> dict[EdgeId, list[tuple[NodeId, int]]]:
+    found: dict[EdgeId, list[tuple[NodeId, int]]] = {}
+    for node, sides in _sides(layout).items():
+        for side, (edges, _) in sides.items():
+            for e in edges:
+                found.setdefault(e, []).append((node, side))
+    return found
+
+
+@of_layout
+def _sides(layout: Layout) -> dict[NodeId, dict[int, _Side]]:
+    margin, section_of = layout.principles.clearance_m, layout.track.section_of
+    legs = [
+        (p.node, i, leg, {section_of(p.toe)}, p.fouling + margin)
+        for p in layout.pointwork.points
+        for i, leg in enumerate((p.normal, p.reverse))
+    ]
+    legs += [
+        (c.node, i, e, {section_of(c.arms[0][0]), section_of(c.arms[1][0])}, layout.principles.fouling_m + margin)
+        for c in layout.pointwork.crossings
+        for i, arm in enumerate(c.arms)
+        for e in arm
+    ]
+    found: dict[NodeId, dict[int, _Side]] = {}
+    for node, side, leg, own, needed in legs:
+        edges, fouls = found.setdefault(node, {}).setdefault(side, (set(), set()))
+        for (edge, near), gone in distances(layout, node, leg, needed).items():
+            section, far = section_of(edge), layout.track.far(edge, near)
+            if gone < needed and section not in own:
+                edges.add(edge)
+                if all(e.section != section for e in layout.track.edges_at[near] if e.id != edge):
+                    fouls.add((section, _decides(layout, edge, near, gone, needed), near))
+            run = gone + layout.track.edge[edge].length
+            if run < needed and far != node and far in layout.pointwork.crossing_at:
+                arm = next(arm for arm in layout.pointwork.crossing_at[far].arms if edge not in arm)
+                if section_of(arm[0]) not in own:
+                    edges.update(arm)
+                there = _on_diamond(layout, far, edge, {*own, section}, section, (run, needed))
+                fouls |= {(s, w, n) for s, w, n, _ in there}
+    return found
 
 
 @of_layout

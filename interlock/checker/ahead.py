@@ -10,7 +10,7 @@ from itertools import pairwise
 from typing import Any
 
 from interlock.checker.formula import Formula
-from interlock.checker.lengths import FoulJoint
+from interlock.checker.lengths import FoulBeside, FoulJoint
 from interlock.checker.railway import Calling, Path, Signal
 from interlock.checker.track import Demand, Way
 from interlock.checker.words import Entrance, Topology, fact
@@ -152,6 +152,10 @@ class Ahead(Topology):
     def w_crossed_by(self, p: Path) -> list[FoulJoint]:
         """What lies across a path on its diamonds, in a section of its own."""
         return [f for f in self.lengths.crossed if any(map(f.fouls, p.ways))]
+
+    def w_foul_beside(self, p: Path) -> list[FoulBeside]:
+        """What stands foul of a path that comes too near to a point on one leg, or to a diamond on one arm."""
+        return [f for f in self.lengths.beside if any(map(f.fouls, p.ways))]
 
     def w_fouled(self, f: FoulJoint) -> str:
         return f.section

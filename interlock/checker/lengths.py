@@ -40,6 +40,20 @@ class FoulJoint:
 
 
 @dataclass(frozen=True)
+class FoulBeside(FoulJoint):
+    """The same to ways that come as near to the point or diamond on the other leg or arm, over one of some edges.
+
+    section: in which these lie.  element, side, node: of the joint beyond which the neighbour lies.
+    """
+
+    edges: frozenset[str] = frozenset()
+
+    def fouls(self, w: Way) -> bool:
+        """A vehicle at the joint stands in the way."""
+        return w.section == self.section and not self.edges.isdisjoint(w.edges)
+
+
+@dataclass(frozen=True)
 class Approach:
     """A section from which a train may come to a signal, and over which ways from further away; None: unseen."""
 
@@ -97,6 +111,37 @@ class Lengths(Overlaps):
             for arm, here in ((0, two), (1, one)) if one != two else ():
                 found += self._lying_across(c, arm, (c.name, arm, here), 0.0, needed)
         return list(dict.fromkeys([*found, *(f for start in self._starts for f in self._diamonds_along(*start))]))
+
+    @cached_property
+    def beside(self) -> list[FoulBeside]:
+        """What stands foul of ways that come too near to a point on its other leg, or to a diamond on its other arm."""
+        near: dict[tuple[str, str | int, str], set[str]] = {}
+        for start in self._starts:
+            for of, section, edge in self._edges_along(*start):
+                near.setdefault((of[0], of[1], section), set()).add(edge)
+        joints = dict.fromkeys(
+            f for start in self._starts for w in (self._along, self._diamonds_along) for f in w(*start)
+        )
+        return [
+            FoulBeside(f.element, f.side, section, f.neighbour, f.node, f.when, frozenset(edges))
+            for f in joints
+            for (element, side, section), edges in near.items()
+            if element == f.element and side != f.side and section != f.neighbour
+        ]
+
+    def _edges_along(
+        self, e: Edge, node: str, gone: float, home: str, of: _Side, needed: float
+    ) -> Iterator[tuple[_Side, str, str]]:
+        """Edges of other sections that begin on a walk before it has gone far enough, or lie there on a diamond."""
+        far, gone = e.far(node), gone + e.length
+        if gone >= needed or far == of[0]:
+            return
+        c = self._d.diamonds.get(far)
+        beyond = list(self._d.onward(far, e))
+        across = [] if c is None else [self._d.edges[n] for n in c.arms[1 if e.name in c.arms[0] else 0]]
+        yield from ((of, x.section, x.name) for x in (*beyond, *across) if x.section not in (home, of[2]))
+        for x in beyond:
+            yield from self._edges_along(x, far, gone, home, of, needed)
 
     def _lying_across(self, c: Diamond, arm: int, of: _Side, gone: float, needed: float) -> list[FoulJoint]:
         ends = [self._d.edges[n] for n in c.arms[arm]]

@@ -17,7 +17,7 @@ from interlock.derivation.unsettled import report_flanks
 from interlock.diag import Sink
 from interlock.model.bits import bits_of
 from interlock.model.elements import MachineId, Position, SectionId
-from interlock.model.foul import CrossedSection, FoulJoint, crossed_sections, foul_joints
+from interlock.model.foul import CrossedSection, FoulBeside, FoulJoint, crossed_sections, foul_beside, foul_joints
 from interlock.model.layout import Layout
 from interlock.model.traversal import Traversal, topology
 from interlock.table.cells import (
@@ -49,7 +49,7 @@ def derive_locks(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[Tra
         for t in (*path.ways, *path.overlap):
             used[t.key] = t
             over[t.key] = over.get(t.key, 0) | 1 << i
-    fouls, options = (foul_joints(layout), crossed_sections(layout)), Options(layout)
+    fouls, options = (foul_joints(layout), crossed_sections(layout), foul_beside(layout)), Options(layout)
     bare = {key: _row(layout, t, (), used, fouls) for key, t in sorted(used.items())}
     demands = {p.id: route_demands(p, bare) for p in paths}
     hostile = set_apart(paths, bare, demands)
@@ -197,15 +197,44 @@ def _apart_across(x: CrossedSection, t: Traversal, o: Traversal, held: Held) -> 
     return x.when is None or x.when in held.get(o.key, ()) or x.when in held.get(t.key, ())
 
 
+def _facing(facing: Sequence[FoulBeside], t: Traversal) -> list[FoulCell]:
+    """The sections that must be clear, since who is there stands foul beside a point or diamond (R7)."""
+    cells = dict[FoulCell, None]()
+    for x in facing:
+        if x.fouls(t):
+            unless = f", unless {x.when[0]} lies {x.when[1].other}" if x.when is not None else ""
+            why = Because("R7", f"the joint of {x.section} beside {x.name} is foul of {x.neighbour}{unless}")
+            cells[FoulCell(x.neighbour, x.section, x.when, why)] = None
+    return [*cells]
+
+
+def _apart_beside(
+    facing: Sequence[FoulBeside], t: Traversal, used: Mapping[TraversalKey, Traversal], held: Held
+) -> list[Exclusion]:
+    """Ways that come foul of each other beside a point or diamond, or where nothing tells that they do not."""
+    numbers: dict[tuple[SectionId, str], set[int]] = {}
+    for x in (x for x in facing if t.section in (x.section, x.neighbour)):
+        other = x.neighbour if t.section == x.section else x.section
+        for o in (o for o in used.values() if o.section == other):
+            one, two = (t, o) if t.section == x.section else (o, t)
+            towards = x.when is not None and (x.when in held.get(one.key, ()) or x.when in held.get(two.key, ()))
+            if x.fouls(one) and (x.touches(two) or towards):
+                numbers.setdefault((other, x.name), set()).add(o.number)
+    return [
+        Exclusion(other, False, tuple(sorted(those)), Because("R7", f"{t.section} and {other} are foul beside {name}"))
+        for (other, name), those in numbers.items()
+    ]
+
+
 def _row(
     layout: Layout,
     t: Traversal,
     flank: tuple[FlankCell, ...],
     used: Mapping[TraversalKey, Traversal],
-    beside: tuple[tuple[FoulJoint, ...], tuple[CrossedSection, ...]],
+    beside: tuple[tuple[FoulJoint, ...], tuple[CrossedSection, ...], tuple[FoulBeside, ...]],
     held: Held = NOTHING_HELD,
 ) -> TraversalRow:
-    fouls, crossed = beside
+    fouls, crossed, facing = beside
     demands = {
         layout.pointwork.point[p].machine: PointDemand(
             layout.pointwork.point[p].machine,
@@ -229,7 +258,7 @@ def _row(
         if across != t.section:
             numbers = tuple(sorted(n for (s, n), o in used.items() if s == across and (cid, 1 - arm) in o.crossings))
             exclusions.append(Exclusion(across, False, numbers, Because("R6", f"the ways cross on the diamond {cid}")))
-    exclusions += _across(crossed, t, used, held)
+    exclusions += _across(crossed, t, used, held) + _apart_beside(facing, t, used, held)
     foul_cells = _crossed(crossed, t)
     for f in fouls:
         unless = f", unless {f.when[0]} lies {f.when[1].other}" if f.when is not None else ""
@@ -242,6 +271,8 @@ def _row(
             numbers = tuple(sorted(n for (s, n), o in used.items() if s == f.section and _apart_at(f, o, t, held)))
             if numbers or f.touches(t):
                 exclusions.append(Exclusion(f.section, False, numbers, why))
+    asked = {(c.section, c.when) for c in foul_cells}
+    foul_cells += [c for c in _facing(facing, t) if (c.section, c.when) not in asked]
     return TraversalRow(
         t.section,
         t.number,

@@ -100,6 +100,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3037": (_W, "a section that a train may run through unseen"),
     "IL3040": (_W, "a principle that no railway keeps"),
     "IL3042": (_W, "a point or diamond that lies too near to another one"),
+    "IL3045": (_W, "sections that are foul of each other"),
     "IL3044": (_W, "an overlap for a lower speed than trains come at"),
     "IL3043": (_W, "an overlap that takes off a derailer beyond its length"),
     "IL3041": (_W, "a boundary that is foul of a point or diamond"),

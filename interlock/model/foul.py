@@ -38,7 +38,7 @@ class FoulJoint:
     @property
     def name(self) -> str:
         """The point or diamond, in words."""
-        return f"{'point' if isinstance(self.side, Position) else 'diamond'} {self.element}"
+        return _called(self.element, self.side)
 
     def fouls(self, t: Traversal) -> bool:
         """A vehicle at the joint stands in the way."""
@@ -86,7 +86,52 @@ class CrossedSection:
         return _in_the_way(self.element, self.side, t)
 
 
-Foul = FoulJoint | CrossedSection
+@dataclass(frozen=True)
+class FoulBeside:
+    """A section that begins on one leg of a point, or arm of a diamond, nearer than a vehicle there stands clear of one
+    that is as near on the other: who stands at the one joint is in the way of who stands at the other, or runs past it.
+
+    section: in which the ways over one of `edges` lie that are fouled.  side: the leg or arm of the neighbour.  there:
+    its edges on which a vehicle is so near.  `when`: as of a foul joint.
+    """
+
+    element: PointId | CrossingId
+    side: Position | int
+    section: SectionId
+    neighbour: SectionId
+    when: tuple[MachineId, Position] | None
+    edges: frozenset[EdgeId]
+    there: frozenset[EdgeId]
+
+    @property
+    def name(self) -> str:
+        """The point or diamond, in words."""
+        return _called(self.element, self.side)
+
+    def fouls(self, t: Traversal) -> bool:
+        """A vehicle there stands in the way."""
+        return t.section == self.section and not self.edges.isdisjoint(t.edges)
+
+    def touches(self, t: Traversal) -> bool:
+        """A movement on the way comes there; any way of the neighbour, where its points tell nothing."""
+        return t.section == self.neighbour and (self.when is None or not self.there.isdisjoint(t.edges))
+
+
+@dataclass(frozen=True)
+class _Reached:
+    """An edge of another section that begins nearer than needed on a leg or arm, or lies across it there."""
+
+    element: PointId | CrossingId
+    side: Position | int
+    section: SectionId
+    edge: EdgeId
+
+
+def _called(element: PointId | CrossingId, side: Position | int) -> str:
+    return f"{'point' if isinstance(side, Position) else 'diamond'} {element}"
+
+
+Foul = FoulJoint | CrossedSection | FoulBeside
 """What a vehicle may stand at, in the way of another one."""
 
 
@@ -116,12 +161,33 @@ def foul_joints(layout: Layout) -> tuple[FoulJoint, ...]:
     return tuple(f for f in _met(layout) if isinstance(f, FoulJoint))
 
 
+def foul_beside(layout: Layout) -> tuple[FoulBeside, ...]:
+    """Every pair of sections that are foul of each other beside a point or diamond, in the same order."""
+    met = tuple(_met(layout))
+    reached: dict[PointId | CrossingId, dict[tuple[Position | int, SectionId], set[EdgeId]]] = {}
+    for x in met:
+        if isinstance(x, _Reached):
+            reached.setdefault(x.element, {}).setdefault((x.side, x.section), set()).add(x.edge)
+    found = dict[FoulBeside, None]()
+    for f in (f for f in met if isinstance(f, FoulJoint | CrossedSection)):
+        if isinstance(f, FoulJoint):
+            there = {e.id for e in layout.track.edges_at[f.node]}
+        else:
+            there = {e for arm in layout.pointwork.crossing[f.crossing].arms for e in arm}
+        near = frozenset(e for e in there if layout.track.section_of(e) == f.neighbour)
+        for (side, section), edges in reached.get(f.element, {}).items():
+            if side != f.side and section != f.neighbour:
+                of = (f.element, f.side, section, f.neighbour, f.when)
+                found[FoulBeside(*of, frozenset(edges), near)] = None
+    return tuple(found)
+
+
 def foul_boundaries(layout: Layout) -> tuple[FoulBoundary, ...]:
     """Every foul boundary, in the same order."""
     return tuple(dict.fromkeys(f for f in _met(layout) if isinstance(f, FoulBoundary)))
 
 
-def _met(layout: Layout) -> Iterator[FoulJoint | FoulBoundary | CrossedSection]:
+def _met(layout: Layout) -> Iterator[FoulJoint | FoulBoundary | CrossedSection | _Reached]:
     """What is met on the walks out from each leg and arm."""
     margin = layout.principles.clearance_m
     for p in layout.pointwork.points:
@@ -150,18 +216,20 @@ class _Walk:
 
     def along(
         self, edge: EdgeId, node: NodeId, gone: float, home: SectionId
-    ) -> list[FoulJoint | FoulBoundary | CrossedSection]:
+    ) -> list[FoulJoint | FoulBoundary | CrossedSection | _Reached]:
         """`home`: the section in which the point or arm lies; within it and the fouled one there is no joint."""
         layout = self.layout
         far = layout.track.far(edge, node)
         gone += layout.track.edge[edge].length
         if gone >= self.needed or far == self.start:
             return []
-        out: list[FoulJoint | FoulBoundary | CrossedSection] = []
+        out: list[FoulJoint | FoulBoundary | CrossedSection | _Reached] = []
         crossing = layout.pointwork.crossing_at.get(far)
         if crossing is not None:
             arm = next(i for i, edges in enumerate(crossing.arms) if edge not in edges)
             across = layout.track.section_of(crossing.arms[arm][0])
+            if across not in (home, self.section):
+                out += [_Reached(self.element, self.side, across, e) for e in crossing.arms[arm]]
             if across not in (home, self.section, layout.track.section_of(edge)):
                 whens, near = _leading(layout, crossing, arm, gone, self.needed)
                 of = (crossing.id, self.element, self.side, self.section, across)
@@ -169,6 +237,8 @@ class _Walk:
         if far in layout.track.boundary_at:
             out.append(FoulBoundary(self.element, far, gone, self.needed))
         for e in layout.onward(edge, far):
+            if e.section not in (home, self.section):
+                out.append(_Reached(self.element, self.side, e.section, e.id))
             if e.section not in (home, self.section, layout.track.section_of(edge)):
                 when, near = _decider(layout, e.id, far, gone, self.needed)
                 out.append(

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 from interlock.model.approach import approach
 from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, SignalId
-from interlock.model.foul import CrossedSection, FoulJoint, crossed_sections, foul_joints
+from interlock.model.foul import CrossedSection, FoulBeside, FoulJoint, crossed_sections, foul_beside, foul_joints
 from interlock.model.layout import Layout
 from interlock.model.needs import Needs, needs
 from interlock.model.overlap import overlap_paths, told_apart
@@ -40,7 +40,8 @@ class Beyond:
 class Measured:
     """overlaps: for each signal that has one the alternatives, as ways through sections by number.  apart: by number
     from 1, those that lie inside longer ones and are told apart from them by a speed (km/h).  fouls: the foul joints,
-    without distances.  crossed: the sections across diamonds.  needs: the times that the world needs.  beyond: what
+    without distances.  crossed: the sections across diamonds.  beside: those that are
+    foul of each other beside a point or diamond.  needs: the times that the world needs.  beyond: what
     lies over an edge away from a node, for legs of points and arms of crossings.  approaches: from where a train may
     come to each signal."""
 
@@ -48,6 +49,7 @@ class Measured:
     apart: Mapping[SignalId, Mapping[int, int]]
     fouls: tuple[FoulJoint, ...]
     crossed: tuple[CrossedSection, ...]
+    beside: tuple[FoulBeside, ...]
     needs: Needs
     beyond: Mapping[tuple[NodeId, EdgeId], Beyond]
     approaches: Mapping[SignalId, Approach]
@@ -83,6 +85,7 @@ def measured(layout: Layout) -> Measured:
         apart,
         fouls,
         tuple(dict.fromkeys(replace(x, distance=0.0, needed=0.0, near=None) for x in crossed_sections(layout))),
+        foul_beside(layout),
         needs(layout),
         beyond,
         approaches,

@@ -1,10 +1,10 @@
-"""Tell the author which joints and boundaries are foul (R7).  IL3018, IL3041, IL3042."""
+"""Tell the author which joints and boundaries are foul (R7).  IL3018, IL3041, IL3042, IL3045."""
 
 from __future__ import annotations
 
 from interlock.frontend.context import Context
 from interlock.model.elements import BoundaryKind, Position
-from interlock.model.foul import crossed_sections, foul_boundaries, foul_joints
+from interlock.model.foul import crossed_sections, foul_beside, foul_boundaries, foul_joints
 from interlock.model.layout import Layout
 
 
@@ -33,7 +33,27 @@ def check_foul(ctx: Context, layout: Layout) -> None:
                 "(`fouling`); if they are so near, nothing",
             )
     _near_diamonds(ctx, layout)
+    _facing(ctx, layout)
     _boundaries(ctx, layout)
+
+
+def _facing(ctx: Context, layout: Layout) -> None:
+    """Report points and diamonds on either side of which a section begins too near."""
+    found: dict[str, tuple[str, set[str]]] = {}
+    for x in foul_beside(layout):
+        found.setdefault(x.element, (x.name, set()))[1].update((x.section, x.neighbour))
+    for element, (name, sections) in found.items():
+        point = name.startswith("point")
+        those = ", ".join(sorted(sections))
+        fouling = f", or state where its fouling point is: `points: {{{element}: {{fouling: ...}}}}`" if point else ""
+        ctx.add(
+            "IL3045",
+            f"{those} begin too near to {name}, on both of its {'legs' if point else 'arms'}: what stands at the one "
+            "joint is in the way of what stands at the other, or runs past it, and routes there require the other "
+            "section clear",
+            ctx.at_key("points" if point else "crossings", element),
+            f"draw {element} as far away from them as it is (`legs`){fouling}; if they are so near, nothing",
+        )
 
 
 def _near_diamonds(ctx: Context, layout: Layout) -> None:

@@ -338,7 +338,7 @@ def _beyond_the_path(
         yield "S-DIRECTION", "", implies(here, f.after(ours))
     if boundary is not None and boundary.approach is not None and not shunt:
         needed.append(f.seen.steadily_clear(boundary.approach))
-    beside: list[Foul] = [*f.track.fouls, *f.track.crossed]
+    beside: list[Foul] = [*f.track.fouls, *f.track.crossed, *f.track.beside]
     needed += [_not_foul(f, x) for x in beside if any(map(x.fouls, path.ways))]
     if needed:
         yield "S-CONDITION", "", implies(here, conj(needed))

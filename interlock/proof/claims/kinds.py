@@ -12,7 +12,7 @@ from interlock.logic.names import Name
 from interlock.logic.plant import lies, old_command
 from interlock.logic.symbols import Symbols
 from interlock.model.elements import EdgeId, MachineId, NodeId, Position, SectionId, SignalId
-from interlock.model.foul import CrossedSection, FoulJoint
+from interlock.model.foul import CrossedSection, FoulBeside, FoulJoint
 from interlock.model.measured import Beyond
 from interlock.model.traversal import Traversal
 from interlock.proof.system.loop import ClosedLoop
@@ -81,6 +81,11 @@ class TrackFacts:
     def crossed(self) -> tuple[CrossedSection, ...]:
         """The sections across diamonds."""
         return self._measured.crossed
+
+    @property
+    def beside(self) -> tuple[FoulBeside, ...]:
+        """The sections that are foul of each other beside a point or diamond."""
+        return self._measured.beside
 
     def overlap_paths(self, g: SignalId) -> tuple[tuple[Traversal, ...], ...]:
         """The alternatives of a signal's overlap; none without one."""

@@ -288,7 +288,7 @@ class WayWords:
         out = [
             var(self._w.sym.machines.trailed[m]) for m, _ in self._w.sym.ways.demands[s, n] if self._w.points.powered(m)
         ]
-        beside: list[Foul] = [*f.track.fouls, *f.track.crossed]
+        beside: list[Foul] = [*f.track.fouls, *f.track.crossed, *f.track.beside]
         out += [neg(self._not_foul(x)) for x in beside if x.fouls(t)]
         return disj((*out, self._space(t) if wide else FALSE))
 

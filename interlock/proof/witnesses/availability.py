@@ -430,7 +430,11 @@ class Trial:
         route holds such a point, the two can be used together only while it lies so."""
         ways = [way for r in (run.first, run.second) for way in (*r.path.ways, *self._overlap(r))]
         fouled = [self.railway.topo.traversals[s][n - 1] for s, n in ways]
-        beside: list[Foul] = [*self.railway.measured.fouls, *self.railway.measured.crossed]
+        beside: list[Foul] = [
+            *self.railway.measured.fouls,
+            *self.railway.measured.crossed,
+            *self.railway.measured.beside,
+        ]
         when = [x.when for x in beside if x.when is not None and any(map(x.fouls, fouled))]
         return {names.LIES(m, to): int(to is not x) for m, x in when for to in Position}
 
@@ -487,7 +491,7 @@ def _needs_clear(railway: ClosedLoop, r: RouteSymbols) -> frozenset[str]:
         for s, n in (*r.path.ways, *over, *([r.path.berth] if r.path.berth is not None else []))
     ]
     found: set[str] = {t.section for t in ways}
-    beside: list[Foul] = [*railway.measured.fouls, *railway.measured.crossed]
+    beside: list[Foul] = [*railway.measured.fouls, *railway.measured.crossed, *railway.measured.beside]
     found |= {x.neighbour for x in beside for t in ways if x.fouls(t)}
     if _leaves(railway, r):
         boundary = railway.layout.track.boundary_at[_end(railway, r)[1]]
