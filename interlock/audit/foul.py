@@ -13,10 +13,9 @@ Foul = tuple[SectionId, tuple[MachineId, Position] | None, NodeId, SectionId]
 
 
 def foul_neighbours(layout: Layout, trip: Trip) -> set[Foul]:
-    """Sections that begin too near to a point of the path, on its unused leg, or to a diamond on its other arm, also
-    where the path only comes as near to it; the point that leads there, where, and the section of the path."""
-    found = set[Foul]().union(*(_foul_between(layout, a, b) for a, b in pairs(trip)))
-    return found | _facing(layout, trip)
+    """Sections that begin too near to a point of the path, on its unused leg, or to a diamond on its other arm; the
+    point that leads there, where, and the section of the path."""
+    return set[Foul]().union(*(_foul_between(layout, a, b) for a, b in pairs(trip)))
 
 
 def _facing(layout: Layout, trip: Trip) -> set[Foul]:
@@ -94,8 +93,9 @@ def _foul_between(layout: Layout, a: Move, b: Move) -> frozenset[Foul]:
 
 def across(layout: Layout, trip: Trip) -> set[Foul]:
     """The sections in which a vehicle may stand on a diamond of the path, or on one too near to a point or diamond of
-    the path, with each point that must lie so for one to come to that diamond; the diamond, and the path's section."""
-    found = set[Foul]()
+    the path, with each point that must lie so for one to come to that diamond; the diamond, and the path's section.
+    And what stands foul of a path that comes too near to a point or diamond without passing it."""
+    found = _facing(layout, trip)
     for a, b in pairs(trip):
         own = layout.track.section_of(a.edge)
         if a.node in layout.pointwork.crossing_at:
@@ -126,8 +126,8 @@ def _on_diamond(
 def crossed(
     layout: Layout, trip: Trip, held: Collection[tuple[MachineId, Position]]
 ) -> set[tuple[SectionId, tuple[MachineId, Position] | None]]:
-    """What must be clear across the diamonds of the path; but for sections that the path takes itself, and such a point
-    that it holds otherwise."""
+    """What must be clear across the diamonds of the path, and where it comes too near to others; but for sections that
+    the path takes itself, and such a point that it holds otherwise."""
     taken = {layout.track.section_of(m.edge) for m in (*trip.moves, *trip.over)}
     found = {(s, w) for s, w, *_ in across(layout, trip) if s not in taken}
     return {(s, w) for s, w in found if w is None or (w[0], w[1].other) not in held}

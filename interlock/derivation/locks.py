@@ -204,7 +204,7 @@ def _facing(facing: Sequence[FoulBeside], t: Traversal) -> list[FoulCell]:
         if x.fouls(t):
             unless = f", unless {x.when[0]} lies {x.when[1].other}" if x.when is not None else ""
             why = Because("R7", f"the joint of {x.section} beside {x.name} is foul of {x.neighbour}{unless}")
-            cells[FoulCell(x.neighbour, x.section, x.when, why)] = None
+            cells[FoulCell(x.neighbour, x.section, x.when, why, x.element)] = None
     return [*cells]
 
 

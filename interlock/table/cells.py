@@ -12,7 +12,17 @@ from functools import cached_property
 from typing import overload
 
 from interlock.model.bits import chosen
-from interlock.model.elements import ConditionId, CrossingId, MachineId, NodeId, Position, RouteId, SectionId, SignalId
+from interlock.model.elements import (
+    ConditionId,
+    CrossingId,
+    MachineId,
+    NodeId,
+    PointId,
+    Position,
+    RouteId,
+    SectionId,
+    SignalId,
+)
 from interlock.model.places import Approach
 
 TraversalKey = tuple[SectionId, int]
@@ -94,14 +104,15 @@ class FoulCell:
     """A section outside the path that must be clear because of a foul joint (R7), or of a diamond's other arm (R6).
 
     `of`: the section of the path that it fouls.  With `when`, only while that machine is not detected in the other
-    position (lost detection counts as foul).  `crossing`: the diamond, where it is one.
+    position (lost detection counts as foul).  `crossing`: the diamond on which a vehicle there may stand, or the point
+    or diamond, not on the way, beside which it is too near to the way; None at a foul joint of what lies on the way.
     """
 
     section: SectionId
     of: SectionId
     when: tuple[MachineId, Position] | None
     because: Because
-    crossing: CrossingId | None = None
+    crossing: CrossingId | PointId | None = None
 
 
 @dataclass(frozen=True)

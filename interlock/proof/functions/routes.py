@@ -246,7 +246,7 @@ def _rear(w: Words, r: RouteSymbols) -> Iterator[Expr]:
         if rear in d.over:
             yield conj((f.locking.restart(rear), neg(w.points.detected(d.id, Position.REVERSE))))
     beside = {w.topo.beyond(rear, j) for j in w.topo.ends[rear] if j != node}
-    beside |= {x.section for those in (f.track.fouls, f.track.beside) for x in those if x.neighbour == rear}
+    beside |= {fj.section for fj in f.track.fouls if fj.neighbour == rear}
     for other in sorted(s for s in beside if s is not None):
         yield conj((f.locking.restart(rear), f.locking.restart(other), neg(w.sections.long(other))))
 
