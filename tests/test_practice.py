@@ -150,7 +150,7 @@ def test_a_platform_that_trains_cannot_leave(tmp_path: Path) -> None:
         ("q3 600", "q3 90000", "q3"),
         ("ap_W 600", "ap_W 60000", "W"),
         ("reverse: loop.start}", "reverse: loop.start, legs: 0.3}", "P1"),
-        ("reverse: loop.start}", "reverse: loop.start, fouling: 1200}", "P1"),
+        ("reverse: loop.start}", "reverse: loop.start, fouling: 500}", "P1"),
     ],
 )
 def test_lengths_that_are_hardly_meant(tmp_path: Path, old: str, new: str, where: str) -> None:

@@ -237,8 +237,8 @@ def _overlap(layout: Layout, path: Path, swinging: Mapping[SignalId, tuple[int, 
 def _foul(
     path: Path, locks: Mapping[TraversalKey, TraversalRow], demands: Sequence[PointDemand]
 ) -> tuple[FoulCell, ...]:
-    """What must be clear of the route beside it.  What lies across it on a diamond is left out where the route runs
-    through that section, too, or holds the point that leads away."""
+    """What must be clear of the route beside it.  What lies across it on a diamond, or beside a point that is not on
+    the way, is left out where the route runs through that section, too, or holds the point that leads away."""
     ways = (*path.ways, *path.overlap)
     own, held = {t.section for t in ways}, {(d.machine, d.position) for d in demands}
     cells = dict.fromkeys(c for t in ways for c in locks[t.key].foul)
@@ -246,7 +246,10 @@ def _foul(
     def settled(c: FoulCell) -> bool:
         return c.section in own or (c.when is not None and (c.when[0], c.when[1].other) in held)
 
-    return tuple(c for c in cells if c.crossing is None or not settled(c))
+    left = [c for c in cells if c.crossing is None or not settled(c)]
+    asked = {(c.section, c.when) for c in left if c.crossing is None}
+    beside = {(c.section, c.when): c for c in reversed(left) if (c.section, c.when) not in asked}  # the first of each
+    return tuple(c for c in left if c.crossing is None or beside.get((c.section, c.when)) is c)
 
 
 def _end(layout: Layout, p: Path) -> str:
