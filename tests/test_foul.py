@@ -176,6 +176,18 @@ def test_a_table_that_does_not_keep_them_apart_is_found_out(which: str) -> None:
     assert "S-CONDITION" in {c.id for c in found.claims if c.verdict is not Verdict.PROVED}
 
 
+def test_an_overlap_that_may_end_foul_of_a_train_is_claimed_to_be_clear_of_it() -> None:
+    """The path of S0-S1 comes near to nothing; its overlap ends 5 m from P, and trains wait at V1 on the other leg."""
+    layout, table, _ = built("../tests/layouts_for_tests/foul_overlap")
+
+    def bare(cells: tuple[FoulCell, ...]) -> tuple[FoulCell, ...]:
+        return tuple(c for c in cells if c.section != "v1")
+
+    locks = tuple(replace(t, foul=bare(t.foul)) if t.section == "o" else t for t in table.locks)
+    found = prove(System(layout, lower(layout, replace(table, locks=locks))))
+    assert {c.id for c in found.claims if c.verdict is not Verdict.PROVED} >= {"S-OVERLAP"}
+
+
 def test_where_the_legs_are_drawn_as_long_as_they_are_nothing_is_foul() -> None:
     made = grown(Path("tests/diagnostics/IL3045.yaml").read_text(encoding="utf-8").replace("legs: 5", "legs: 20"))
     assert made is not None

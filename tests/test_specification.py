@@ -319,6 +319,16 @@ WEAKENED = {
         " and (each e in conditions_over(o): holds(e))",
         "",
     ),
+    "something may stand foul of an overlap": (
+        "../tests/layouts_for_tests/foul_overlap",
+        "(each e in conditions_over(o): holds(e)) and nothing_foul(o)",
+        "(each e in conditions_over(o): holds(e))",
+    ),
+    "something may stand foul of a path": (
+        "../tests/layouts_for_tests/foul_overlap",
+        "\n      and nothing_foul(p)",
+        "",
+    ),
     "a crossing over an overlap may be open": (
         "../tests/layouts_for_tests/swing_condition",
         " and (each e in devices_over(o): closed_and_detected(e))",

@@ -159,15 +159,15 @@ def _space(
     )
 
 
-def _crossed(crossed: Sequence[CrossedSection], t: Traversal) -> list[FoulCell]:
-    """The sections that lie across the way on diamonds: what stands there may stand on the diamond (R6)."""
-    cells = dict[FoulCell, None]()
-    for x in crossed:
-        if x.fouls(t):
-            unless = f", unless {x.when[0]} lies {x.when[1].other}" if x.when is not None else ""
-            why = Because("R6", f"{x.neighbour} clear across the diamond {x.crossing}{unless}")
-            cells[FoulCell(x.neighbour, x.section, x.when, why, x.crossing)] = None
-    return [*cells]
+def _foul_cell(x: CrossedSection | FoulBeside) -> FoulCell:
+    """A section that must be clear, since what is there may stand on a diamond (R6), or as near to a point or diamond
+    as a way comes on the other leg or arm (R7)."""
+    unless = f", unless {x.when[0]} lies {x.when[1].other}" if x.when is not None else ""
+    if isinstance(x, CrossedSection):
+        why = Because("R6", f"{x.neighbour} clear across the diamond {x.crossing}{unless}")
+        return FoulCell(x.neighbour, x.section, x.when, why, x.crossing)
+    why = Because("R7", f"the joint of {x.section} beside {x.name} is foul of {x.neighbour}{unless}")
+    return FoulCell(x.neighbour, x.section, x.when, why, x.element)
 
 
 def _across(
@@ -195,17 +195,6 @@ def _apart_across(x: CrossedSection, t: Traversal, o: Traversal, held: Held) -> 
     if any(c == x.crossing for c, _ in o.crossings):
         return x.element != x.crossing
     return x.when is None or x.when in held.get(o.key, ()) or x.when in held.get(t.key, ())
-
-
-def _facing(facing: Sequence[FoulBeside], t: Traversal) -> list[FoulCell]:
-    """The sections that must be clear, since who is there stands foul beside a point or diamond (R7)."""
-    cells = dict[FoulCell, None]()
-    for x in facing:
-        if x.fouls(t):
-            unless = f", unless {x.when[0]} lies {x.when[1].other}" if x.when is not None else ""
-            why = Because("R7", f"the joint of {x.section} beside {x.name} is foul of {x.neighbour}{unless}")
-            cells[FoulCell(x.neighbour, x.section, x.when, why, x.element)] = None
-    return [*cells]
 
 
 def _apart_beside(
@@ -259,7 +248,7 @@ def _row(
             numbers = tuple(sorted(n for (s, n), o in used.items() if s == across and (cid, 1 - arm) in o.crossings))
             exclusions.append(Exclusion(across, False, numbers, Because("R6", f"the ways cross on the diamond {cid}")))
     exclusions += _across(crossed, t, used, held) + _apart_beside(facing, t, used, held)
-    foul_cells = _crossed(crossed, t)
+    foul_cells = [*dict.fromkeys(_foul_cell(x) for x in crossed if x.fouls(t))]
     for f in fouls:
         unless = f", unless {f.when[0]} lies {f.when[1].other}" if f.when is not None else ""
         why = Because("R7", f"the joint {f.section}|{f.neighbour} is foul of {f.name}{unless}")
@@ -272,7 +261,8 @@ def _row(
             if numbers or f.touches(t):
                 exclusions.append(Exclusion(f.section, False, numbers, why))
     asked = {(c.section, c.when) for c in foul_cells}
-    foul_cells += [c for c in _facing(facing, t) if (c.section, c.when) not in asked]
+    cells = dict.fromkeys(_foul_cell(x) for x in facing if x.fouls(t))
+    foul_cells += [c for c in cells if (c.section, c.when) not in asked]
     return TraversalRow(
         t.section,
         t.number,

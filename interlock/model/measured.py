@@ -40,10 +40,9 @@ class Beyond:
 class Measured:
     """overlaps: for each signal that has one the alternatives, as ways through sections by number.  apart: by number
     from 1, those that lie inside longer ones and are told apart from them by a speed (km/h).  fouls: the foul joints,
-    without distances.  crossed: the sections across diamonds.  beside: those that are
-    foul of each other beside a point or diamond.  needs: the times that the world needs.  beyond: what
-    lies over an edge away from a node, for legs of points and arms of crossings.  approaches: from where a train may
-    come to each signal."""
+    without distances.  crossed: the sections across diamonds.  beside: those that are foul of each other beside a point
+    or diamond.  needs: the times that the world needs.  beyond: what lies over an edge away from a node, for legs of
+    points and arms of crossings.  approaches: from where a train may come to each signal."""
 
     overlaps: Mapping[SignalId, tuple[tuple[tuple[SectionId, int], ...], ...]]
     apart: Mapping[SignalId, Mapping[int, int]]

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, implies, neg, var
 from interlock.model.elements import Condition, Device, Position, SignalId
+from interlock.model.foul import Foul
 from interlock.model.overlap import entry_speed
 from interlock.model.principles import Caution
 from interlock.model.traversal import Traversal, path_speed
@@ -62,8 +63,8 @@ def entry(
 
 
 def overlap_ready(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
-    """An overlap is clear and not blocked, its points lie and are detected, its devices are closed, and the conditions
-    over it hold."""
+    """An overlap is clear and not blocked, its points lie and are detected, its devices are closed, the conditions over
+    it hold, and nothing can stand foul of it."""
     blocked = f.sym.sections.blocked
     points = [(f.layout.pointwork.point[p].machine, x) for t in ways for p, x in t.points]
     return conj(
@@ -75,8 +76,24 @@ def overlap_ready(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
             *devices_closed(f, ways),
             *(neg(var(blocked[t.section])) for t in ways if t.section in blocked),
             *(var(f.sym.condition[c.id]) for c in f.layout.signalling.conditions if _over(c, ways)),
+            *nothing_foul(f, ways),
         ]
     )
+
+
+def nothing_foul(f: Facts, ways: Sequence[Traversal]) -> list[Expr]:
+    """Of each section in which a vehicle may stand foul of ways (R6, R7): it is clear, or its point is detected so that
+    nothing in it stands at the joint or on the diamond."""
+    beside: list[Foul] = [*f.track.fouls, *f.track.crossed, *f.track.beside]
+    needed = []
+    for x in (x for x in beside if any(map(x.fouls, ways))):
+        away = FALSE
+        if x.when is not None:
+            m, position = x.when
+            detected = f.sym.machines.detected
+            away = conj((var(detected[m, position.other]), neg(var(detected[m, position]))))
+        needed.append(disj((f.seen.steadily_clear(x.neighbour), away)))
+    return needed
 
 
 def devices_closed(f: Facts, ways: Sequence[Traversal]) -> list[Expr]:

@@ -12,7 +12,6 @@ from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, eq, iff, implies, neg, var
 from interlock.logic.plant import accepted, came, has_token, lies, o, rests, shunting
 from interlock.model.elements import MachineId, Position, SectionId, SignalId
-from interlock.model.foul import Foul
 from interlock.model.principles import Caution
 from interlock.model.traversal import zone_joints
 from interlock.proof.claims.added import declared, demanded, held
@@ -23,6 +22,7 @@ from interlock.proof.claims.aspects import (
     devices_closed,
     distants,
     entry,
+    nothing_foul,
     overlap_ready,
     past_identifier,
     shows_open,
@@ -66,9 +66,9 @@ CLAIMS: dict[str, str] = {
     "but for sections over which, or from which, another movement may be called meanwhile, and the stop lamps of the "
     "signals that protect it are intact.",
     "S-OVERLAP": "Proceed to a signal with an overlap is shown only when one is steadily clear and not blocked, lies "
-    "and is detected, its devices are closed, and the conditions over it hold.",
-    "S-CONDITION": "Proceed is shown only when every condition of the path holds and the line beyond is steadily "
-    "clear.",
+    "and is detected, its devices are closed, the conditions over it hold, and nothing can stand foul of it.",
+    "S-CONDITION": "Proceed is shown only when every condition of the path holds, the line beyond is steadily "
+    "clear, and nothing can stand foul of the path.",
     "S-EXCLUDED": "No proceed is shown over a path that no route may take: that the author excludes, alone or past a "
     "signal at identifier light, that ends in a trap or leaves where trains only come in, that begins at a board, or "
     "that leads over a hand-worked point against its key, twice over one diamond, or through a section without "
@@ -338,8 +338,7 @@ def _beyond_the_path(
         yield "S-DIRECTION", "", implies(here, f.after(ours))
     if boundary is not None and boundary.approach is not None and not shunt:
         needed.append(f.seen.steadily_clear(boundary.approach))
-    beside: list[Foul] = [*f.track.fouls, *f.track.crossed, *f.track.beside]
-    needed += [_not_foul(f, x) for x in beside if any(map(x.fouls, path.ways))]
+    needed += nothing_foul(f, path.ways)
     if needed:
         yield "S-CONDITION", "", implies(here, conj(needed))
 
@@ -431,15 +430,6 @@ def _again(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         if r.call_on:
             seen = conj((var(r.shown), var(r.active), neg(var(r.proceed))))
             yield "S-CALL-ON", f"{r.id} once", implies(seen, neg(f.after(var(r.proceed))))
-
-
-def _not_foul(f: Facts, at: Foul) -> Expr:
-    """The neighbour is clear, or its point is detected so that nothing in it stands at the joint or on the diamond."""
-    clear = f.seen.steadily_clear(at.neighbour)
-    if at.when is None:
-        return clear
-    m, x = at.when
-    return disj((clear, conj((var(f.sym.machines.detected[m, x.other]), neg(var(f.sym.machines.detected[m, x]))))))
 
 
 # --- locks and points ----------------------------------------------------------------------------
