@@ -6,8 +6,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.diag.called import called
 from interlock.field.plc import Cycle
 from interlock.logic.cabinet import Allocation

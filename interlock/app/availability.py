@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
 from interlock.app.check import Checked, check_file
 from interlock.app.own import write_whole
+from interlock.dataclass import dataclass
 from interlock.emit.drawing import plan_svg
 from interlock.emit.report import player_html
 from interlock.logic.lower import lower

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from interlock.app.check import Checked, derive_file
+from interlock.dataclass import dataclass
 from interlock.diag import Diagnostic, Sink
 from interlock.dispatch.blocks import Block, Braking, Length, advice, blocks, braking, lengths
 from interlock.dispatch.language import Orders, beside, load

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import time
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from interlock.app.check import derive_file
@@ -12,6 +12,7 @@ from interlock.app.compile import ELSEWHERE, build_derived, finish
 from interlock.app.proved import Proved
 from interlock.app.texts import C99
 from interlock.app.writing import written_for
+from interlock.dataclass import dataclass
 from interlock.diag import Diagnostic, Severity
 from interlock.emit.bundle import MANIFEST as OUTPUTS
 from interlock.emit.bundle import differences, not_replaced, strangers, write_folder

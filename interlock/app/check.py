@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from interlock.app.own import is_changed
+from interlock.dataclass import dataclass
 from interlock.diag import Diagnostic, Severity, Sink
 from interlock.frontend import Source, load
 from interlock.frontend.pins import beside

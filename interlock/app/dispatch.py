@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from pathlib import Path
 
 from interlock.app.check import Checked, derive_file
 from interlock.app.dispatching import Coming, Ground, Outcome
 from interlock.app.replay import GONE, BadPlan, Plan, PlanTrain, Replay, Replayed, from_text
+from interlock.dataclass import dataclass
 from interlock.diag import Diagnostic, Sink
 from interlock.diag.suggest import did_you_mean
 from interlock.dispatch import Dispatcher

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from interlock.dataclass import dataclass
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.dispatcher import waiting
 from interlock.dispatch.plan.railway import OUTSIDE, Errand, Railway

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
 
 from interlock.app.own import write_whole
 from interlock.app.proved import Proved
+from interlock.dataclass import dataclass
 from interlock.diag import Diagnostic, Severity, Sink
 from interlock.emit.drawing import folded, opening, place, plan_svg, sheets
 from interlock.emit.report import player_html

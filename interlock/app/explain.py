@@ -4,9 +4,9 @@ pages by their names."""
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from importlib import resources
 
+from interlock.dataclass import dataclass
 from interlock.diag.codes import CODES
 from interlock.frontend.published import WITHOUT, language_keys
 from interlock.frontend.schema import LayoutFile

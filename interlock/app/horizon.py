@@ -10,11 +10,11 @@ What the drivers of the simulator always do is in it: they run to the end of a l
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import floor
 
 from interlock.app.setting import Setting
 from interlock.app.turns import NoHorizon, Way
+from interlock.dataclass import dataclass
 from interlock.planning.planner import Planned, schedule
 from interlock.planning.problem import Delay, Event, Operation, Plan, Problem, planned
 from interlock.planning.stages import Fleet, Staged, Turn, Under, staged

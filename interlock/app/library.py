@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from importlib.util import find_spec
 from pathlib import Path
 
 from interlock.app.check import Checked, audited, check_file, derived, second_opinion
+from interlock.dataclass import dataclass
 from interlock.diag import Diagnostic, Severity, Sink
 from interlock.diag.extras import install
 from interlock.diag.render import full

@@ -6,13 +6,13 @@ import hashlib
 import json
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass
 
 from interlock import __version__
 from interlock.app.check import Checked, audited
 from interlock.app.proved import Proved
 from interlock.app.texts import writers
 from interlock.audit import Finding
+from interlock.dataclass import dataclass
 from interlock.diag import Diagnostic, Severity
 from interlock.logic.expr import interning
 from interlock.logic.lower import lower

@@ -8,11 +8,11 @@ braking, reaction) and of the drivers who are simulated.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from math import ceil, floor, inf
 
 from interlock.app.setting import CYCLE_MS, Setting
 from interlock.app.worked import Trip
+from interlock.dataclass import dataclass
 from interlock.planning.stages import Hold, Piece
 from interlock.simulate.driving import SETS_OFF_S, SIGHT_M
 from interlock.simulate.track import LEAVES_M

@@ -7,11 +7,12 @@ releases it.  Only the layout's own word moves a channel (another substation, an
 from __future__ import annotations
 
 from collections.abc import Sequence, Set
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from interlock.app.own import write_own
 from interlock.app.pinned import check_pins
+from interlock.dataclass import dataclass
 from interlock.derivation import derive
 from interlock.diag import Diagnostic, Sink
 from interlock.diag.suggest import did_you_mean

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from interlock.app.check import Checked
+from interlock.dataclass import dataclass
 from interlock.diag import Diagnostic, Severity
 from interlock.proof.induction.verdict import ProofResult, Verdict
 

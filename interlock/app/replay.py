@@ -11,9 +11,9 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
+from interlock.dataclass import dataclass
 from interlock.logic.controller import Controller
 from interlock.logic.names import Name
 from interlock.logic.plant import Plant

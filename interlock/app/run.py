@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Generator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from interlock.app.check import derive_file
 from interlock.app.numbers import Numbers
 from interlock.app.prove import prove_derived
 from interlock.app.proved import Proved
+from interlock.dataclass import dataclass
 from interlock.diag.suggest import did_you_mean
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.commands import BadOrder, errand

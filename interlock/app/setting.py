@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
 from interlock.app.check import Checked, derive_file
+from interlock.dataclass import dataclass
 from interlock.diag import Diagnostic, Sink
 from interlock.dispatch.language import Orders, beside, load
 from interlock.dispatch.orders import Derivation, Derived

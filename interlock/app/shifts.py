@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor, Future
 from contextlib import contextmanager
-from dataclasses import dataclass
 from math import pi, sqrt, tan
 from statistics import NormalDist, fmean, stdev
 
 from interlock.app.setting import prepared
 from interlock.app.shift import Shift
 from interlock.app.worked import Options, Worked
+from interlock.dataclass import dataclass
 from interlock.diag.extras import install
 from interlock.proof.engines.pool import processes
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import partial
 
 from interlock.app.proved import TextVerdict
+from interlock.dataclass import dataclass
 from interlock.logic.controller import Controller
 from interlock.model.elements import TelegramForm
 from interlock.model.layout import Layout

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from interlock.app.check import Checked, check_file
+from interlock.dataclass import dataclass
 from interlock.diag import Diagnostic, Severity
 from interlock.diag.suggest import did_you_mean
 from interlock.table.columns import COLUMNS

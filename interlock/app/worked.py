@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from interlock.dataclass import dataclass
 from interlock.dispatch.assign import Assigning
 from interlock.dispatch.orders import Derived
 from interlock.dispatch.run import Run

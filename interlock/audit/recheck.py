@@ -8,7 +8,7 @@ area touches a leg or arm that the route does not use.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import product
 
 from interlock.audit.added import added, chosen, declared
@@ -21,6 +21,7 @@ from interlock.audit.overlaps import overlap_speed, overruns, without_speed
 from interlock.audit.own_train import own_train_in_the_way
 from interlock.audit.voyages import voyages
 from interlock.audit.walk import Move, Trip, in_rear, left_standing, past_signals, standing_place, trips
+from interlock.dataclass import dataclass
 from interlock.model.elements import MachineId, NodeId, Position, RouteId, SectionId, Signal, SignalId
 from interlock.model.layout import Layout
 from interlock.table.cells import Role

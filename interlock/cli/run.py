@@ -11,7 +11,6 @@ import sys
 import threading
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import closing
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +21,7 @@ from interlock.app.alarms import TRAIN, Watch
 from interlock.app.run import BadCommand, Operator, Ready, prepare, refused, run
 from interlock.cli.common import exit_code, format_option, progress, proof_body, show_proof
 from interlock.cli.operator_place import answering, parsed
+from interlock.dataclass import dataclass
 from interlock.diag.extras import install
 from interlock.dispatch.arbiter import Full
 from interlock.field.alone import InUse, hold

@@ -7,10 +7,11 @@ positions, cross on a diamond, or foul each other.  The first class that applies
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from itertools import product
 
+from interlock.dataclass import dataclass
 from interlock.derivation.added import Barred
 from interlock.derivation.routes import Path
 from interlock.model.bits import bits_of

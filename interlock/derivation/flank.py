@@ -15,9 +15,9 @@ together (`derivation/settle.py`).
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from math import inf
 
+from interlock.dataclass import dataclass
 from interlock.diag.called import called
 from interlock.model.elements import (
     BoundaryKind,

@@ -13,8 +13,9 @@ A path that meets itself, or that needs one machine in two positions, cannot be 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from interlock.dataclass import dataclass
 from interlock.diag import Element, Sink
 from interlock.diag.called import called
 from interlock.model.elements import (

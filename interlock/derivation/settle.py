@@ -10,11 +10,11 @@ settled before gives way if it has; and two routes become hostile only where nei
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import reduce
 from itertools import islice
 from operator import or_
 
+from interlock.dataclass import dataclass
 from interlock.derivation.flank import Options, Requester, point_demands
 from interlock.model.bits import bits_of
 from interlock.model.elements import MachineId, Position

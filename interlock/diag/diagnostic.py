@@ -5,10 +5,10 @@ Input: facts from any phase.  Output: a frozen value that every renderer underst
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import StrEnum
 from typing import NamedTuple
 
+from interlock.dataclass import dataclass
 from interlock.diag.suggest import Suggestion
 
 

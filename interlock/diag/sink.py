@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from interlock.dataclass import dataclass
 from interlock.diag.codes import severity_of
 from interlock.diag.diagnostic import Diagnostic, Element, Place, Severity, Span
 from interlock.diag.suggest import Suggestion

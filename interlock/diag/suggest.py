@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Callable, Collection
-from dataclasses import dataclass
 from functools import lru_cache
+
+from interlock.dataclass import dataclass
 
 _FEW = 12
 _MANY = 500

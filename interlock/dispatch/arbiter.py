@@ -13,9 +13,10 @@ else comes.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import IntEnum
 
+from interlock.dataclass import dataclass
 from interlock.dispatch.panel import Indications, Stage
 
 SCANS = 4

@@ -11,9 +11,10 @@ A loading place takes no more trains than it has room for, counting those that a
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 
+from interlock.dataclass import dataclass
 from interlock.dispatch.language import DispatchFile
 from interlock.dispatch.orders import Derived, metres_to
 

@@ -15,8 +15,8 @@ one direction, which a section of that length keeps, since the second comes in w
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.dispatch.language import LineSpec, TrafficSpec
 from interlock.model.elements import SectionId
 from interlock.model.layout import Layout

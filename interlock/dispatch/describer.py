@@ -11,9 +11,10 @@ stay blocked (BLK inputs) until somebody has looked.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import pairwise
 
+from interlock.dataclass import dataclass
 from interlock.dispatch.panel import Indications
 from interlock.logic.symbols import Symbols
 from interlock.model.elements import SectionId

@@ -6,13 +6,13 @@ Input: a YAML text.  Output: a `DispatchFile`, or diagnostics IL1004-IL1019 (sha
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 from pydantic_core import PydanticCustomError
 
+from interlock.dataclass import dataclass
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.load import read

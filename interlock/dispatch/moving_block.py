@@ -12,7 +12,8 @@ Nothing here opens a signal: it tells what is too close, and parameters that con
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+
+from interlock.dataclass import dataclass
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,8 @@ from __future__ import annotations
 import math
 import unicodedata
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.diag import Sink
 from interlock.diag.suggest import did_you_mean
 from interlock.dispatch.language import DispatchFile, Orders, OrderSpec, TrainSpec

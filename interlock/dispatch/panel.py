@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from interlock.dataclass import dataclass
 from interlock.logic.symbols import Symbols
 from interlock.model.elements import MachineId, RouteId, SectionId, SignalId
 from interlock.table.cells import RouteKind, TraversalKey

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from interlock.dataclass import dataclass
 from interlock.dispatch.panel import Indications, Stage
 from interlock.dispatch.plan.railway import OUTSIDE, Journey, Place, Step
 from interlock.model.elements import SectionId, SignalId

@@ -17,11 +17,11 @@ import socket
 import threading
 import time
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from hashlib import sha256
 from typing import Any
 
+from interlock.dataclass import dataclass
 from interlock.field.plc import Cycle
 from interlock.logic.controller import Controller
 from interlock.logic.words import UNKNOWN

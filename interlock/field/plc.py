@@ -11,10 +11,11 @@ from __future__ import annotations
 
 import types
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import partial
 from typing import Protocol
 
+from interlock.dataclass import dataclass
 from interlock.field.polling import InTurn, LinkLost, Poll
 from interlock.logic.cabinet import Allocation
 from interlock.logic.on_delay import CYCLE_MAX_MS, on_delay

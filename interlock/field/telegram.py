@@ -8,10 +8,11 @@ last two bits, so that exchanged bytes do not pass (up to four of them).
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import reduce
 from operator import xor
 
+from interlock.dataclass import dataclass
 from interlock.model.elements import MachineId, Position
 
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from interlock.dataclass import dataclass
 from interlock.diag import Element, Sink, Span
 from interlock.diag.suggest import Suggestion
 from interlock.frontend.schema import LayoutFile

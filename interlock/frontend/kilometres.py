@@ -9,11 +9,12 @@ Diagnostics IL3028, IL3029.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import pairwise
 
 from pydantic_core import PydanticCustomError
 
+from interlock.dataclass import dataclass
 from interlock.diag import Element, Span
 from interlock.diag.called import called
 from interlock.frontend.context import Context

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
+from interlock.dataclass import dataclass
 from interlock.diag import Sink, Span
 from interlock.frontend.scalars import ADDRESS, Name, Text
 from interlock.frontend.shapes import report_shape, span_of

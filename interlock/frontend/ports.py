@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from interlock.dataclass import dataclass
 from interlock.diag import Span
 from interlock.model.elements import Blades, Boundary, Buffer, Crossing, Edge, Point
 

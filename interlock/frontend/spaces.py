@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from pydantic_core import PydanticCustomError
 
+from interlock.dataclass import dataclass
 from interlock.diag import Span
 from interlock.frontend.context import Context
 from interlock.frontend.scalars import (

@@ -6,12 +6,13 @@ The tree is built from parser events without recursion, so that no input can exh
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import islice
 from pathlib import PurePath
 
 import yaml
 
+from interlock.dataclass import dataclass
 from interlock.diag import Sink, Span
 from interlock.frontend.broken import LINE_ENDS, report_broken, report_control
 

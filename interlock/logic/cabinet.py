@@ -12,10 +12,10 @@ channels of its substation's cards, then those of a new card in bytes that nobod
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
+from interlock.dataclass import dataclass
 from interlock.logic import names
 from interlock.logic.controller import Controller
 from interlock.model.elements import Health, Position, Substation

@@ -10,11 +10,12 @@ cycle), every output restrictive in the initial state.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from enum import StrEnum
 from functools import cached_property
 from typing import NamedTuple
 
+from interlock.dataclass import dataclass
 from interlock.logic.expr import (
     Expr,
     Substitution,

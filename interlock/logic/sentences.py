@@ -6,8 +6,7 @@ variable stands at; `{0:section}`: with its kind.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from interlock.dataclass import dataclass
 from interlock.diag.called import called
 from interlock.logic import names, rules
 from interlock.logic.names import Family, Kind, Name

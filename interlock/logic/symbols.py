@@ -6,9 +6,10 @@ Each record names the variables of one kind of element.  None of them is read by
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 
+from interlock.dataclass import dataclass
 from interlock.logic.expr import FALSE, Expr, conj, disj, eq, neg, var
 from interlock.logic.names import Name
 from interlock.model.elements import ConditionId, MachineId, NodeId, Position, RouteId, SectionId, SignalId

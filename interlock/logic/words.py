@@ -16,10 +16,11 @@ equation, timer or output depends on a word, so that what is proved of the contr
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from typing import NamedTuple
 
+from interlock.dataclass import dataclass
 from interlock.logic.expr import TRUE, Expr, conj, disj, neg, variables
 from interlock.logic.names import WHY_NOT_CLEAR, Name
 

@@ -8,10 +8,12 @@ All lengths are in metres.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 from math import isinf
 from typing import NewType
+
+from interlock.dataclass import dataclass
 
 SectionId = NewType("SectionId", str)
 SignalId = NewType("SignalId", str)

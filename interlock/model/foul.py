@@ -7,8 +7,8 @@ fouling point plus the clearance: a vehicle that stands beyond the joint can sti
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.model.elements import Crossing, CrossingId, EdgeId, MachineId, NodeId, PointId, Position, SectionId
 from interlock.model.layout import Layout
 from interlock.model.traversal import Traversal

@@ -8,10 +8,11 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable, Hashable, Mapping
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, field, replace
 from functools import cached_property, wraps
 from typing import Any, TypeVar, TypeVarTuple
 
+from interlock.dataclass import dataclass
 from interlock.model.elements import (
     Anchor,
     Barred,

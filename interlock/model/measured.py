@@ -7,8 +7,9 @@ is told here, have the same plant, and the same is claimed of them.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from interlock.dataclass import dataclass
 from interlock.model.approach import approach
 from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.foul import CrossedSection, FoulBeside, FoulJoint, crossed_sections, foul_beside, foul_joints

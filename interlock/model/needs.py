@@ -9,8 +9,8 @@ section before a signal, brings it to a stand there (R4).
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.model.elements import BoundaryKind, Position, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.principles import Principles

@@ -7,9 +7,9 @@ same with and without.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
+from interlock.dataclass import dataclass
 from interlock.model.contents import digest
 
 CARD = 16

@@ -5,8 +5,8 @@ they are found.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.model.elements import SectionId
 
 

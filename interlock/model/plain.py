@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 
+from interlock.dataclass import dataclass
 from interlock.model.elements import BoundaryKind, BufferKind, Edge, EdgeId, NodeId, SectionId, Signal
 from interlock.model.layout import Layout
 from interlock.model.traversal import onward_edges

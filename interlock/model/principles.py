@@ -5,8 +5,10 @@ Every knob names its source.  Where no source gives a figure, its meaning says t
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from enum import StrEnum
+
+from interlock.dataclass import dataclass
 
 
 class FlankChoice(StrEnum):

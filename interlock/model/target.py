@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from interlock.dataclass import dataclass
 
 KB = 1024
 

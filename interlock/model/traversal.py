@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Collection, Iterable
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.model.elements import (
     BufferKind,
     CrossingId,

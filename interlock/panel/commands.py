@@ -7,9 +7,9 @@ otherwise.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from interlock.app.run import BadCommand, Operator, Ready
+from interlock.dataclass import dataclass
 from interlock.diag.called import called
 from interlock.dispatch.arbiter import Full
 from interlock.field.plc import Cycle

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from datetime import datetime
 from typing import Any
 
+from interlock.dataclass import dataclass
 from interlock.panel.reasons import Reason
 
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from interlock.app.run import Operator, Ready
+from interlock.dataclass import dataclass
 from interlock.field.plc import Cycle
 from interlock.logic.words import UNKNOWN
 from interlock.panel.alarms import Alarms

@@ -9,9 +9,9 @@ decided here.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
+from interlock.dataclass import dataclass
 from interlock.diag.called import called
 from interlock.field.plc import Memory
 from interlock.logic.controller import Controller, Equation, Input, Step, Timer

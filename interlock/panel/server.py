@@ -12,7 +12,6 @@ import json
 import socket
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
-from dataclasses import dataclass
 from importlib import resources
 from types import FrameType
 from typing import Any
@@ -25,6 +24,7 @@ from starlette.responses import Response
 from starlette.routing import Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
+from interlock.dataclass import dataclass
 from interlock.panel.commands import TEXT
 from interlock.panel.desk import Desk
 from interlock.panel.operating import Person

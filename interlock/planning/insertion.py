@@ -11,10 +11,11 @@ from __future__ import annotations
 
 from bisect import bisect_right, insort
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 from heapq import heappop, heappush
 from typing import Any
 
+from interlock.dataclass import dataclass
 from interlock.planning.problem import Delay, Event, Operation, Plan, Problem, planned
 
 TICK = 1 << 20

@@ -10,12 +10,13 @@ from __future__ import annotations
 import heapq
 import time as clock
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import pairwise
 from typing import Any
 
 from ortools.sat.python import cp_model
 
+from interlock.dataclass import dataclass
 from interlock.planning.problem import Event, Plan, Problem, planned
 from interlock.planning.spans import Span, spans, touching
 from interlock.planning.windows import Windows, horizon, windows

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import time as clock
 from collections.abc import Callable
-from dataclasses import dataclass
 from random import Random
 
+from interlock.dataclass import dataclass
 from interlock.planning.insertion import diary_of, without_waste
 from interlock.planning.problem import Plan, Problem
 from interlock.planning.recreate import Recreation, costs, some

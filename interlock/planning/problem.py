@@ -8,7 +8,8 @@ seconds mostly.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+
+from interlock.dataclass import dataclass
 
 
 @dataclass(frozen=True)

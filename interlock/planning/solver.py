@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 import time as clock
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from importlib.util import find_spec
 from random import Random
 
+from interlock.dataclass import dataclass
 from interlock.planning.problem import Plan, Problem
 from interlock.planning.rules import soonest
 

@@ -9,8 +9,8 @@ would have to change places.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.planning.problem import Operation
 
 

@@ -12,9 +12,11 @@ shortest turn for each train tipped in time, and what the blend is missed by.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from typing import NamedTuple
+
+from interlock.dataclass import dataclass
 
 NEVER = 1 << 40
 

@@ -18,9 +18,11 @@ import hashlib
 import json
 import os
 import re
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from pathlib import Path
 from typing import Any
+
+from interlock.dataclass import dataclass
 
 END = "end"
 """The kind of the last event of a log whose writer came to its end."""

@@ -9,8 +9,9 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from interlock.dataclass import dataclass
 from interlock.record.log import Event
 
 RUNS, STANDS, LOADS, TIPS, OUTSIDE = "runs", "stands", "is loaded", "is tipped", "outside"

@@ -7,10 +7,11 @@ commanded away move by themselves.  All runs begin at the restart and take their
 from __future__ import annotations
 
 from collections.abc import Callable, Generator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import reduce
 from operator import or_
 
+from interlock.dataclass import dataclass
 from interlock.logic import names
 from interlock.logic.bits import Bits
 from interlock.logic.controller import Controller, Timer

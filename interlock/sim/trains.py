@@ -8,8 +8,9 @@ hold and its hazards are seen.  Lengths in metres, speeds in metres a scan.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from interlock.dataclass import dataclass
 from interlock.logic import names
 from interlock.logic.names import Name
 from interlock.model.elements import BoundaryKind, NodeId, Position, SectionId

@@ -8,10 +8,10 @@ rear of it or beyond is physics.  Who has passed a signal that he had accepted i
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from math import inf, sqrt
 from typing import TYPE_CHECKING
 
+from interlock.dataclass import dataclass
 from interlock.model.portable import portable
 from interlock.model.principles import Caution
 from interlock.simulate.called import Called, told_kmh

@@ -7,11 +7,11 @@ changed within their reaction time, and stand before one at stop.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import partial
 from math import inf
 from typing import TYPE_CHECKING
 
+from interlock.dataclass import dataclass
 from interlock.model.portable import portable
 from interlock.simulate.agenda import not_before
 from interlock.simulate.motion import Motion, runs, standing

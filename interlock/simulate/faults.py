@@ -7,7 +7,7 @@ sections that are falsely reported occupied (A-ONE-FALSE), contacts that lie (A-
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from interlock.dataclass import dataclass
 
 
 @dataclass(frozen=True)

@@ -7,9 +7,10 @@ over them; more trains in a zone than are allowed; trains against each other on 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
+from interlock.dataclass import dataclass
 from interlock.model.layout import Layout
 from interlock.simulate.track import NONE, Track
 from interlock.simulate.train import Train

@@ -8,9 +8,10 @@ until it is taken away.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from random import Random
 from typing import TYPE_CHECKING
+
+from interlock.dataclass import dataclass
 
 if TYPE_CHECKING:
     from interlock.simulate.yard import Yard

@@ -5,8 +5,9 @@ Metres are counted from where the train was put on the rails; seconds are those 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import inf, sqrt
+
+from interlock.dataclass import dataclass
 
 STANDS = 1e-9
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from random import Random
 from typing import Any
 
+from interlock.dataclass import dataclass
 from interlock.model.layout import Layout
 from interlock.simulate.faults import Faults
 from interlock.simulate.local_rules import cranked, power_cut

@@ -8,8 +8,9 @@ happens beyond a boundary is the neighbour's (he never sends trains against each
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from interlock.dataclass import dataclass
 from interlock.model.elements import BlockKind, BoundaryKind, BufferKind, Position
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology

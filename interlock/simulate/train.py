@@ -7,9 +7,10 @@ tail is on the first.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from math import inf
 
+from interlock.dataclass import dataclass
 from interlock.simulate.track import NONE, Track
 
 

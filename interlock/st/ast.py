@@ -5,9 +5,11 @@ No loops, no pointers, no enumerations: BOOL, INT and TIME scalars, function blo
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from typing import TypeVar, dataclass_transform
+
+from interlock.dataclass import dataclass
 
 _T = TypeVar("_T")
 

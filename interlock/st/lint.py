@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.st.ast import (
     Assign,
     Block,

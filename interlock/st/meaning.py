@@ -7,9 +7,10 @@ is symbolic execution and gives every state variable's next value as an expressi
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Generic, Protocol, TypeVar
 
+from interlock.dataclass import dataclass
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, eq, neg, var
 from interlock.logic.names import spelled
 from interlock.logic.on_delay import on_delay

@@ -14,9 +14,10 @@ block's own variable, or in the mapping program a terminal.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeVar
 
+from interlock.dataclass import dataclass
 from interlock.st.ast import (
     HEADLINE,
     Assign,

@@ -7,9 +7,9 @@ one instruction of two words, and one in a data block by a word more, which open
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
+from interlock.dataclass import dataclass
 from interlock.st.ast import (
     Assign,
     Block,

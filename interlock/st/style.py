@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from interlock.dataclass import dataclass
 
 SPACE = r"[\x20\t\r\n]+"
 """What every tool takes for space, and nothing else: no form feed, no space of Unicode."""

@@ -6,11 +6,11 @@ Every derived cell carries `Because(rule, text)`.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
 from typing import overload
 
+from interlock.dataclass import dataclass
 from interlock.model.bits import chosen
 from interlock.model.elements import (
     ConditionId,

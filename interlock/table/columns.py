@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.model.elements import RouteId
 from interlock.table.cells import Because, FoulCell, Hostile, HostileClass, PointDemand, Role
 from interlock.table.printed import Part, PrintedRoute, grouped, joined, parts

@@ -7,8 +7,8 @@ the diagonal of M^T.M counts the routes over a section.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.model.elements import RouteId, SectionId
 from interlock.table.cells import Hostile
 from interlock.table.printed import Printed, PrintedRoute, grouped

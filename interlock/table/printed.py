@@ -9,10 +9,11 @@ the first one, too: `A-B.o1`) where some are.
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from typing import Generic, TypeVar
 
+from interlock.dataclass import dataclass
 from interlock.model.elements import RouteId
 from interlock.table.cells import RouteKind
 from interlock.table.rows import InterlockingTable, RouteRow

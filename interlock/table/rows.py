@@ -5,9 +5,10 @@ Input: built by `derive`.  Output: read by `logic.lower`, the exporters and the 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 
+from interlock.dataclass import dataclass
 from interlock.model.elements import CrossingId, NodeId, RouteId, SectionId, SignalId
 from interlock.table.cells import (
     ApproachCell,

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from interlock.dataclass import dataclass
 from interlock.dispatch.plan.problem import Move, Problem
 
 MOST_STATES = 500_000

@@ -10,7 +10,9 @@ Every node of every train has a bit, so that a state is one number, and so is wh
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
+
+from interlock.dataclass import dataclass
 
 
 class GoesRound(Exception):

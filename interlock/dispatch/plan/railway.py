@@ -17,12 +17,13 @@ Nothing here depends on names: where several routes are possible they are ordere
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 from heapq import heappop, heappush
 from itertools import count, takewhile
 from math import inf
 
+from interlock.dataclass import dataclass
 from interlock.dispatch.plan.problem import Draft
 from interlock.model.elements import NodeId, Position, RouteId, SectionId
 from interlock.model.layout import Layout

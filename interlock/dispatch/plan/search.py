@@ -13,12 +13,13 @@ the budget of states is used up, UNKNOWN is said.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from enum import StrEnum
 from functools import cached_property
 from heapq import heappop, heappush
 from itertools import count
 
+from interlock.dataclass import dataclass
 from interlock.dispatch.plan.problem import Move, Problem
 
 BUDGET = 200_000

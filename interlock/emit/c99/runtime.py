@@ -8,10 +8,10 @@ that it needs no library.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import groupby
 from string import ascii_letters, digits
 
+from interlock.dataclass import dataclass
 from interlock.emit.python.runtime import route_numbers
 from interlock.logic.controller import Controller, Equation, Join, Step, Timer
 from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from itertools import pairwise
 from math import dist
 
+from interlock.dataclass import dataclass
 from interlock.emit.drawing.strands import Plan
 from interlock.model.elements import EdgeId, NodeId, SectionId
 from interlock.model.layout import Layout

@@ -12,11 +12,12 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import pairwise
 
 import networkx as nx
 
+from interlock.dataclass import dataclass
 from interlock.emit.drawing.narrowest import narrowest
 from interlock.emit.drawing.strands import Plan, Strand
 from interlock.model.elements import NodeId

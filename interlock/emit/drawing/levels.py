@@ -12,8 +12,8 @@ from __future__ import annotations
 import heapq
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.emit.drawing.strands import Plan
 from interlock.model.elements import NodeId
 

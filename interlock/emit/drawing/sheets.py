@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from itertools import count, pairwise
 from math import ceil, dist
 from xml.sax.saxutils import escape
 
+from interlock.dataclass import dataclass
 from interlock.emit.drawing.canvas import Box, Drawing, Spot, width
 from interlock.emit.drawing.svg import STYLE, plan_body
 from interlock.emit.tables.paper import title_block

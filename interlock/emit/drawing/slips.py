@@ -8,8 +8,9 @@ given its points back, which lie in its middle.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from interlock.dataclass import dataclass
 from interlock.emit.drawing.canvas import BLADES, Drawing, Spot, cut_at
 from interlock.model.elements import Blades, Crossing, CrossingId, Edge, EdgeId, NodeId, PointId
 from interlock.model.layout import Layout

@@ -9,9 +9,9 @@ the plan (a balloon loop, a triangle) is first cut where it turns (`turns`).
 from __future__ import annotations
 
 from collections import deque
-from dataclasses import dataclass
 from functools import cached_property
 
+from interlock.dataclass import dataclass
 from interlock.model.elements import BufferKind, EdgeId, NodeId, Point
 from interlock.model.layout import Layout
 

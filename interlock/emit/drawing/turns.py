@@ -8,10 +8,11 @@ an embedding tells what turns (`upward`).
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import networkx as nx
 
+from interlock.dataclass import dataclass
 from interlock.emit.drawing.strands import Plan, Strand
 from interlock.model.elements import EdgeId, NodeId
 from interlock.model.layout import Layout

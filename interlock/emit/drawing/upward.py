@@ -11,11 +11,12 @@ From the same angles come the edges that leave no source and no sink within a fa
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import pairwise, product
 
 import networkx as nx
 
+from interlock.dataclass import dataclass
 from interlock.emit.drawing.embedding import SINK, SOURCE, Bridges, Joins, Name, NotPlanar, knot, middle
 from interlock.emit.drawing.strands import Plan, Strand
 from interlock.emit.drawing.turns import Unrolled, cut_at_turns, longest, metres

@@ -10,13 +10,14 @@ import csv
 import io
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, field
 from functools import lru_cache
 from importlib import resources
 
 from jinja2 import Environment, PackageLoader, select_autoescape
 from markupsafe import Markup, escape
 
+from interlock.dataclass import dataclass
 from interlock.emit.bundle import digest_of
 from interlock.emit.io import CROSS_REFERENCE
 from interlock.emit.tables.paper import SIGNED, title_block

@@ -10,10 +10,11 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field, fields
+from dataclasses import asdict, field, fields
 from operator import attrgetter
 from typing import Any
 
+from interlock.dataclass import dataclass
 from interlock.model.elements import RouteId
 from interlock.model.layout import Layout
 from interlock.table.cells import (

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import io
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
 
+from interlock.dataclass import dataclass
 from interlock.emit.bundle import reproducible
 from interlock.emit.tables.export import matrix_rows, printed_rows, reason_rows
 from interlock.emit.tables.paper import (

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 
+from interlock.dataclass import dataclass
 from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, var
 from interlock.logic.names import Name

@@ -14,9 +14,9 @@ Grumberg and Long, 1994.)
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from enum import IntEnum
 
+from interlock.dataclass import dataclass
 from interlock.logic.expr import AND, EQ, NOT, OR, VAR, WIDE, Expr, Substitution, disj, neg, parts_of, rebuild, var
 from interlock.logic.names import Name, each_value
 from interlock.proof.system.neighbourhood import RouteVariables

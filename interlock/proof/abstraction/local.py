@@ -29,8 +29,9 @@ asked with the whole one.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from interlock.dataclass import dataclass
 from interlock.logic.expr import AND, NOT, OR, VAR, Expr, var
 from interlock.logic.names import NONE, Name, Owner, of_block
 from interlock.model.bits import bits, bits_of

@@ -8,8 +8,8 @@ Verification of Coordinating Processes*, 1994.)
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.logic.expr import Expr
 from interlock.logic.names import Kind
 from interlock.proof.abstraction.canonical import CanonicalForms

@@ -10,8 +10,9 @@ is needed but those on which the last one rests.  (Backward checking: Goldberg a
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
+from interlock.dataclass import dataclass
 from interlock.proof.certificate.clauses import Clause, Numbering
 from interlock.proof.certificate.facts import Fact, FactBase, Goal, GoalKind
 from interlock.proof.certificate.refute import NOTHING, Literals, Search

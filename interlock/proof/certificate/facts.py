@@ -21,9 +21,9 @@ alone, so that none shows itself.)
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from enum import StrEnum
 
+from interlock.dataclass import dataclass
 from interlock.logic.expr import OR, TRUE, Expr, disj, eq, implies, neg, parts_of, var
 from interlock.logic.names import Name
 from interlock.proof.claims import Claim, Invariant

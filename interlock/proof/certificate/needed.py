@@ -12,8 +12,8 @@ proof's graph of hints; trimming of proofs: Heule, Hunt and Wetzler, 2013.)
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.logic.controller import Controller, Equation, Join
 from interlock.logic.expr import Expr, disj, neg, var
 from interlock.logic.names import Name

@@ -4,8 +4,8 @@ the flank space is clear (R5)."""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, implies, neg, var
 from interlock.logic.plant import accepted, came, lamp, lies, o, overran, rests
 from interlock.model.elements import (

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from itertools import pairwise
 
+from interlock.dataclass import dataclass
 from interlock.logic.expr import Expr, conj, disj
 from interlock.logic.plant import lies
 from interlock.model.elements import NodeId, SectionId, SignalId

@@ -15,8 +15,9 @@ sequential equivalence with corresponding registers: van Eijk, 2000.)
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from interlock.dataclass import dataclass
 from interlock.logic.controller import Controller
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, iff, neg, var, variables
 from interlock.logic.names import Name, computed, spelled

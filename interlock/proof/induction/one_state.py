@@ -13,9 +13,9 @@ and no lamp, is a claim about one state as well, and asked without priming.
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property, partial
 
+from interlock.dataclass import dataclass
 from interlock.logic.expr import Expr, Substitution, var, variables
 from interlock.logic.names import Name
 from interlock.proof.abstraction.canonical import CanonicalForms

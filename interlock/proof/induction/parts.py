@@ -12,11 +12,11 @@ from __future__ import annotations
 
 from collections import Counter, deque
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property, partial
 from itertools import chain
 from typing import NamedTuple
 
+from interlock.dataclass import dataclass
 from interlock.logic.expr import TRUE, Expr, variables
 from interlock.logic.names import Name
 from interlock.proof.abstraction.canonical import CanonicalForms

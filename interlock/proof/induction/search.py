@@ -11,8 +11,8 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.logic.expr import Expr, disj, eq, evaluate, neg, var, variables
 from interlock.logic.names import STANDS, Form
 from interlock.proof.claims import Claim

@@ -7,8 +7,8 @@ sentences tell what the system does in this run and add no step to it.  (Evaluat
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.diag.called import called
 from interlock.logic import names
 from interlock.logic.expr import evaluate

@@ -7,9 +7,10 @@ never counted as proved.  (Soundness of the two rules: `inductive.py` and `searc
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from enum import StrEnum
 from typing import TYPE_CHECKING
+
+from interlock.dataclass import dataclass
 
 if TYPE_CHECKING:
     from interlock.proof.induction.story import Story

@@ -9,10 +9,10 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
+from interlock.dataclass import dataclass
 from interlock.logic.controller import Controller
 from interlock.model.layout import Layout
 from interlock.proof.engines.pool import processes

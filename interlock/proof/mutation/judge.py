@@ -14,10 +14,10 @@ fails does not follow by induction; the mutant need not be unsafe.  (Houdini: Fl
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
 
+from interlock.dataclass import dataclass
 from interlock.logic import names
 from interlock.logic.controller import Controller, MalformedController
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, variables

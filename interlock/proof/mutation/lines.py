@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from interlock.dataclass import dataclass
 from interlock.logic.expr import Expr
 from interlock.logic.names import Name
 from interlock.proof.claims import Facts, claims, strengthening

@@ -10,9 +10,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 
+from interlock.dataclass import dataclass
 from interlock.logic.controller import Controller, Equation, Join, StateVar, Step, Term, Timer
 from interlock.logic.expr import AND, FALSE, NOT, TRUE, VAR, Expr, conj, disj, neg, text, var
 from interlock.logic.names import Name, spelled

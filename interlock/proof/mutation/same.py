@@ -14,8 +14,8 @@ Concurrency*, 1989; as signal correspondence: van Eijk, 2000.)  That no such rel
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.logic.controller import Controller
 from interlock.logic.expr import NOT, TRUE, VAR, Expr, Substitution, implies, neg, var, variables
 from interlock.logic.names import Form, Name

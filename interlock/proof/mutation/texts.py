@@ -9,8 +9,8 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.controller import Controller
 from interlock.proof.equivalence.python_text import compare_runtime

@@ -8,11 +8,12 @@ proved: the rest of the controller protects without that condition.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import StrEnum
 from functools import partial
 from itertools import islice
 
+from interlock.dataclass import dataclass
 from interlock.logic import names
 from interlock.logic.controller import Controller, Equation, Join, StateVar, Term
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, var

@@ -14,8 +14,8 @@ as long as the world needs.  (One interval within another; counted in the same t
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.logic.controller import Controller, Timer
 from interlock.logic.expr import conj, implies, var
 from interlock.logic.names import AGREED_LONG, STAND_LONG, STOP_LONG, Name, covered

@@ -9,8 +9,7 @@ Specifications*, 1995.)
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from interlock.dataclass import dataclass
 from interlock.logic.controller import Controller
 from interlock.logic.expr import var
 from interlock.logic.plant import Plant, TokenWires, Wiring, build_plant

@@ -10,9 +10,9 @@ questions decide how long they take, never what follows.  (Weakening of premises
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
+from interlock.dataclass import dataclass
 from interlock.logic import names
 from interlock.logic.names import Form, Kind, Name, Owner
 from interlock.model.elements import SectionId, SignalId

@@ -12,9 +12,10 @@ the state after that step.  (Substitution lemma; priming: Manna and Pnueli, *Tem
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 
+from interlock.dataclass import dataclass
 from interlock.logic.controller import Timer
 from interlock.logic.expr import Expr, Substitution, var, variables
 from interlock.logic.names import Name

@@ -15,9 +15,9 @@ they leave open.  (Induction over scans; greatest fixed point: Tarski, 1955; Kle
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
+from interlock.dataclass import dataclass
 from interlock.logic import names
 from interlock.logic.controller import Controller, Timer
 from interlock.logic.expr import Expr, conj, iff, neg, settled, var

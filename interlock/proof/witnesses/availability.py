@@ -17,11 +17,12 @@ well shows nothing, and is called a failure.  (Clarke, Grumberg and Peled, *Mode
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import StrEnum
 from functools import partial
 from itertools import pairwise
 
+from interlock.dataclass import dataclass
 from interlock.logic import names
 from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import Position, RouteId, SectionId

@@ -9,9 +9,9 @@ staggered starts each machine after the first waits for its turn, those that the
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from math import ceil
 
+from interlock.dataclass import dataclass
 from interlock.logic import names
 from interlock.logic.expr import variables
 from interlock.logic.symbols import RouteSymbols, Symbols

@@ -13,10 +13,11 @@ alone, since no operation joins two bits.
 from __future__ import annotations
 
 from collections.abc import Callable, Generator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from itertools import pairwise
 
+from interlock.dataclass import dataclass
 from interlock.logic import names
 from interlock.logic.names import Name
 from interlock.logic.symbols import RouteSymbols

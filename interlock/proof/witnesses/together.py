@@ -7,10 +7,10 @@ Peled, *Model Checking*, 1999.)  That both signals were open at once is read off
 from __future__ import annotations
 
 from collections.abc import Generator, Sequence
-from dataclasses import dataclass
 from enum import StrEnum
 from itertools import pairwise
 
+from interlock.dataclass import dataclass
 from interlock.logic import names
 from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import NodeId, Position, RouteId, SectionId

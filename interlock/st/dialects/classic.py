@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.st.ast import Block, Declaration, Task, Unit
 from interlock.st.dialects.dialect import Files
 from interlock.st.dialects.symbols import read_symbols, symbol_table

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.st.ast import Unit
 from interlock.st.parser import parse_unit
 from interlock.st.printer import print_unit

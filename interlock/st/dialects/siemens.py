@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from interlock.dataclass import dataclass
 from interlock.st.ast import Block, Declaration, Statement
 from interlock.st.dialects.classic import Language, unprintable
 from interlock.st.parser import NotInSubset, parse_unit

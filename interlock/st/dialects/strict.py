@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from interlock.dataclass import dataclass
 from interlock.st.parser import NotInSubset
 
 

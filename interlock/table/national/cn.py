@@ -16,9 +16,10 @@ Input: layout and table.  Everything comes from topology, geometry and the table
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 
+from interlock.dataclass import dataclass
 from interlock.model.elements import (
     BlockKind,
     MachineId,

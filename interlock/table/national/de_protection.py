@@ -7,9 +7,9 @@ SslfColumns.java, SslwColumns.java); Ril 819.0102 itself was not read.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import isinf
 
+from interlock.dataclass import dataclass
 from interlock.model.elements import MachineId, PointId, Position
 from interlock.model.layout import Layout
 from interlock.model.overlap import own_way

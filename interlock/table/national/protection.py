@@ -8,9 +8,9 @@ legs, and how it would lie to turn vehicles away, whether it is the protection o
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
+from interlock.dataclass import dataclass
 from interlock.model.elements import EdgeId, MachineId, NodeId, PointId, Position, SectionId
 from interlock.model.layout import Layout
 from interlock.table.cells import FlankCell, ProviderKind

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from functools import cached_property
 
+from interlock.dataclass import dataclass
 from interlock.model.elements import Hand, MachineId, NodeId, PointId, Position, RouteId, SectionId
 from interlock.model.layout import Layout
 from interlock.model.overlap import entry_speed

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Generic, TypeVar
 
+from interlock.dataclass import dataclass
 from interlock.table.printed import PrintedRoute, joined, parts
 from interlock.table.rows import RouteRow
 from interlock.table.runs import natural
