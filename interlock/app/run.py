@@ -21,7 +21,6 @@ from interlock.logic.cabinet import Allocation, allocate
 from interlock.logic.controller import Controller, Input
 from interlock.logic.expr import interning
 from interlock.logic.lower import lower
-from interlock.logic.words import REFUSED, UNKNOWN
 from interlock.model.layout import Layout
 from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.verdict import Progress, quiet
@@ -157,20 +156,6 @@ class Operator:
         said = [*self.dispatcher.journal.said, *self.numbers.news()]
         self.dispatcher.journal.said.clear()
         return said
-
-
-def refused(ready: Ready, before: Cycle | None, cycle: Cycle) -> dict[str, str]:
-    """A route that was asked for in a cycle and refused: its name, why, and the rule; empty where none was."""
-    assert ready.controller is not None
-    request, words = ready.controller.symbols.requests.request, ready.controller.words
-    number = cycle.inputs.get(request, 0)
-    if not number or (before is not None and before.inputs.get(request, 0)) or number not in words.routes:
-        return {}
-    said = words.reasons.get(cycle.words().get(number, UNKNOWN))
-    if said is None or said.code <= REFUSED:
-        return {}
-    route = next(r.id for r in ready.controller.symbols.routes if r.number == number)
-    return {"route": str(route), "refused": said.text, "rule": said.rule}
 
 
 def spoken(line: str) -> tuple[str, str]:

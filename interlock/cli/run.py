@@ -18,7 +18,8 @@ import click
 from click.core import ParameterSource
 
 from interlock.app.alarms import TRAIN, Watch
-from interlock.app.run import BadCommand, Operator, Ready, prepare, refused, run
+from interlock.app.answers import Answers
+from interlock.app.run import BadCommand, Operator, Ready, prepare, run
 from interlock.cli.common import exit_code, format_option, progress, proof_body, show_proof
 from interlock.cli.operator_place import answering, parsed
 from interlock.dataclass import dataclass
@@ -104,6 +105,7 @@ class _Typed:
         assert ready.layout is not None and ready.controller is not None and ready.allocation is not None
         self._operator, self._say = Operator(ready), say
         self._watch, self._dt_ms = Watch(ready.layout, ready.controller, ready.allocation), 0
+        self._answers = Answers(ready)
         self._stood: dict[str, str] = {}
         self._waiting: queue.SimpleQueue[tuple[str, str, Reply]] = queue.SimpleQueue()
 
@@ -139,7 +141,8 @@ class _Typed:
         return found
 
     def after(self, cycle: Cycle) -> Iterable[str]:
-        """The keys of the alarms that stand after a cycle; those that are new or over are said."""
+        """The keys of the alarms that stand after a cycle; those that are new or over are said, and what has become of
+        requests."""
         self._watch.after(cycle, self._dt_ms)
         stand = {key: text for key, (text, _) in {**self._watch.past, **self._watch.causes}.items()}
         for key in [k for k in stand if k not in self._stood]:
@@ -147,6 +150,8 @@ class _Typed:
         for key in [k for k in self._stood if k not in stand]:
             self._say({"alarm": self._stood[key], "stands": False})
         self._stood = stand
+        for answer in self._answers.after(cycle, self._dt_ms):
+            self._say(answer)
         return (*stand, *(f"{TRAIN} {n}" for n in self._operator.numbers.alarms))
 
 
@@ -165,7 +170,6 @@ def _run(
     for ending in (signal.SIGTERM, signal.SIGHUP):
         signal.signal(ending, _end)
     before: dict[str, bool] = {}
-    last: Cycle | None = None
     said: tuple[object, ...] = ()
     longest = 0.0
     try:
@@ -184,9 +188,7 @@ def _run(
                 for name, value in result.outputs.items():
                     if before.get(name) is not value and (before or value):
                         say({"output": name, "value": int(value)})
-                if no := refused(ready, last, result):
-                    say(no)
-                before, last = dict(result.outputs), result
+                before = dict(result.outputs)
     except KeyboardInterrupt:
         pass
     ended, ms = "every output that could be reached is restrictive", round(longest * 1000, 1)
@@ -307,6 +309,8 @@ def _text(event: dict[str, Any]) -> None:
     match event:
         case {"route": route, "refused": text, "rule": rule}:
             click.echo(f"  route {route} is refused: {text} ({rule})")
+        case {"route": route, "at_stop": waits}:
+            click.echo(f"  route {route} is set, its signal at stop: {'; '.join(waits)}")
         case {"refused": text} | {"voyage": text}:
             click.echo(f"  {text}")
         case {"asked": line, "who": who}:

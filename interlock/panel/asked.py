@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from interlock.app.reasons import Moment, Reason, Reasons
 from interlock.app.run import Operator
 from interlock.dispatch.arbiter import Source
 from interlock.field.plc import Cycle
 from interlock.logic.symbols import Symbols
 from interlock.logic.words import UNKNOWN
 from interlock.panel.event import Event
-from interlock.panel.reasons import Moment, Reason, Reasons
 
 
 class Asked:

@@ -15,6 +15,7 @@ from contextlib import closing
 from typing import Any
 
 from interlock.app.alarms import HAZARD, RECORD, TRAIN, Watch
+from interlock.app.reasons import Moment, Reason
 from interlock.app.run import Ready, run
 from interlock.field.plc import Cycle, Link
 from interlock.field.polling import Beside, InTurn
@@ -25,7 +26,6 @@ from interlock.panel.commands import Refused
 from interlock.panel.event import Event, stamp
 from interlock.panel.operating import Operating, Person
 from interlock.panel.picture import Picture, still, trains
-from interlock.panel.reasons import Moment, Reason
 from interlock.panel.recorder import Recorder
 from interlock.panel.simulated import SimulatedField
 from interlock.panel.stock import LENGTH_M, Impossible

@@ -6,8 +6,8 @@ from dataclasses import field
 from datetime import datetime
 from typing import Any
 
+from interlock.app.reasons import Reason
 from interlock.dataclass import dataclass
-from interlock.panel.reasons import Reason
 
 
 def stamp() -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Mapping
 from typing import Any
 
+from interlock.app.reasons import Moment, Reason, Reasons
 from interlock.app.run import Operator, Ready
 from interlock.dataclass import dataclass
 from interlock.field.plc import Cycle
@@ -13,7 +14,6 @@ from interlock.panel.alarms import Alarms
 from interlock.panel.asked import Asked
 from interlock.panel.commands import TEXT, Buttons, Refused
 from interlock.panel.event import Event, stamp
-from interlock.panel.reasons import Moment, Reason, Reasons
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from functools import cached_property
 from interlock.dataclass import dataclass
 from interlock.diag.called import called
 from interlock.field.plc import Memory
+from interlock.logic import names
 from interlock.logic.controller import Controller, Equation, Input, Step, Timer
 from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr, evaluate
 from interlock.logic.names import Name, computed
@@ -87,14 +88,15 @@ class Reasons:
     def of_stop(self, number: int, moment: Moment) -> list[Reason]:
         """What a route that is set still waits for before its signal opens."""
         state = moment.before.state
-        wire = f"PR_R{number}" if state.get(f"B_R{number}") else f"LK_R{number}"
-        wanted = not state.get(f"B_R{number}") or state.get(f"W_R{number}")
+        locked = state.get(names.LOCKED(number))
+        wire = names.OPENS(number) if locked else names.LOCKS(number)
+        wanted = not locked or state.get(names.WANTED(number))
         found = self._told(wire, moment, {"active", "wanted"})
         return found if wanted else [*found, Reason("it has closed once, and opens only when it is asked for again")]
 
     def of_loss(self, number: int, moment: Moment) -> list[Reason]:
         """Which condition of proceed was lost (R14)."""
-        return self._told(f"CO_R{number}", moment, set())
+        return self._told(names.CONDITIONS(number), moment, set())
 
     def _told(self, wire: str, moment: Moment, leave: set[str]) -> list[Reason]:
         step = self._steps[wire]

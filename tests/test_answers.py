@@ -1,0 +1,70 @@
+"""What `interlock run` says of requests, on the simulated railway: refused, or set and at stop, and why."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from interlock.app.answers import Answers
+from interlock.app.run import Operator, Ready, prepare
+from interlock.cli.run import _text
+from interlock.field.plc import Cycle, SoftPlc, runtime_scan
+from interlock.panel.simulated import SimulatedField
+
+STEP_MS = 200
+
+
+@pytest.fixture(scope="module")
+def loop() -> Ready:
+    """A passing loop whose line towards W is worked with a direction token."""
+    found = prepare("layouts/passing_loop.yaml")
+    assert found.proved.green
+    return found
+
+
+class Desk:
+    """Somebody types commands, and reads what is said."""
+
+    def __init__(self, ready: Ready) -> None:
+        assert ready.layout is not None and ready.controller is not None and ready.allocation is not None
+        inputs = {str(i.name): (i.restrictive, i.size) for i in ready.controller.inputs}
+        runtime = runtime_scan(ready.runtime)
+        self.field = SimulatedField(ready.layout, ready.allocation, inputs, runtime.restrictive, STEP_MS / 1000)
+        self.plc = SoftPlc(runtime, ready.allocation, self.field.links, ready.controller.symbols.valid)
+        self.operator, self.answers = Operator(ready), Answers(ready)
+        self.last: Cycle | None = None
+
+    def cycles(self, count: int) -> list[dict[str, Any]]:
+        """So many cycles, and what is said in them."""
+        said: list[dict[str, Any]] = []
+        for _ in range(count):
+            written = self.operator.inputs(self.last, STEP_MS)
+            self.field.step(STEP_MS / 1000, written)
+            self.last = self.plc.cycle(written, STEP_MS)
+            said += self.answers.after(self.last, STEP_MS)
+        return said
+
+    def type(self, line: str) -> list[dict[str, Any]]:
+        """A line is typed; what is said in a minute after it."""
+        self.operator.type(line)
+        return self.cycles(60_000 // STEP_MS)
+
+
+def test_a_route_that_is_set_says_what_its_signal_waits_for(loop: Ready) -> None:
+    desk = Desk(loop)
+    assert loop.layout is not None
+    desk.cycles(round(loop.layout.principles.restart_delay_s * 1000 / STEP_MS) + 50)
+    assert desk.type("release") == []
+    waits = {"route": "S1-W", "at_stop": ["the direction at W is not ours"]}
+    assert desk.type("set S1-W") == [waits], "said once"
+    assert desk.type("set S1-W") == [waits], "and when it is asked for again"
+    (no,) = desk.type("set S3-W")
+    assert no["route"] == "S3-W" and no["refused"].endswith("for route S1-W") and no["rule"] == "R6"
+    assert desk.type("set S-S3") == [], "its signal opens: nothing is to be said"
+
+
+def test_it_is_said_for_people(capsys: pytest.CaptureFixture[str]) -> None:
+    _text({"route": "S1-W", "at_stop": ["the direction at W is not ours", "section 1DG is occupied"]})
+    told = "  route S1-W is set, its signal at stop: the direction at W is not ours; section 1DG is occupied\n"
+    assert capsys.readouterr().out == told
