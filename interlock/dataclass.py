@@ -48,7 +48,7 @@ def _when_first_used(made: Any, name: str) -> Any:
         alike = {
             f.name: dataclasses.field(compare=f.compare, hash=f.hash, repr=f.repr) for f in dataclasses.fields(made)
         }
-        theirs = type("", (), {"__doc__": name, "__annotations__": dict.fromkeys(alike, Any), **alike})
+        theirs = type(made.__name__, (), {"__doc__": name, "__annotations__": dict.fromkeys(alike, Any), **alike})
         dataclasses.dataclass(
             init=False, repr=shows, eq=not shows, order=orders, unsafe_hash=name == "__hash__", match_args=False
         )(theirs)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -68,3 +69,35 @@ def test_it_is_said_for_people(capsys: pytest.CaptureFixture[str]) -> None:
     _text({"route": "S1-W", "at_stop": ["the direction at W is not ours", "section 1DG is occupied"]})
     told = "  route S1-W is set, its signal at stop: the direction at W is not ours; section 1DG is occupied\n"
     assert capsys.readouterr().out == told
+
+
+TWO = """
+interlock: 1
+name: two
+boundaries: {W: {approach: wa 600}, E: {approach: ea 600, trains: out}}
+tracks: {line: [W, q1 300, q2 300, q3 400, E]}
+signals: {A: {from: W, into: q1}, X: {from: q2, into: q3}}
+"""
+
+
+def test_a_signal_that_has_closed_opens_only_when_it_is_asked_for_while_everything_is_in_order(tmp_path: Path) -> None:
+    """Asked for while its section is blocked, it is not to open by itself when the block is taken off, hours later."""
+    (tmp_path / "two.yaml").write_text(TWO, "utf-8")
+    ready = prepare(str(tmp_path / "two.yaml"))
+    assert ready.proved.green and ready.layout is not None and ready.controller is not None
+    desk = Desk(ready)
+    desk.cycles(round(ready.layout.principles.restart_delay_s * 1000 / STEP_MS) + 50)
+
+    def is_open() -> bool:
+        assert desk.last is not None
+        return desk.last.outputs["YP_X"]
+
+    desk.type("release")
+    assert desk.type("set X-E") == [] and is_open()
+    blocked, closed = "section q3 is blocked", "it has closed once, and opens only when it is asked for again"
+    assert desk.type("BLK_q3=1") == [{"route": "X-E", "at_stop": [blocked, closed]}]
+    assert desk.type("set X-E") == [{"route": "X-E", "at_stop": [blocked, closed]}] and not is_open()
+    desk.type("BLK_q3=0")
+    assert not is_open(), "what was asked for while the section was blocked has come to nothing"
+    desk.type("set X-E")
+    assert is_open()

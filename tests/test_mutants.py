@@ -170,6 +170,7 @@ ALONE = {
     "call-on-unasked": ("../tests/layouts_for_tests/trap_beyond", "S-CALL-ON"),
     "speed-not-shown": ("../tests/layouts_for_tests/speeds", "S-SPEED"),
     "swing-misread": ("../tests/layouts_for_tests/trap_beyond", "S-REQUEST"),
+    "request-kept": ("fig2_3_split", "S-AGAIN"),
     "added-let-go": (ADDED, "S-DECLARED"),
     "added-to-called-on-forgotten": ("../tests/layouts_for_tests/called_on", "S-DECLARED"),
     "added-not-clear": ("../tests/layouts_for_tests/clear_beyond", "S-DEMANDED"),

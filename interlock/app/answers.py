@@ -37,7 +37,7 @@ class Answers:
         code = said.get(asked, UNKNOWN)
         moment = Moment(cycle.inputs, before.memory, dt_ms)
         if code > REFUSED:
-            reason = self._controller.words.reasons[code]
+            reason = self._reasons.of_request(asked, moment, code)[0]
             yield {"route": self._name(asked), "refused": reason.text, "rule": reason.rule}
         for number, cycles in stays.items():
             if cycles == AT_STOP or (number == asked and cycles > 1):

@@ -106,11 +106,7 @@ class Ahead(Topology):
 
     def w_swings_in_time(self, g: Signal) -> list[str]:
         """The machines of an overlap that swings while no train can come so far."""
-        if not self.lengths.swings_in_time(g):
-            return []
-        ways = [w for o in self.overlaps if o.signal == g for w in o.path.ways]
-        over = [d for d, those in self.r.devices.items() if any(w.section in those for w in ways)]
-        return list(dict.fromkeys([*(d.machine for w in ways for _, d in w.points), *over]))
+        return self.lengths.of_overlap(g) if self.lengths.swings_in_time(g) else []
 
     def w_overlap_paths(self, c: Calling) -> list[Path]:
         """The paths of trains to a signal with an overlap."""

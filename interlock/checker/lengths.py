@@ -280,8 +280,14 @@ class Lengths(Overlaps):
             return False
         metres = min((w.length for w in self.r.track.ways[s] if w.exit == g.node), default=0.0)
         return metres / (self.kmh(s) / 3.6) >= self._d.rule("output_delay_s") + max(
-            map(self.supervision, self.r.machines)
+            map(self.supervision, self.of_overlap(g)), default=self._d.rule("point_supervision_s")
         )
+
+    def of_overlap(self, g: Signal) -> list[str]:
+        """The machines of points in the overlaps of a signal, and of what lies over them."""
+        ways = [w for o in self.overlaps.get(g.name, []) for w in o.ways]
+        over = [d for d, those in self.r.devices.items() if any(w.section in those for w in ways)]
+        return list(dict.fromkeys([*(d.machine for w in ways for _, d in w.points), *over]))
 
     # --- from where a train may come to a signal (R8) ---
 

@@ -268,7 +268,7 @@ LINE_LAST = Family(Kind.LINE, "last.{}", "no further train is on the line")
 # --- what the proof remembers, and counts --------------------------------------------------------
 
 BEEN = Family(Kind.SECTION, "been.{}", "a train has come in since it was locked firmly", history=True)
-SHUT = Family(Kind.ROUTE, "shut.R{}", "its signal has closed, and nobody has asked again", history=True)
+SHUT = Family(Kind.ROUTE, "shut.R{}", "its signal has closed, and nobody has just asked again", history=True)
 OVERFULL = Family(Kind.ZONE, "zone.{}", "a train is called into a zone that is full")
 ZONE_SUM = Family(Kind.ZONE, "zone.{}.{}.{}", "so many of the first that count in a zone are there")
 

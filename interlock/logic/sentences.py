@@ -47,7 +47,9 @@ SENTENCES: dict[Family, Sentence] = {
     names.LOCK: Sentence("", "{0:section} is locked", rules.HOSTILE_ROUTES),
     names.RESTART_LOCK: Sentence("", "{0:section} is not released since the restart", rules.RESTART),
     names.STALE: Sentence(
-        "", "{0:section}: inputs were lost, or a train was called on; release it by hand", rules.RESTART
+        "",
+        "{0:section}: inputs were lost, or a train was called on; cancel the route, or release the section by hand",
+        rules.RESTART,
     ),
     names.USED: Sentence("no train has come into {0:section}", "a train is in {0:section}", rules.SECTIONAL_RELEASE),
     names.TRAIN_LOCK: Sentence("", "{0:section} is locked for a train", rules.KINDS_OF_ROUTES),

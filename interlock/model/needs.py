@@ -11,10 +11,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from interlock.dataclass import dataclass
-from interlock.model.elements import BoundaryKind, Position, SectionId, SignalId
+from interlock.model.elements import BoundaryKind, MachineId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
+from interlock.model.overlap import overlap_paths
 from interlock.model.principles import Principles
-from interlock.model.times import longest_supervision_s
+from interlock.model.times import supervision_s
 from interlock.model.traversal import Traversal, topology
 
 
@@ -154,9 +155,14 @@ def standing_s(layout: Layout, g: SignalId) -> float:
     return metres / speed + speed / (2 * braking)
 
 
-def turning_s(layout: Layout) -> float:
-    """How long the points of an overlap that swings may turn once it does: the output's delay and their supervision."""
-    return layout.principles.output_delay_s + longest_supervision_s(layout)
+def turning_s(layout: Layout, g: SignalId) -> float:
+    """How long what lies in the overlaps of a signal, or over them, may turn once they swing: the output's delay and
+    the longest supervision of these machines."""
+    ways = [t for path in overlap_paths(layout, g) for t in path]
+    over = {MachineId(d.id) for d in layout.signalling.devices if any(t.section in d.over for t in ways)}
+    machines = over | {layout.pointwork.point[p].machine for t in ways for p, _ in t.points}
+    rules = layout.principles
+    return rules.output_delay_s + max((supervision_s(layout, m) for m in machines), default=rules.point_supervision_s)
 
 
 def _turns_in_time(layout: Layout, g: SignalId) -> bool:
@@ -165,4 +171,4 @@ def _turns_in_time(layout: Layout, g: SignalId) -> bool:
     With `point_start_gap_s` a machine may wait for others to start, and begin to turn before a train that has come in.
     """
     way = before(layout, g)
-    return layout.principles.point_start_gap_s <= 0 and way is not None and way.seconds >= turning_s(layout)
+    return layout.principles.point_start_gap_s <= 0 and way is not None and way.seconds >= turning_s(layout, g)

@@ -88,7 +88,7 @@ MEANING: dict[str, str] = {
         "delay of a cancellation while the approach is occupied, for train routes (R8: 180 s receiving and "
         "main-line departure; an Indian example has 120 s).  `mine` takes 60 s (our choice)"
     ),
-    "shunt_release_s": "the same for shunt routes (R8: 30 s)",
+    "shunt_release_s": "the same for signals that open for shunt routes alone (R8: 30 s)",
     "point_supervision_s": "time after which a commanded point without detection raises an alarm (R10: 13 s)",
     "point_start_gap_s": (
         "least time between the starts of two point machines, so that their currents do not add up (R10, sequence "

@@ -11,11 +11,6 @@ def supervision_s(layout: Layout, machine: MachineId) -> float:
     return dict(layout.pointwork.supervision).get(machine, layout.principles.point_supervision_s)
 
 
-def longest_supervision_s(layout: Layout) -> float:
-    """For as long any machine may turn before an alarm."""
-    return max([layout.principles.point_supervision_s, *(s for _, s in layout.pointwork.supervision)])
-
-
 def approach_release_s(layout: Layout, signal: SignalId) -> float:
     """Seconds for which the routes of a signal are held after a cancellation: one time for a signal (R8)."""
     g, p = layout.signalling.signal[signal], layout.principles

@@ -132,14 +132,14 @@ def _not_in_time(layout: Layout, g: SignalId) -> tuple[str, str]:
             "turn when a train has come into the section before the signal",
             "or state `point_start_gap_s: 0` in `principles`, where the supply bears that all machines start at once",
         )
-    way, turning = before(layout, g), turning_s(layout)
+    way, turning = before(layout, g), turning_s(layout, g)
     assert way is not None  # an overlap lies beyond a signal inside the layout
     kmh, metres = floor(way.metres / turning * 3.6), ceil(way.kmh / 3.6 * turning)
     slower = f"state {kmh} km/h or less for {way.section} (`sections`), " if kmh >= 5 else ""
     return (
         f"a train runs through the {way.metres:g} m of {way.section} before it at {way.kmh:g} km/h in "
-        f"{floor(10 * way.seconds) / 10:g} s, and its points may turn for {turning:g} s",
-        f"{slower}let it be {metres} m or longer, or shorten `point_supervision_s`",
+        f"{floor(10 * way.seconds) / 10:g} s, and its machines may turn for {turning:g} s",
+        f"{slower}let it be {metres} m or longer, or shorten their supervision (`point_supervision_s`, or their own)",
     )
 
 

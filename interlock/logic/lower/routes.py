@@ -12,6 +12,8 @@ section before the signal is firmly locked towards it: for the train that is on 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from interlock.diag.called import called
 from interlock.logic import names, rules
 from interlock.logic.controller import Input, Join, Term
@@ -146,7 +148,13 @@ def _rear_terms(d: Draft, r: RouteRow) -> list[Term]:
     beyond = {d.topo.beyond(rear, node) for node in d.topo.ends[rear] if node != r.path.entry_node}
     for other in sorted({*(s for s in beyond if s is not None), *d.sections.foul_of.get(rear, ())}):
         alone = disj((released, neg(var(names.RESTART_LOCK(other))), d.sections.clear(other)))
-        out.append(Term(alone, "stands alone", f"nothing stands across from {other}, or foul of it, since the restart"))
+        out.append(
+            Term(
+                alone,
+                "stands alone",
+                f"{other} clear, or released since the restart: whoever stands there too is moved under local rules",
+            )
+        )
     return out
 
 
@@ -374,17 +382,25 @@ def _opens(d: Draft, r: RouteRow, stays: Term, stop: tuple[Term, ...]) -> None:
         group,
         f"proceed for route {r.id} ({rules.PROCEED}, {rules.SIGNALS})",
     )
-    kept = conj((var(names.CONDITIONS(k)), *(t.expr for t in past)))
+    kept = conj((var(names.CONDITIONS(k)), *(t.expr for t in _lamp_terms(d, r)), *_kept_past(d, r, past)))
     d.wire(
         names.CONDITION_LOST(k),
         Join.ALL,
         (
-            Term(var(names.SHOWING(k)), "showing"),
+            Term(var(names.SHOWN(k)), "has been open"),
             Term(neg(kept), "conditions lost"),
         ),
         group,
-        f"route {r.id}: a condition was lost; no reopening by itself ({rules.ONE_TRAIN_ONE_ROUTE})",
+        f"route {r.id}: a condition is lost; no reopening by itself ({rules.ONE_TRAIN_ONE_ROUTE})",
     )
+
+
+def _kept_past(d: Draft, r: RouteRow, past: list[Term]) -> Iterator[Expr]:
+    """What has to be so past a signal that has been open.  In the scan in which a route is asked for again, the signal
+    that it leads past may have closed: that one is asked for as well, and opens before it."""
+    reopens = conj((_asked_again(d, r), *(neg(var(names.CONDITION_LOST(x.number))) for x in d.routes.onward(r)[:1])))
+    for t in past:
+        yield disj((t.expr, reopens)) if t.kind == "identifier shown" else t.expr
 
 
 def _keep_route(d: Draft, r: RouteRow, stays: Term, stop: tuple[Term, ...]) -> None:

@@ -243,7 +243,7 @@ class SeenFacts:
         return var(names.BEEN(s))
 
     def shut(self, route: int) -> Expr:
-        """History: the signal has closed while the route stayed set, and nobody has asked for it again."""
+        """History: the signal has been open, is closed while the route stays set, and nobody has just asked for it."""
         return var(names.SHUT(route))
 
     @cached_property

@@ -37,8 +37,8 @@ FUNCTIONS: dict[str, str] = {
     "F-OPEN": "A signal whose route is locked and wanted stays at stop only for a reason that R3 names.",
     "F-CLEAR": "A main signal that is open shows clear wherever R11 allows it.",
     "F-SPEED": "A main signal shows the speed of the path for which it is open (R11).",
-    "F-WANT": "A signal is wanted from when its route is locked, or asked for again, until a condition is lost while "
-    "it is open, or it is cancelled (R14).",
+    "F-WANT": "A signal is wanted from when its route is locked until it is cancelled or, once it has been open, a "
+    "condition is lost; then again when it is asked for while all hold (R14).",
     "F-PASSING": "A signal stays open until the whole movement has passed, unless a condition is lost, where the "
     "layout has it so, and nowhere else; none does that calls on (R2, R3).",
     "F-ADDED": "A route holds what the author has added to it exactly from its grant until its train is wholly in its "

@@ -69,7 +69,10 @@ def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
     if r.path.identifier:
         asked = _asked_with(w, r)
     again = disj((want, FALSE if r.call_on else asked))
-    wanted, unwanted = (neg(conj((again, free, disj((neg(shows), conj((x, past))))))) for x in (order, some))
+    reopens = disj((past, asked)) if w.sym.routes.parts(r)[1:2] else past  # what it leads past is asked for as well
+    wanted, unwanted = (
+        neg(conj((again, free, disj((neg(shown), conj((x, lamp, p))))))) for x, p in ((order, past), (some, reopens))
+    )
     kept = conj((disj((wanted, after(want))), implies(unwanted, neg(after(want)))))
     yield "F-WANT", r.id, implies(conj((active, locked, stays)), kept)
     yield "F-WANT", f"{r.id} at first", implies(w.rises(locked), after(want))

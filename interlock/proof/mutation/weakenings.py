@@ -189,6 +189,14 @@ def _call_on_again(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]
             yield r.id, _with(c, old, replace(old, terms=terms))
 
 
+def _request_kept(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    c = lower(layout, table)
+    for r in c.symbols.routes:
+        old = next(e for e in c.equations if e.name == names.CONDITION_LOST(r.number))
+        terms = (old.terms[0]._replace(expr=var(r.proceed)), *old.terms[1:])
+        yield r.id, _with(c, old, replace(old, terms=terms))
+
+
 def _call_on_trusted(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     c = lower(layout, table)
     granted = Substitution({names.GRANTED(r.number): FALSE for r in c.symbols.routes if r.call_on})
@@ -470,6 +478,7 @@ KINDS: tuple[Kind, ...] = (
     Kind("entry-speed-forgotten", "a route shows more than its overlap is made for", _entry_speed_forgotten),
     Kind("lamp-not-proved", "a signal opens with its stop lamp out", without("PR", "stop lamp proved")),
     Kind("opens-by-itself", "a signal opens again when a lost condition returns", without("W", "conditions kept")),
+    Kind("request-kept", "what is asked for while a condition is lost opens the signal later", _request_kept),
     Kind("trailed-not-kept-back", "proceed over a trailed point", without("WD", "not trailed")),
     Kind("lamp-not-lit", "proceed with its lamp out", without("CO", "proceed lamp intact")),
     Kind("clear-lamp-not-lit", "clear with its lamp out", without("C", "clear lamp intact")),

@@ -1,7 +1,7 @@
 """History variables of the proof: computed from the run, they influence nothing.
 
 been.s     a train has come into s since it was locked firmly
-shut.Rn    the signal has closed while route n stayed set, and nobody has asked for it again
+shut.Rn    the signal has been open for route n, which stays set, is closed, and nobody asks for it in this step
 cov.TIMER  since the timer's input rose, what the world's clock looks at has held (`clocks.py`)
 
 **Theorem.**  A variable that nothing else reads, and that has exactly one next value in every step, changes no run of
@@ -26,9 +26,9 @@ def history(loop: ClosedLoop, ties: Iterable[Tie]) -> dict[Name, Expr]:
     symbols, plant = loop.controller.symbols, loop.plant
     out: dict[Name, Expr] = {}
     for r in symbols.routes:
-        closes = conj((var(r.proceed), neg(var(r.proceed.next))))
+        was_open = disj((var(names.SHUT(r.number)), var(r.proceed), var(r.shown)))
         asked = symbols.requests.asked_for(r, symbols.routes)
-        out[names.SHUT(r.number)] = conj((disj((var(names.SHUT(r.number)), closes)), var(r.active.next), neg(asked)))
+        out[names.SHUT(r.number)] = conj((was_open, neg(var(r.proceed.next)), var(r.active.next), neg(asked)))
     for s in loop.topo.sections:
         came_in = disj(plant.events.get(names.HEAD(j, _beyond(loop, s, j)), FALSE) for j in loop.topo.ends[s])
         out[names.BEEN(s)] = conj((disj((var(names.BEEN(s)), came_in)), var(symbols.sections.firm[s].next)))
