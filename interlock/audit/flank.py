@@ -30,7 +30,7 @@ def pairs(trip: Trip) -> Iterator[tuple[Move, Move]]:
 
 
 def unused_places(layout: Layout, trip: Trip) -> list[Place]:
-    """Every place beside the path at which a vehicle could come in."""
+    """Every place beside the path at which a vehicle could come in; none does from where a derailer throws it off."""
     out: list[Place] = []
     margin = layout.principles.clearance_m
     for a, b in pairs(trip):
@@ -38,6 +38,8 @@ def unused_places(layout: Layout, trip: Trip) -> list[Place]:
         if point is not None:
             unused = next(e for e in (point.normal, point.reverse) if e not in (a.edge, b.edge))
             leg = Position.NORMAL if unused == point.normal else Position.REVERSE
+            if point.derailer and leg is Position.NORMAL:
+                continue
             out.append(Place(f"{point.id}.{leg}", a.node, unused, point.fouling + margin, point.id, leg))
         crossing = layout.pointwork.crossing_at.get(a.node)
         if crossing is not None:

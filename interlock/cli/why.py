@@ -56,16 +56,16 @@ def _routes(layout: str, form: str) -> int:
     """The routes that can be named, each with the sections over which it leads; the exit code."""
     checked = check_file(layout)
     rows = checked.table.routes if checked.table is not None else ()
-    named = [(r.id, ", ".join((str(r.kind), *r.names)), ", ".join(c.section for c in r.clear.sections)) for r in rows]
+    named = [(r.id, ", ".join((str(r.kind), *r.names)), ", ".join(s for s, _ in r.path.traversals)) for r in rows]
     if form == "json":
         put_json(
             {
-                "routes": [{"route": n, "kind": kind, "clear": clear} for n, kind, clear in named],
+                "routes": [{"route": n, "kind": kind, "over": over} for n, kind, over in named],
                 "diagnostics": render.as_json(checked.diagnostics, checked.source.texts),
             }
         )
     elif not checked.ok:
         show(checked.diagnostics, checked.source.texts, form)
-    for n, kind, clear in named if form != "json" and checked.ok else ():
-        click.echo(f"{n:22} {kind:16} over {clear}" if clear else f"{n:22} {kind}")
+    for n, kind, over in named if form != "json" and checked.ok else ():
+        click.echo(f"{n:22} {kind:16} over {over}")
     return OK if checked.ok else FINDINGS

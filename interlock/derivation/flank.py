@@ -54,13 +54,15 @@ class Requester:
 
 
 def requesters(layout: Layout, t: Traversal) -> tuple[Requester, ...]:
-    """The requesters of one way through a section."""
+    """The requesters of one way through a section; nobody comes in from where a derailer leads off the rails."""
     out: list[Requester] = []
     margin = layout.principles.clearance_m
     waived = {(w.point, w.leg): w.reason for w in layout.declared.waivers}
     for pid, position in t.points:
         p = layout.pointwork.point[pid]
         leg = position.other
+        if p.derailer and leg is Position.NORMAL:
+            continue
         out.append(
             Requester(
                 f"{pid}.{'normal' if leg is Position.NORMAL else 'reverse'}",
