@@ -101,3 +101,17 @@ def test_a_signal_that_has_closed_opens_only_when_it_is_asked_for_while_everythi
     assert not is_open(), "what was asked for while the section was blocked has come to nothing"
     desk.type("set X-E")
     assert is_open()
+
+
+def test_an_overlap_that_does_not_swing_is_told() -> None:
+    ready = prepare("tests/layouts_for_tests/swing.yaml")
+    assert ready.proved.green and ready.layout is not None
+    desk = Desk(ready)
+    desk.cycles(round(ready.layout.principles.restart_delay_s * 1000 / STEP_MS) + 50)
+    desk.type("release")
+    (no,) = desk.type("swing X3")
+    assert no["swing"] == "X3" and no["refused"].startswith("the overlap cannot swing now"), "no route leads to X3"
+    assert desk.type("set X2-X3") == []
+    (stop,) = desk.type("swing X3")
+    assert stop["route"] == "X2-X3" and "overlap 1 of X3 is not held" in stop["at_stop"], "it swings"
+    assert desk.type("set X2-X3") == [], "and the signal opens again"

@@ -35,10 +35,13 @@ class Answers:
         if before is None:
             return
         code = said.get(asked, UNKNOWN)
+        swings = self._reasons.swing(asked, before.memory, cycle.memory)
         moment = Moment(cycle.inputs, before.memory, dt_ms)
         if code > REFUSED:
             reason = self._reasons.of_request(asked, moment, code)[0]
             yield {"route": self._name(asked), "refused": reason.text, "rule": reason.rule}
+        if swings is not None and cycle.valid and not swings[1]:
+            yield {"swing": str(swings[0]), "refused": self._reasons.of_request(asked, moment, UNKNOWN)[0].text}
         for number, cycles in stays.items():
             if cycles == AT_STOP or (number == asked and cycles > 1):
                 waits = [reason.text for reason in self._reasons.of_stop(number, moment)]
@@ -46,12 +49,11 @@ class Answers:
                     yield {"route": self._name(number), "at_stop": waits}
 
     def _asked(self, before: Cycle | None, cycle: Cycle) -> int:
-        """The number of a route that is asked for in this cycle, and was not in the one before; else 0."""
+        """The number that is asked for in this cycle, if none was in the one before; else 0."""
         request = self._controller.symbols.requests.request
         if before is not None and before.inputs.get(request, 0):
             return 0
-        number = cycle.inputs.get(request, 0)
-        return number if number in self._controller.words.routes else 0
+        return cycle.inputs.get(request, 0)
 
     def _name(self, number: int) -> str:
         return str(next(r.id for r in self._controller.symbols.routes if r.number == number))

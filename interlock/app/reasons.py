@@ -21,7 +21,7 @@ from interlock.logic.names import Name, computed
 from interlock.logic.sentences import about, sentence
 from interlock.logic.symbols import Symbols
 from interlock.logic.words import REFUSED
-from interlock.model.elements import SectionId
+from interlock.model.elements import SectionId, SignalId
 from interlock.model.layout import Layout
 
 
@@ -76,6 +76,14 @@ class Reasons:
         for reason in map(self._of_code, codes, [moment] * len(codes)):
             found.setdefault(reason.text, reason)
         return list(found.values())
+
+    def swing(self, number: int, before: Memory, after: Memory) -> tuple[SignalId, bool] | None:
+        """The signal whose overlap a number asks to swing, and whether another alternative is held after the scan; None
+        for a number that asks for something else."""
+        asked = self.symbols.overlaps.swing_request
+        g = next((g for g, n in asked.items() if n == number), None)
+        held = [n for (of, _), n in self.symbols.overlaps.held.items() if of == g]
+        return None if g is None else (g, any(before.state.get(n) != after.state.get(n) for n in held))
 
     def _of_code(self, code: int, moment: Moment) -> Reason:
         """What a code says; of a lock, by whom it is held in this moment."""

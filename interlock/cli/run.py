@@ -309,6 +309,8 @@ def _text(event: dict[str, Any]) -> None:
     match event:
         case {"route": route, "refused": text, "rule": rule}:
             click.echo(f"  route {route} is refused: {text} ({rule})")
+        case {"swing": signal_, "refused": text}:
+            click.echo(f"  swing {signal_} is refused: {text}")
         case {"route": route, "at_stop": waits}:
             click.echo(f"  route {route} is set, its signal at stop: {'; '.join(waits)}")
         case {"refused": text} | {"voyage": text}:

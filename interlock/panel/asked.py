@@ -35,6 +35,7 @@ class Asked:
         route = next((r for r in y.routes if r.number == number), None)
         who = self._waiting.pop(number, "")
         if route is None:
+            yield from self._swing(reasons, before, cycle, moment, who)
             return
         was, now = before.memory.state, cycle.memory.state
         name, signal = str(route.id), f"g:{route.entry}"
@@ -48,6 +49,19 @@ class Asked:
         else:
             told = tuple(reasons.of_request(number, moment, cycle.words().get(number, UNKNOWN)))
             yield Event("refusal", f"route {name} is refused", who or "dispatcher", (signal,), told)
+
+    def _swing(self, reasons: Reasons, before: Cycle, cycle: Cycle, moment: Moment, who: str) -> Iterator[Event]:
+        """Whether an overlap swings, where that was asked for."""
+        number = cycle.inputs[self._symbols.requests.request]
+        swings = reasons.swing(number, before.memory, cycle.memory)
+        if swings is None:
+            return
+        name, at = f"the overlap of {swings[0]}", (f"g:{swings[0]}",)
+        if swings[1]:
+            yield Event("operation", f"{name} swings", who or "dispatcher", at)
+        else:
+            told = tuple(reasons.of_request(number, moment, UNKNOWN))
+            yield Event("refusal", f"{name} does not swing", who or "dispatcher", at, told)
 
     def _given_up(self) -> Iterator[Event]:
         """Inputs are lost: what was asked for before is not to come true some time after."""
