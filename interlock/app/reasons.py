@@ -95,10 +95,9 @@ class Reasons:
 
     def of_stop(self, number: int, moment: Moment) -> list[Reason]:
         """What a route that is set still waits for before its signal opens."""
-        state = moment.before.state
-        locked = state.get(names.LOCKED(number))
+        locked = moment.before.state.get(names.LOCKED(number))
         wire = names.OPENS(number) if locked else names.LOCKS(number)
-        wanted = not locked or state.get(names.WANTED(number))
+        wanted = not locked or _Look(self, moment).value(computed(names.WANTED(number)))
         found = self._told(wire, moment, {"active", "wanted"})
         return found if wanted else [*found, Reason("it has closed once, and opens only when it is asked for again")]
 

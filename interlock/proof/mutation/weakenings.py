@@ -16,7 +16,7 @@ from itertools import islice
 from interlock.dataclass import dataclass
 from interlock.logic import names
 from interlock.logic.controller import Controller, Equation, Join, StateVar, Term
-from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, var
+from interlock.logic.expr import FALSE, TRUE, Expr, Substitution
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.model.traversal import path_speed, topology
@@ -25,7 +25,7 @@ from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.inductive import inductive, open_claims
 from interlock.proof.induction.search import search
 from interlock.proof.induction.story import tell
-from interlock.proof.mutation import forgotten
+from interlock.proof.mutation import asked, forgotten
 from interlock.proof.mutation.points import Mutation
 from interlock.proof.mutation.swinging import swings_at_another_number, swung_at_once
 from interlock.proof.mutation.ways import (
@@ -177,24 +177,6 @@ def _blind_call_on(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]
             less = replace(r, clear=replace(r.clear, sections=r.clear.sections[:i] + r.clear.sections[i + 1 :]))
             rows = tuple(less if x is r else x for x in table.routes)
             yield f"{r.id} without {c.section}", lower(layout, replace(table, routes=rows))
-
-
-def _call_on_again(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
-    c = lower(layout, table)
-    for r in c.symbols.routes:
-        if r.call_on:
-            old = next(e for e in c.next if e.name == r.want)
-            asked = conj((c.symbols.requests.asked(r.number), var(r.locked)))
-            terms = (old.terms[0]._replace(expr=disj((old.terms[0].expr, asked))), *old.terms[1:])
-            yield r.id, _with(c, old, replace(old, terms=terms))
-
-
-def _request_kept(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
-    c = lower(layout, table)
-    for r in c.symbols.routes:
-        old = next(e for e in c.equations if e.name == names.CONDITION_LOST(r.number))
-        terms = (old.terms[0]._replace(expr=var(r.proceed)), *old.terms[1:])
-        yield r.id, _with(c, old, replace(old, terms=terms))
 
 
 def _call_on_trusted(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
@@ -478,12 +460,12 @@ KINDS: tuple[Kind, ...] = (
     Kind("entry-speed-forgotten", "a route shows more than its overlap is made for", _entry_speed_forgotten),
     Kind("lamp-not-proved", "a signal opens with its stop lamp out", without("PR", "stop lamp proved")),
     Kind("opens-by-itself", "a signal opens again when a lost condition returns", without("W", "conditions kept")),
-    Kind("request-kept", "what is asked for while a condition is lost opens the signal later", _request_kept),
+    Kind("request-kept", "what is asked for while a condition is lost opens the signal later", asked.request_kept),
     Kind("trailed-not-kept-back", "proceed over a trailed point", without("WD", "not trailed")),
     Kind("lamp-not-lit", "proceed with its lamp out", without("CO", "proceed lamp intact")),
     Kind("clear-lamp-not-lit", "clear with its lamp out", without("C", "clear lamp intact")),
     Kind("call-on-blind", "a train is called on without looking at its first section or at berths", _blind_call_on),
-    Kind("call-on-again", "a signal that called a train on can be opened again", _call_on_again),
+    Kind("call-on-again", "a signal that called a train on can be opened again", asked.call_on_again),
     Kind(
         "call-on-released-by-detection",
         "the three-point check goes on where a train was called on over a section that may report anything",
