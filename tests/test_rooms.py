@@ -68,7 +68,10 @@ NO_THEOREM = {
     "mutation/lines.py": "lists what others say of a system",
     "mutation/survivors.py": "a published list",
     **dict.fromkeys(
-        [f"mutation/{m}.py" for m in ("elsewhere", "forgotten", "points", "swinging", "texts", "ways", "weakenings")],
+        [
+            f"mutation/{m}.py"
+            for m in ("asked", "elsewhere", "forgotten", "points", "swinging", "texts", "ways", "weakenings")
+        ],
         "makes mutants: whatever it makes is judged",
     ),
 }

@@ -27,6 +27,6 @@ def call_on_again(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
 def request_kept(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     """What is asked for while a condition is lost opens the signal when it returns."""
     c = lower(layout, table)
-    for r in c.symbols.routes:
+    for r in (r for r in c.symbols.routes if not r.call_on):
         old = next(e for e in c.equations if e.name == names.CONDITION_LOST(r.number))
         yield r.id, with_values(c, False, {old.name: conj((var(r.proceed), *(t.expr for t in old.terms[1:])))})
