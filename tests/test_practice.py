@@ -340,3 +340,39 @@ def test_an_overlap_that_the_layout_does_not_hold_in_full_is_told(tmp_path: Path
     overlap = done.table.route["X2-X3"].locking.overlap
     short = "length: 300" in stated
     assert short == (overlap is not None and "240 m to E, where the layout ends, of 300 m" in overlap.because.text)
+
+
+def test_an_overlap_to_which_no_train_comes_is_not_cut_short(tmp_path: Path) -> None:
+    """A starter on a track that ends behind it: a train begins there, and none comes to it."""
+    text = """
+interlock: 1
+name: starters
+principles: {overlap_m: 200, line_speed_kmh: 40}
+boundaries: {W: {approach: wa 600}}
+buffers: [B1]
+tracks:
+  in: [W, a1 60]
+  t1: [b1s 300, B1]
+  t2: [b2s 300]
+points:
+  P1: {section: p, toe: in.end, normal: t1.start, reverse: t2.start}
+signals:
+  A: {from: W, into: a1}
+  X: {from: a1, into: p}
+  S1: {from: b1s, into: p}
+  S2: {from: b2s, into: p}
+"""
+    beyond = "tracks:\n  t3: [b3s 300, E]\n"
+    for changed, cut in (
+        (text.replace("t2: [b2s 300]", "t2: [b2s 300, B2]").replace("[B1]", "[B1, B2]"), set()),
+        (
+            text.replace("tracks:\n", beyond)
+            .replace("{W: {approach: wa 600}}", "{W: {approach: wa 600}, E: {approach: ea 600}}")
+            .replace("  S2: {from", "  Y: {from: E, into: b3s}\n  S3: {from: b3s, into: b2s}\n  S2: {from")
+            .replace("t2: [b2s 300]", "t2: [b2s 300, t3.start]"),
+            {"S2"},
+        ),
+    ):
+        (tmp_path / "x.yaml").write_text(changed, "utf-8")
+        found = check_file(str(tmp_path / "x.yaml"))
+        assert {d.about.name for d in found.diagnostics if d.code == "IL7012" and d.about} == cut, found.diagnostics

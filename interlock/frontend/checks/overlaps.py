@@ -12,7 +12,7 @@ from math import isfinite
 
 from interlock.diag import Element
 from interlock.frontend.context import Context
-from interlock.model.elements import BufferKind, OverlapWay, PointId, Position, SignalId
+from interlock.model.elements import BufferKind, NodeId, OverlapWay, PointId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.overlap import (
     covered,
@@ -24,7 +24,7 @@ from interlock.model.overlap import (
     two_ways,
     wanted_m,
 )
-from interlock.model.traversal import Traversal
+from interlock.model.traversal import Traversal, topology
 
 
 def check_overlaps(ctx: Context, layout: Layout) -> None:
@@ -41,8 +41,30 @@ def check_overlaps(ctx: Context, layout: Layout) -> None:
     for g in ctx.file.overlaps:
         _bars(ctx, layout, SignalId(g))
     for o in layout.overlaps.all:
-        _ends_short(ctx, layout, o.signal)
+        if _is_led_to(layout, o.signal):
+            _ends_short(ctx, layout, o.signal)
         _takes_off(ctx, layout, o.signal)
+
+
+def _is_led_to(layout: Layout, g: SignalId) -> bool:
+    """Whether trains come to a signal, from a main signal in rear or over a boundary: not to one at which they start,
+    on a track that ends behind them."""
+    topo, signal = topology(layout), layout.signalling.signal[g]
+    todo, seen = [(layout.track.section_of(signal.into), signal.node)], set[tuple[SectionId, NodeId]]()
+    while todo:
+        section, node = todo.pop()
+        rear = topo.beyond(section, node)
+        if rear is None:
+            if node in layout.track.boundary_at:
+                return True
+            continue
+        for t in topo.traversals[rear]:
+            if t.exit == node and (rear, t.entry) not in seen:
+                if (t.entry, rear) in topo.main_into:
+                    return True
+                seen.add((rear, t.entry))
+                todo.append((rear, t.entry))
+    return False
 
 
 def _ends_short(ctx: Context, layout: Layout, g: SignalId) -> None:
