@@ -9,7 +9,6 @@ from pathlib import Path
 import pytest
 
 from interlock.app.check import check_file
-from interlock.app.run import prepare
 from interlock.audit import audit
 from interlock.derivation.flank import told
 from interlock.diag import Sink
@@ -221,13 +220,14 @@ def test_a_derailer_in_a_spur_is_laid_for_the_route_past_it() -> None:
     assert prove(System(made[0], lower(made[0], table)), limits=Limits(search_s=0)).proved
 
 
-def test_who_is_called_on_may_find_vehicles_in_the_flank_space_that_he_comes_through_himself(tmp_path: Path) -> None:
-    """The other arm of a scissors lies in a section of the route's own: it is occupied, and called to."""
-    text = """
+def test_the_flank_space_of_an_overlap_is_kept_where_the_next_section_is_beyond_it() -> None:
+    """An overlap may end in a section before the next one: what stands there is beside it, not on it."""
+    made = grown(
+        """
 interlock: 1
 name: scissors
-principles: {flank_space: yes}
-boundaries: {A: {approach: aa 500}, B: {trains: out}, C: {trains: out}, D: {trains: out}}
+principles: {flank_space: yes, overlap_m: 60}
+boundaries: {A: {approach: aa 600}, B: {trains: out}, C: {trains: out}, D: {trains: out}}
 tracks: {a: [A, a1 300]}
 points:
   1A: {machine: 1, section: T1, toe: a.end, normal: 2B.normal}
@@ -235,11 +235,8 @@ points:
   2A: {machine: 2, section: T2, toe: C, normal: 1B.normal}
   1B: {machine: 1, section: T2, toe: D}
 crossings: {X: {arms: [{section: T1, ends: [1A.reverse, 1B.reverse]}, {section: T2, ends: [2A.reverse, 2B.reverse]}]}}
-signals: {SI: {from: A, into: a1}, SA: {from: a1, into: T1, call_on: yes}}
+signals: {SI: {from: A, into: a1}, SA: {from: a1, into: T1}}
 """
-    (tmp_path / "scissors.yaml").write_text(text, "utf-8")
-    ready = prepare(str(tmp_path / "scissors.yaml"))
-    assert ready.proved.green and ready.table is not None and ready.layout is not None
-    assert audit(ready.layout, ready.table) == ()
-    space = {r.id: {c.name for c in r.clear.space} for r in ready.table.routes}
-    assert space[RouteId("SA-D.c")] == set() and space[RouteId("SA-B")] == {"T2"}
+    )
+    assert made is not None and audit(made[0], made[1]) == ()
+    assert "T2" in {c.name for c in made[1].route[RouteId("SI-SA.o2")].clear.space}

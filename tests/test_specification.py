@@ -349,8 +349,8 @@ WEAKENED = {
     "a speed beside stop": ("flank_lab", "lit'(l) -> opens_main'(g)", "lit'(l) -> opens_main'(g) or stop'(g)"),
     "flank space may be occupied": (
         "flank_lab",
-        "after_scan(o) -> quiet(w, x)",
-        "after_scan(o) -> quiet(w, x) or valid",
+        "after_scan(o) -> quiet(s, x)",
+        "after_scan(o) -> quiet(s, x) or valid",
     ),
     "a lock goes without a reason": (
         "mine11",

@@ -152,19 +152,17 @@ def flank_space(
 ) -> tuple[Space, Space]:
     """What lies between the places and what stops vehicles: with the points as the route locks them, and at most.
 
-    Not needed is a section in which another movement may be that does not pass the place, nor one of the trip's own: a
-    train that is called on may meet there what stands in it.
+    Not needed is a section in which another movement may be that does not pass the place.
     """
     needed: Space = set()
     possible: Space = set()
     path = {m.edge for m in (*trip.moves, *trip.over)}
-    run_over = {layout.track.section_of(m.edge) for m in trip.moves}
     for place in unused_places(layout, trip):
         own = {layout.track.section_of(e.id) for e in layout.track.edges_at[place.node] if e.id in path}
         if (place.point, place.leg) not in waived:
             needed |= {
                 (what, signal)
-                for what, signal in _outside(_between(layout, place, frozen), run_over | own)
+                for what, signal in _outside(_between(layout, place, frozen), own)
                 if signal or all(own & over for over in movements.get(SectionId(what), ()))
             }
         possible |= _outside(_at_most(layout, place), own)

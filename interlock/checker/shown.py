@@ -227,19 +227,13 @@ class Protection(Added):
         d = self.r.drawn
         return self.r.track.sections if d.asks("flank_space") or d.asks("flank_lamp") else []
 
-    def w_quiet(self, way: Way, x: Flank) -> Formula:
+    def w_quiet(self, own: str, x: Flank) -> Formula:
         """Nothing stands along a flank up to what stops a vehicle, as everything lies; stop lamps there are intact.
 
-        Where another movement may be called meanwhile that does not use the section, a train stands on its own route;
-        where every movement over the way comes through itself, it may be called on to what stands there.
+        Where another movement may be called meanwhile that does not use the section, a train stands on its own route.
         """
-        own, track = way.section, self.r.track
-        before, after = track.beyond(own, way.entry), track.beyond(own, way.exit)
-        whole = {
-            s for s, at in ((before, (way.entry, own)), (after, (way.exit, after))) if at not in self.r.signal_into
-        }
         beside = frozenset(s for s, those in self._movements.items() if any(own not in over for over in those))
-        looked_at = frozenset(track.sections) - {own, *track.undetected, *beside, *whole}
+        looked_at = frozenset(self.r.track.sections) - {own, *self.r.track.undetected, *beside}
         asked = looked_at if self.r.drawn.asks("flank_space") else frozenset()
         return self._silent(asked, x.edge, x.node, 0.0, x.needed, frozenset({x.node}))
 

@@ -144,10 +144,8 @@ def _space(
 ) -> tuple[SpaceCell, ...]:
     """The flank space of every requester of a way that is protected, not waived.
 
-    `busy`: where trains are that may run at the same time, each on a route of its own; they are not waited for.  Nor is
-    what stands in a section through which every movement over the way runs itself: one that is called on may meet it.
+    `busy`: where trains are that may run at the same time, each on a route of its own; they are not waited for.
     """
-    quiet = busy | _joined(layout, t)
     cells = {c.requester: c.providers for c in flank}
     found: dict[tuple[str, bool], str] = {}
     for r in requesters(layout, t):
@@ -157,17 +155,8 @@ def _space(
     return tuple(
         SpaceCell(name, lamp, Because("R5", why))
         for (name, lamp), why in sorted(found.items())
-        if lamp or name not in quiet
+        if lamp or name not in busy
     )
-
-
-def _joined(layout: Layout, t: Traversal) -> frozenset[SectionId]:
-    """The sections before and beyond a way, over joints at which no movement over it begins or ends."""
-    topo = topology(layout)
-    begins = {(g.node, layout.track.section_of(g.into)) for g in layout.signalling.signals}
-    rear, ahead = topo.beyond(t.section, t.entry), topo.beyond(t.section, t.exit)
-    own = ((rear, (t.entry, t.section)), (ahead, (t.exit, ahead)))
-    return frozenset(s for s, begin in own if s is not None and begin not in begins)
 
 
 def _foul_cell(x: CrossedSection | FoulBeside) -> FoulCell:

@@ -134,8 +134,7 @@ def flank_space(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """Nothing stands in the flank space, and stop signals that protect are lit.
 
     Where another movement may be called meanwhile over a section, or from it, a train stands there on a route of its
-    own: nothing is claimed of that section.  Nor of one through which every movement over the way runs itself: what
-    stands there it may be called on to.
+    own: nothing is claimed of that section.
     """
     rules = f.layout.principles
     if not rules.flank_space and not rules.flank_lamp:
@@ -146,7 +145,6 @@ def flank_space(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         for t in f.topo.traversals[s]:
             shown = disj(shown_over(ground, [t]).values())
             beside = frozenset(x for x, those in movements.items() if any(s not in over for over in those))
-            beside |= frozenset(_joined(f, t))
             for pid, x in t.points:
                 p = f.layout.pointwork.point[pid]
                 if (pid, x.other) not in waived:
@@ -157,16 +155,6 @@ def flank_space(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                 for edge in c.arms[1 - arm]:
                     quiet = _Space(f, s, beside).quiet(f.track.beyond[c.node, edge])
                     yield "S-FLANK-SPACE", f"{s}:{t.number}:{cid}.{edge}", implies(f.after(shown), quiet)
-
-
-def _joined(f: Facts, t: Traversal) -> Iterator[SectionId]:
-    """The sections before and beyond a way over joints without a signal for it: who runs over it comes through them."""
-    signals = {(g.node, f.layout.track.section_of(g.into)) for g in f.layout.signalling.signals}
-    before, beyond = f.topo.beyond(t.section, t.entry), f.topo.beyond(t.section, t.exit)
-    if before is not None and (t.entry, t.section) not in signals:
-        yield before
-    if beyond is not None and (t.exit, beyond) not in signals:
-        yield beyond
 
 
 def _movements(f: Facts) -> dict[SectionId, list[frozenset[SectionId]]]:
