@@ -115,3 +115,19 @@ def test_an_overlap_that_does_not_swing_is_told() -> None:
     (stop,) = desk.type("swing X3")
     assert stop["route"] == "X2-X3" and "overlap 1 of X3 is not held" in stop["at_stop"], "it swings"
     assert desk.type("set X2-X3") == [], "and the signal opens again"
+
+
+def test_a_route_whose_way_past_a_signal_was_cancelled_says_what_to_do() -> None:
+    """It cannot open again; cancelled and set again, as it says, it does."""
+    ready = prepare("tests/layouts_for_tests/identifier.yaml")
+    assert ready.proved.green and ready.layout is not None
+    desk = Desk(ready)
+    desk.cycles(round(ready.layout.principles.restart_delay_s * 1000 / STEP_MS) + 50)
+    desk.type("release")
+    assert desk.type("set X-Y-Z") == []
+    waits = {"route": "X-Y-Z", "at_stop": ["what lies past Y is no longer set: cancel X, then set X-Y-Z again"]}
+    assert desk.type("cancel Y") == [waits]
+    assert desk.type("set X-Y-Z") == [waits]
+    assert desk.type("cancel X") == []
+    assert desk.type("set X-Y-Z") == []
+    assert desk.last is not None and desk.last.outputs["YI_Y"]

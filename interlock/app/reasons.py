@@ -95,11 +95,24 @@ class Reasons:
 
     def of_stop(self, number: int, moment: Moment) -> list[Reason]:
         """What a route that is set still waits for before its signal opens."""
+        gone = self._gone(number, moment)
+        if gone is not None:
+            return [gone]
         locked = moment.before.state.get(names.LOCKED(number))
         wire = names.OPENS(number) if locked else names.LOCKS(number)
         wanted = not locked or _Look(self, moment).value(computed(names.WANTED(number)))
         found = self._told(wire, moment, {"active", "wanted"})
         return found if wanted else [*found, Reason("it has closed once, and opens only when it is asked for again")]
+
+    def _gone(self, number: int, moment: Moment) -> Reason | None:
+        """What lies past a signal that a route leads past was cancelled or used, and comes back only with the whole."""
+        route = part = self.symbols.routes.number[number]
+        while part.path.onward is not None:
+            part = self.symbols.routes.number[part.path.onward]
+            if not moment.before.state.get(part.active):
+                way = f"what lies past {part.entry} is no longer set"
+                return Reason(f"{way}: cancel {route.entry}, then set {route.id} again", (f"g:{part.entry}",))
+        return None
 
     def of_loss(self, number: int, moment: Moment) -> list[Reason]:
         """Which condition of proceed was lost (R14)."""
