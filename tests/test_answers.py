@@ -131,3 +131,51 @@ def test_a_route_whose_way_past_a_signal_was_cancelled_says_what_to_do() -> None
     assert desk.type("cancel X") == []
     assert desk.type("set X-Y-Z") == []
     assert desk.last is not None and desk.last.outputs["YI_Y"]
+
+
+CROSSOVER = """
+interlock: 1
+name: crossover
+principles: {line_speed_kmh: 40}
+boundaries:
+  A1: {approach: u1 300}
+  A2: {approach: u2 300}
+  B1: {trains: out}
+  B2: {trains: out}
+tracks:
+  north: [n2 200, B1]
+  south: [s2 200, B2]
+points:
+  1: {section: x1, machine: "1/2", toe: A1, normal: north.start, reverse: 2.reverse, legs: 30}
+  2: {section: x2, machine: "1/2", toe: south.start, normal: A2, legs: 30}
+signals:
+  XA1: {from: A1, into: x1}
+  XA2: {from: A2, into: x2}
+"""
+
+
+def test_a_point_of_a_blocked_section_moves_by_hand_and_for_no_route(tmp_path: Path) -> None:
+    """A crossover with one machine, its far end in a blocked section: a route on the other track does not throw it."""
+    (tmp_path / "crossover.yaml").write_text(CROSSOVER, "utf-8")
+    ready = prepare(str(tmp_path / "crossover.yaml"))
+    assert ready.proved.green and ready.layout is not None
+    desk = Desk(ready)
+    desk.cycles(round(ready.layout.principles.restart_delay_s * 1000 / STEP_MS) + 50)
+
+    def driven() -> list[str]:
+        assert desk.last is not None
+        return [x for x in "NR" if desk.last.outputs[f"Y{x}_1_2"]]
+
+    desk.type("release")
+    desk.type("MR_1_2=1")
+    desk.type("MR_1_2=0")
+    assert driven() == ["R"]
+    desk.type("BLK_x2=1")
+    (no,) = desk.type("set XA1-B1")
+    assert no == {"route": "XA1-B1", "refused": "points 1/2 cannot move: section x2 is blocked", "rule": "R10"}
+    assert driven() == ["R"]
+    desk.type("MN_1_2=1")
+    assert driven() == ["N"], "those who work there may have it moved"
+    desk.type("MN_1_2=0")
+    assert desk.type("set XA1-B1") == [] and desk.last is not None
+    assert not desk.last.outputs["YS_XA1"], "where it lies it is used"

@@ -68,6 +68,10 @@ class Terminals(Lamps):
         """Somebody confirms that he has looked at a trailed point."""
         return leaf(f"TC_{safe(m)}")
 
+    def w_moved_by_hand(self, m: str, x: str) -> Formula:
+        """The input by which an operator moves a machine."""
+        return leaf(f"M{x}_{safe(m)}")
+
     def w_by_hand(self, s: str) -> Formula:
         return leaf(f"REL_{safe(s)}")
 

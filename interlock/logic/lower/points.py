@@ -1,7 +1,8 @@
 """Points (R10): detection, when a machine may move, commands, supervision.
 
 A machine moves only when the sections of all its ends are unlocked and reported clear and nobody needs it as
-flank protection.  The command is held; in the initial state there is none, so that nothing moves at start-up.
+flank protection; for a route only when none of them is blocked.  The command is held; in the initial state there is
+none, so that nothing moves at start-up.
 """
 
 from __future__ import annotations
@@ -79,7 +80,7 @@ def movable(d: Draft) -> None:
                 (
                     *closes,
                     Term(d.machines.command(m, x), "commanded"),
-                    Term(var(names.MOVABLE(m)), "free to move"),
+                    Term(conj((var(names.MOVABLE(m)), *(t.expr for t in ways.unblocked(d, m)))), "free to move"),
                     Term(
                         conj((d.machines.detected(m, x), *(neg(d.machines.command(m, y)) for y in Position))),
                         "lies there since the restart",
@@ -107,9 +108,8 @@ def commands(d: Draft) -> None:
             granted, driven = demands[m, x], driving.get((m, x), FALSE)
             terms = [Term(granted, "granted")]
             if driven is not FALSE:
-                terms.append(
-                    Term(conj((driven, var(names.MOVABLE(m)))), "driven along", "beside the path, if free to move")
-                )
+                free = (var(names.MOVABLE(m)), *(t.expr for t in ways.unblocked(d, m)))
+                terms.append(Term(conj((driven, *free)), "driven along", "beside the path, if free to move"))
             if m in d.layout.machines.device and x is Position.NORMAL:
                 back = conj((var(names.MOVABLE(m)), neg(touched), neg(var(names.MOVE_BY_HAND(m, x.other)))))
                 terms.append(

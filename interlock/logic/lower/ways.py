@@ -96,6 +96,13 @@ def not_blocked(s: SectionId) -> list[Term]:
     return [Term(neg(var(names.BLOCKED(s))), "not blocked", f"{s} not blocked")]
 
 
+def unblocked(d: Draft, m: MachineId) -> list[Term]:
+    """Nobody has blocked a section of a point: whoever works there is not to have it move for a route elsewhere."""
+    if m in d.layout.machines.device:
+        return []
+    return [t for s in d.machines.sections_of(m) if s in d.sections.lockable for t in not_blocked(s)]
+
+
 def _trailed(d: Draft, t: TraversalRow) -> list[Term]:
     """A trailed point is not used before somebody has looked at it (R10)."""
     machines = dict.fromkeys(p.machine for p in t.points if p.machine in d.machines.powered)
@@ -378,5 +385,6 @@ def _may_swing(d: Draft, g: SignalId, m: MachineId) -> Expr:
     for t in d.table.locks:
         if any(p.machine == m and p.role is Role.FLANK for p in t.points):
             terms.append(neg(d.overlaps.holding(t.key, but=g)))
+    terms += (t.expr for t in unblocked(d, m))
     terms += map(neg, added.held(d, m))
     return conj(terms)

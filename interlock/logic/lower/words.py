@@ -14,6 +14,7 @@ from interlock.diag.called import called
 from interlock.logic import names, rules
 from interlock.logic.controller import Equation, Join, Term
 from interlock.logic.expr import AND, FALSE, NOT, OR, TRUE, VAR, Expr, conj, disj, neg, parts_of, var
+from interlock.logic.lower import ways
 from interlock.logic.lower.draft import Draft
 from interlock.logic.names import Family, Name, computed
 from interlock.logic.sentences import RULES, SENTENCES, about, sentence
@@ -129,7 +130,7 @@ class _Writer:
     def _held(self, m: MachineId) -> Value:
         """A machine lies otherwise and may not move; that inputs are valid is asked for before it."""
         e = self.equations[names.MOVABLE(m)]
-        wanted = [t for t in e.terms if t.expr is not var(names.VALID)]
+        wanted = [*(t for t in e.terms if t.expr is not var(names.VALID)), *ways.unblocked(self.d, m)]
         return self._word(names.WHY_HELD(m), e, self._cases(wanted, m))
 
     def _called(self, m: MachineId) -> str:

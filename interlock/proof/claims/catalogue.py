@@ -121,6 +121,8 @@ CLAIMS: dict[str, str] = {
     "or held by nothing but an overlap that may swing, with the section before its signal steadily clear.  (The "
     "command is the controller's own bit; P-DRIVEN ties the drives to it.)  A level crossing or bridge may "
     "always be closed.",
+    "P-BLOCKED": "A point, a section of which is blocked, is commanded to move only by hand: whoever works there is not "
+    "to have it move for a route.",
     "P-DRIVEN": "A machine is driven to where it is commanded, and never both ways: at once, or where machines start "
     "one after the other, when its turn has come.",
     "I-TOLD": "Every indication and alarm tells what is: a section is locked, a detector is faulty, a machine is not "
@@ -483,11 +485,15 @@ def _points(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
     for m in f.layout.machines:
         secs = f.layout.machines.sections[m]
-        changes = disj(
-            conj((neg(var(f.sym.machines.command[m, x])), after(var(f.sym.machines.command[m, x])), neg(stays(m, x))))
+        moves = {
+            x: conj(
+                (neg(var(f.sym.machines.command[m, x])), after(var(f.sym.machines.command[m, x])), neg(stays(m, x)))
+            )
             for x in Position
             if m not in f.layout.machines.device or x is Position.NORMAL
-        )
+        }
+        blocked = [n for s in secs if (n := f.sym.sections.blocked.get(s)) is not None]
+        by_hand = [implies(moved, var(f.sym.machines.by_hand[m, x])) for x, moved in moves.items()]
         free = conj(
             [
                 *(neg(_held_fast(f, s)) for s in secs),
@@ -495,4 +501,6 @@ def _points(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                 var(f.sym.valid),
             ]
         )
-        yield "P-LOCKED", m, implies(changes, free)
+        yield "P-LOCKED", m, implies(disj(moves.values()), free)
+        if m not in f.layout.machines.device:
+            yield "P-BLOCKED", m, implies(disj(map(var, blocked)), conj(by_hand))

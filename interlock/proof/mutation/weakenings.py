@@ -25,7 +25,7 @@ from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.inductive import inductive, open_claims
 from interlock.proof.induction.search import search
 from interlock.proof.induction.story import tell
-from interlock.proof.mutation import asked, forgotten
+from interlock.proof.mutation import asked, blocked, forgotten
 from interlock.proof.mutation.points import Mutation
 from interlock.proof.mutation.swinging import swings_at_another_number, swung_at_once
 from interlock.proof.mutation.ways import (
@@ -426,6 +426,7 @@ KINDS: tuple[Kind, ...] = (
     Kind("device-wrong", "a level crossing or interlock is demanded open", _points("device", True)),
     Kind("opens-under-train", "a level crossing opens by itself while locked or occupied", _unguarded("returns")),
     Kind("driven-while-locked", "a driven point moves while it is locked", _unguarded("driven along")),
+    Kind("blocked-point-moves", "a point of a blocked section moves for a route", blocked.point_moves),
     Kind("foul-not-checked", "proceed although a foul section is occupied", without("WD", "foul section clear")),
     Kind(
         "flank-space-not-checked",

@@ -1,0 +1,24 @@
+"""Weakenings of what is blocked: points that move for a route although somebody works there (R10)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from interlock.logic import names
+from interlock.logic.expr import FALSE, Substitution
+from interlock.logic.lower import lower
+from interlock.model.layout import Layout
+from interlock.proof.mutation.points import with_values
+from interlock.proof.mutation.ways import Mutant
+from interlock.table.rows import InterlockingTable
+
+
+def point_moves(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A machine may be demanded, driven along or swung over, although a section of it is blocked."""
+    c = lower(layout, table)
+    put = Substitution(dict.fromkeys(c.symbols.sections.blocked.values(), FALSE))
+    for e in c.equations:
+        if e.name.family in (names.POINT_AVAILABLE, names.DEMANDED, names.SWINGS_TO):
+            free = put(e.expr)
+            if free is not e.expr:
+                yield e.name, with_values(c, False, {e.name: free})
