@@ -70,7 +70,7 @@ NO_THEOREM = {
     **dict.fromkeys(
         [
             f"mutation/{m}.py"
-            for m in ("asked", "elsewhere", "forgotten", "points", "swinging", "texts", "ways", "weakenings")
+            for m in ("asked", "blocked", "elsewhere", "forgotten", "points", "swinging", "texts", "ways", "weakenings")
         ],
         "makes mutants: whatever it makes is judged",
     ),

@@ -121,8 +121,8 @@ CLAIMS: dict[str, str] = {
     "or held by nothing but an overlap that may swing, with the section before its signal steadily clear.  (The "
     "command is the controller's own bit; P-DRIVEN ties the drives to it.)  A level crossing or bridge may "
     "always be closed.",
-    "P-BLOCKED": "A point, a section of which is blocked, is commanded to move only by hand: whoever works there is not "
-    "to have it move for a route.",
+    "P-BLOCKED": "A point, a section of which is blocked, is commanded to move only by hand: whoever works there is "
+    "not to have it move for a route.",
     "P-DRIVEN": "A machine is driven to where it is commanded, and never both ways: at once, or where machines start "
     "one after the other, when its turn has come.",
     "I-TOLD": "Every indication and alarm tells what is: a section is locked, a detector is faulty, a machine is not "
