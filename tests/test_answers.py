@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from interlock.app.answers import Answers
-from interlock.app.run import Operator, Ready, prepare
+from interlock.app.run import BadCommand, Operator, Ready, prepare
 from interlock.cli.run import _text
 from interlock.field.plc import Cycle, SoftPlc, runtime_scan
 from interlock.panel.simulated import SimulatedField
@@ -69,6 +69,43 @@ def test_it_is_said_for_people(capsys: pytest.CaptureFixture[str]) -> None:
     _text({"route": "S1-W", "at_stop": ["the direction at W is not ours", "section 1DG is occupied"]})
     told = "  route S1-W is set, its signal at stop: the direction at W is not ours; section 1DG is occupied\n"
     assert capsys.readouterr().out == told
+
+
+def test_stop_cancels_every_route(loop: Ready) -> None:
+    desk = Desk(loop)
+    assert loop.layout is not None
+    desk.cycles(round(loop.layout.principles.restart_delay_s * 1000 / STEP_MS) + 50)
+    desk.type("release")
+    desk.type("set S-S3")
+    assert desk.last is not None and not desk.last.outputs["YS_S"]
+    desk.type("stop")
+    assert desk.last.outputs["YS_S"] and not any(v for n, v in desk.last.memory.state.items() if n.startswith("A_R"))
+    with pytest.raises(BadCommand, match="stop, release"):
+        desk.type("stop S")
+
+
+AUTOMATIC = """
+interlock: 1
+name: automatic
+boundaries: {W: {approach: wa 600}, E: {approach: ea 600, trains: out}}
+tracks: {line: [W, q1 300, q2 300, E]}
+signals: {A: {from: W, into: q1}}
+automatic: [{from: A, to: E}]
+"""
+
+
+def test_stop_switches_automatic_working_off(tmp_path: Path) -> None:
+    """It would set its route again as soon as that is cancelled."""
+    (tmp_path / "automatic.yaml").write_text(AUTOMATIC, "utf-8")
+    ready = prepare(str(tmp_path / "automatic.yaml"))
+    assert ready.proved.green and ready.layout is not None
+    desk = Desk(ready)
+    desk.cycles(round(ready.layout.principles.restart_delay_s * 1000 / STEP_MS) + 50)
+    desk.type("release")
+    desk.type("AUTO_R1=1")
+    assert desk.last is not None and not desk.last.outputs["YS_A"]
+    desk.type("stop")
+    assert desk.last.outputs["YS_A"] and desk.operator.held == {}
 
 
 TWO = """

@@ -108,6 +108,30 @@ def test_a_refusal_says_why_and_where(at_work: tuple[Desk, Any]) -> None:
         b.until(lambda: b.state["s:s8_xc3"][0] == 0 and b.state["s:s7"][3] == 0)
 
 
+def test_all_signals_are_put_to_stop_at_once_and_nothing_opens_by_itself(at_work: tuple[Desk, Any]) -> None:
+    """Two routes, a voyage whose train is still to come, and a request that was just made: nothing of all this goes on."""
+    desk, browser = at_work
+    with browser(name="Ida") as b:
+        b.ask("voyage", name="12:W>s4_xc1")
+        b.until(lambda: b.rest["sys"]["voyages"] != [])
+        b.ask("set", route="XB-XI7")
+        b.until(lambda: b.state["g:XB"][0] == "clear")
+        b.ask("set", route="XI9-XC4")
+        b.until(lambda: b.state["g:XI9"][0] == "clear")
+        b.ws.send_json({"do": "set", "re": 7, "route": "XI7-XC3"})
+        b.ask("stop")
+        b.until(lambda: b.rest["sys"]["voyages"] == [] and not any(b.state[f"g:{g}"][3] for g in ("XB", "XI9", "XI7")))
+        assert "all signals to stop: every route is cancelled, every voyage given up" in kinds(b.events, "operation")
+        for _ in range(40):
+            b.hear()
+            assert [b.state[f"g:{g}"][0] for g in ("XB", "XI9", "XI7")] == ["stop", "stop", "stop"]
+        assert not desk.operating.operator.dispatcher.arbiter.waiting
+        assert b.ask("set", route="XI9-XC4")["ok"], "what is asked for afterwards is asked for"
+        b.until(lambda: b.state["g:XI9"][0] == "clear")
+        assert b.ask("stop")["ok"]
+        b.until(lambda: not b.state["s:s9"][1])
+
+
 def test_points_are_moved_by_hand_and_not_while_they_are_locked(at_work: tuple[Desk, Any]) -> None:
     _, browser = at_work
     with browser() as b:
@@ -610,6 +634,7 @@ def every_command(still: dict[str, Any]) -> Iterator[dict[str, Any]]:
         yield {"do": "direction", "boundary": b, "on": True}
     yield from ({"do": "voyage", "name": v} for v in still["voyages"])
     yield {"do": "release all"}
+    yield {"do": "stop"}
 
 
 @pytest.mark.parametrize("name", SHIPPED)

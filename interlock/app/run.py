@@ -90,6 +90,9 @@ class Operator:
         if verb == "train":
             self._train(rest)
             return
+        if (verb, rest) == ("stop", ""):
+            self._stop()
+            return
         found = operate(self._ready, line)
         number = found.get(self._ready.controller.symbols.requests.request)
         if "=" in line:
@@ -98,6 +101,16 @@ class Operator:
             self.dispatcher.ask(number)
         else:
             self._once |= found
+
+    def _stop(self) -> None:
+        """All signals to stop: every route is cancelled, and nothing opens by itself or for a command any more."""
+        assert self._ready.controller is not None
+        symbols = self._ready.controller.symbols
+        for name in self.dispatcher.give_up():
+            self.numbers.ends(name)
+        by_itself = set(symbols.requests.automatic.values())
+        self.held = {n: v for n, v in self.held.items() if n not in by_itself}
+        self._once = dict.fromkeys(symbols.cancellation.cancel.values(), 1)
 
     def _voyage(self, told: str) -> None:
         ended = told.removesuffix(" end") if told.endswith(" end") else ""
@@ -191,8 +204,8 @@ def operate(ready: Ready, line: str) -> dict[str, int]:
     if verb in ALONE and not name:
         raise BadCommand(f"write {verb} {ALONE[verb]}")
     raise BadCommand(
-        "write set ROUTE, swing SIGNAL, voyage NAME, voyage NAME end, train NUMBER SECTION, cancel SIGNAL, release, "
-        "or VARIABLE=VALUE"
+        "write set ROUTE, swing SIGNAL, voyage NAME, voyage NAME end, train NUMBER SECTION, cancel SIGNAL, stop, "
+        "release, or VARIABLE=VALUE"
     )
 
 

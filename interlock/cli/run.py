@@ -255,7 +255,8 @@ def command(
 ) -> None:
     """Prove LAYOUT, then run its runtime on Modbus TCP, or with --panel on a simulated railway.
 
-    A line of input is a command for one cycle: set ROUTE, swing SIGNAL, cancel SIGNAL or release.
+    A line of input is a command for one cycle: set ROUTE, swing SIGNAL, cancel SIGNAL, release, or stop, which cancels
+    every route and gives up every voyage.
     Voyage NAME opens the routes of a voyage one after the other, each when its train stands before it, until it is done
     or voyage NAME end gives it up; voyage 12:W>E does so for locomotive 12 from W to E.
     From then on numbers step with the sections that are reported occupied, and what does not fit is an alarm; nothing

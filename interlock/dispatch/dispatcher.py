@@ -108,6 +108,18 @@ class Dispatcher:
         self.pending = [r for r in self.pending if r.name != name]
         return len(self.runs) + len(self.pending) < before
 
+    def give_up(self) -> list[str]:
+        """Give up everything: all commands, whose names it gives, and all that people have asked for."""
+        names = [r.name for r in (*self.runs, *self.pending)]
+        for name in names:
+            self.end(name)
+        for request in tuple(self.arbiter.waiting):
+            self.arbiter.withdraw(request)
+        self.arbiter.asked = None
+        self.other.clear()
+        self._writes, self._for = 0, None
+        return names
+
     def ask(self, number: int, source: Source = Source.HAND) -> None:
         """A route (or the swing of an overlap) asked for by somebody: by hand once, else kept until it is granted.
 

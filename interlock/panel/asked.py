@@ -29,7 +29,7 @@ class Asked:
         y = self._symbols
         number = cycle.inputs.get(y.requests.request, 0)
         if not cycle.valid:
-            yield from self._given_up()
+            yield from self.given_up("inputs are not valid")
         if not number or before.inputs.get(y.requests.request, 0) or not cycle.valid:
             return
         route = next((r for r in y.routes if r.number == number), None)
@@ -63,12 +63,12 @@ class Asked:
             told = tuple(reasons.of_request(number, moment, UNKNOWN))
             yield Event("refusal", f"{name} does not swing", who or "dispatcher", at, told)
 
-    def _given_up(self) -> Iterator[Event]:
-        """Inputs are lost: what was asked for before is not to come true some time after."""
+    def given_up(self, why: str) -> Iterator[Event]:
+        """What was asked for before is not to come true some time after: inputs are lost, or signals put to stop."""
         for number, who in self._waiting.items():
             name = next((f"route {r.id}" for r in self._symbols.routes if r.number == number), "the overlap's swing")
             self._withdraw(number)
-            yield Event("refusal", f"{name} is refused", who, (), (Reason("inputs are not valid"),))
+            yield Event("refusal", f"{name} is refused", who, (), (Reason(why),))
         self._waiting.clear()
 
     def _withdraw(self, number: int) -> None:

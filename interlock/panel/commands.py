@@ -109,6 +109,10 @@ class Buttons:
             raise Refused(f"no route from {signal} is set that a train has not entered", f"g:{signal}")
         self._typed(f"cancel {signal}")
 
+    def stop(self) -> None:
+        """All signals to stop, whatever is set."""
+        self._typed("stop")
+
     def release(self, section: str, last: Cycle) -> None:
         """Release a section by hand: held until it is free."""
         name = self._symbols.sections.release.get(section)  # type: ignore[call-overload]

@@ -71,6 +71,11 @@ class Operating:
             case "cancel":
                 b.cancel(str(c["signal"]), last)
                 return f"cancel the route from {c['signal']}"
+            case "stop":
+                b.stop()
+                for event in self._asked.given_up("all signals were put to stop"):
+                    self._note(event)
+                return "all signals to stop: every route is cancelled, every voyage given up"
             case "release":
                 b.release(str(c["section"]), last)
                 self.releases += 1

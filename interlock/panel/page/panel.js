@@ -50,6 +50,7 @@ function first(m) {
   $("title").textContent = $("title").title = still.title;
   document.title = still.name;
   document.body.classList.toggle("looks", !operates);
+  $("stop").disabled = !operates;
   $("names").replaceChildren(...[...plan.keys.keys()].map(k => new Option(k.slice(2))));
   $("speed").hidden = $("power-key").hidden = $("traffic").hidden = !still.simulated;
   if (!chosen) offer();
@@ -304,6 +305,7 @@ $("in").addEventListener("click", () => plan.zoom(0.8));
 $("out").addEventListener("click", () => plan.zoom(1.25));
 $("fit").addEventListener("click", () => plan.fit());
 $("power-key").addEventListener("click", () => ask({do: "power", on: !rest.sys.power}));
+$("stop").addEventListener("click", () => ask({do: "stop"}));
 $("name").addEventListener("change", () => { kept.set("interlock.name", $("name").value); talk.again(); });
 $("test").addEventListener("click", async () => {
   $("test").disabled = true;
