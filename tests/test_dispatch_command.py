@@ -209,3 +209,49 @@ def test_bad_input_is_told_with_its_code(arguments: tuple[str, ...], code: str) 
 
 def test_every_code_of_dispatch_is_known() -> None:
     assert {c for c in CODES if c.startswith("IL6")} >= {"IL6001", "IL6004", "IL6005", "IL6006", "IL6007"}
+
+
+GAP = "tests/layouts_for_tests/zone_with_a_gap.yaml"
+
+
+def test_plans_count_zones_as_the_controller_does(tmp_path: Path) -> None:
+    """A train in a zone that comes into it once more counts itself, one over two of its sections twice: what is planned
+    without that is refused, and trains stand for ever."""
+    code, text = run(GAP, "1:W>E", "2:E>W", "--length", "120", "--timings", "12")
+    assert code == 0 and "each granted within" in text and "0 of 12 timings stand for ever" in text, text
+    long = Path(GAP).read_text("utf-8").replace("Z2: {sections: [a2, b2, q2]", "Z2: {sections: [p3, a2, b2, p4]")
+    (tmp_path / "long.yaml").write_text(long.replace("  Z1: {sections: [a1, b1], trains: 1}\n", ""), "utf-8")
+    code, text = run(str(tmp_path / "long.yaml"), "1:W>E", "2:E>W", "3:W>E", "--length", "250")
+    assert code == 0 and "each granted within" in text, text
+
+
+FAR = """
+interlock: 1
+name: far
+profile: mine
+boundaries: {W: {approach: wa 200}, E: {approach: ea 200}}
+tracks: {s0: [W, q0 200], a: [a1 200, a2 200], b: [b1 400], s1: [q1 200, E]}
+points:
+  P1: {section: t1, toe: s0.end, normal: a.start, reverse: b.start, legs: 20}
+  P2: {section: t2, toe: s1.start, normal: a.end, reverse: b.end, legs: 20}
+signals:
+  XW: {from: W, into: q0}
+  XE: {from: E, into: q1}
+  I1: {from: q0, into: t1}
+  O2: {from: q1, into: t2}
+  Ma: {from: a1, into: a2}
+  Ea: {from: a2, into: t2}
+  Na: {from: a2, into: a1}
+  Va: {from: a1, into: t1}
+  Eb: {from: b1, into: t2}
+  Vb: {from: b1, into: t1}
+voyages: {wi: {from: XW, to: a2, via: [a1], order: far}}
+"""
+
+
+def test_the_story_of_a_deadlock_has_every_route_with_its_train(tmp_path: Path) -> None:
+    """A train all whose routes are set at once, from the far end, and another one that comes against it."""
+    (tmp_path / "far.yaml").write_text(FAR, "utf-8")
+    _, text = run(str(tmp_path / "far.yaml"), "wi", "2:E>W+a1", "--explore")
+    assert "wi runs over XW-I1, I1-Ma and Ma-Ea and stands in a2." in text, text
+    assert "2 runs over XE-O2 and stands in q1." in text

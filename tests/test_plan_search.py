@@ -15,11 +15,11 @@ def line(name: str, *sections: str, out: bool = True) -> Draft:
     """A train that stands in the first section and runs over the others, out at the end if wanted."""
     d = Draft(name, sections[0])
     for a, b in pairwise(sections):
-        d.moves[a] = [(f"to {b}", b, frozenset({b}), ())]
+        d.moves[a] = [(f"to {b}", b, frozenset({b}), {})]
     for s in sections:
         d.holds[s] = frozenset({s})
     if out:
-        d.moves[sections[-1]] = [("out", "gone", frozenset(), ())]
+        d.moves[sections[-1]] = [("out", "gone", frozenset(), {})]
         d.gone.add("gone")
     else:
         d.home.add(sections[-1])
@@ -63,19 +63,19 @@ def scattered(seed: int) -> Built:
             layers.append([(depth, s) for s in rng.sample(sections, rng.randrange(1, 3))])
         for here, there in pairwise(layers):
             for a, b in product(here, there):
-                into = ("Z",) if b[1] in zone and a[1] not in zone else ()
+                into = {"Z": rng.choice((1, 1, 2))} if b[1] in zone and (a[1] not in zone or rng.random() < 0.2) else {}
                 d.moves.setdefault(a, []).append((b[1], b, frozenset({b[1], rng.choice(sections)} - {a[1]}), into))
         for node in (n for x in layers for n in x):
             d.holds[node] = frozenset({node[1]})
-            d.inside[node] = frozenset({"Z"} if node[1] in zone else ())
+            d.inside[node] = {"Z": rng.choice((1, 1, 2))} if node[1] in zone else {}
         for node in layers[-1]:
             if rng.random() < 0.6:
-                d.moves[node] = [("out", "gone", frozenset(), ())]
+                d.moves[node] = [("out", "gone", frozenset(), {})]
                 d.gone.add("gone")
             else:
                 d.home.add(node)
         drafts.append(d)
-    return build(drafts, [("Z", rng.randrange(1, 3))])
+    return build(drafts, [("Z", rng.randrange(1, 5))])
 
 
 @pytest.mark.parametrize("order", ORDERS)
@@ -120,9 +120,9 @@ def test_two_trains_head_on_are_caught_and_named() -> None:
 
 def test_a_loop_lets_them_pass() -> None:
     b = line("b", "y", "x")
-    b.moves["y"].append(("aside", "loop", frozenset({"loop"}), ()))
+    b.moves["y"].append(("aside", "loop", frozenset({"loop"}), {}))
     b.holds["loop"] = frozenset({"loop"})
-    b.moves["loop"] = [("to x", "x", frozenset({"x"}), ())]
+    b.moves["loop"] = [("to x", "x", frozenset({"x"}), {})]
     built = build([line("a", "x", "y"), b])
     plan = Planner(built.problem).solve(built.start).plan
     assert built.problem.done(replay(built.problem, built.start, plan)) and plan[0].label == "aside"
@@ -131,9 +131,9 @@ def test_a_loop_lets_them_pass() -> None:
 def test_a_full_zone_keeps_trains_out() -> None:
     first, second = line("a", "x", "in1", out=False), line("b", "y", "in2", out=False)
     for d, s in ((first, "in1"), (second, "in2")):
-        d.inside[s] = frozenset({"Z"})
+        d.inside[s] = {"Z": 1}
         for node, moves in d.moves.items():
-            d.moves[node] = [(n, t, needs, ("Z",)) for n, t, needs, _ in moves]
+            d.moves[node] = [(n, t, needs, {"Z": 1}) for n, t, needs, _ in moves]
     assert Planner((one := build([first, second], [("Z", 1)])).problem).solve(one.start).verdict is Verdict.NONE
     assert Planner((two := build([first, second], [("Z", 2)])).problem).solve(two.start).verdict is Verdict.PLAN
 
@@ -151,6 +151,6 @@ def test_out_of_budget_is_unknown_never_none() -> None:
 
 def test_a_train_that_goes_round_is_refused() -> None:
     d = line("a", "x", "y")
-    d.moves["y"].append(("back", "x", frozenset({"x"}), ()))
+    d.moves["y"].append(("back", "x", frozenset({"x"}), {}))
     with pytest.raises(GoesRound, match="a comes back to x"):
         build([d])

@@ -403,8 +403,29 @@ def test_what_comes_after_the_time_of_its_order_is_told(tmp_path: Path) -> None:
         .replace("tonnes: 480", "trains: 2")
         .replace("by: 6", "by: 0.75")
     )
-    done = CliRunner().invoke(command, [HEISHAN, "--dispatch", str(file), "--hours", "2"], catch_exceptions=False)
-    assert done.exit_code == 0 and "order b: 2 of 2 trains from c3, 2 of them after 0.75 h" in done.output, done.output
+    line = [HEISHAN, "--dispatch", str(file), "--hours", "2", "-o", str(tmp_path)]
+    done = CliRunner().invoke(command, line, catch_exceptions=False)
+    events = [json.loads(x) for x in (tmp_path / "heishan-0.log").read_text("utf-8").splitlines()]
+    after = sum(e["kind"] == "tipped" and e["order"] == "b" and e["t"] > 0.75 * 3_600_000 for e in events)
+    assert done.exit_code == 0 and after == 1, "as the record has it, which begins with the shift"
+    assert f"order b: 2 of 2 trains from c3, {after} of them after 0.75 h" in done.output, done.output
+
+
+def test_an_order_of_tonnes_is_done_when_they_are_there(tmp_path: Path) -> None:
+    """Trains of unlike wagons: counted in the smallest of them, it would be 16 trains, and 720 t."""
+    file = tmp_path / "x.dispatch"
+    small = (
+        Path("layouts/heishan.dispatch")
+        .read_text("utf-8")
+        .replace("3: {length: 60, wagons: 10, tonnes: 60", "3: {length: 60, wagons: 10, tonnes: 30")
+    )
+    for only in ("", "only: [1, 2, 4], "):
+        file.write_text(small.replace("tonnes: 480", f"{only}tonnes: 480"))
+        done = CliRunner().invoke(command, [HEISHAN, "--dispatch", str(file)], catch_exceptions=False)
+        told = next(x for x in done.output.splitlines() if "order b" in x)
+        assert done.exit_code == 0, done.output
+        brought = float(told.split(" of 480 t")[0].rpartition(" ")[2])
+        assert 480 <= brought < 540 and (not only or brought == 480), told
 
 
 THROUGH = """dispatch: 1

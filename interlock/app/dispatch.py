@@ -141,9 +141,12 @@ class Setting:
         """Moves to a deadlock in words, and what keeps each train there."""
         p, state = self.built.problem, self.built.start
         said = []
-        for m, (train, route) in zip(moves, self.routes(moves), strict=False):
+        for m in moves:
             state = state & ~m.source | m.target
-            said.append(f"{train} runs over {route} and stands in {p.label[m.target]}.")
+            *most, last = [route for _, route in self.routes((m,))]
+            over = f"{', '.join(most)} and {last}" if most else last
+            comes = "leaves" if m.target & p.gone else f"stands in {p.label[m.target]}"
+            said.append(f"{p.trains[m.train]} runs over {over} and {comes}.")
         for k, here in enumerate(p.at(state)):
             if here & p.home:
                 continue

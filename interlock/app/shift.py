@@ -388,14 +388,15 @@ class Shift:
     def _tipped(self, trip: Trip) -> None:
         place, order = trip.order.order.to, trip.order
         self._tipping[place].remove(trip.train)
-        tonnes = self._file.fleet[trip.train].tonnes * (
-            1 - self._lost[trip.train] / self._file.fleet[trip.train].wagons
-        )
+        whole = self._file.fleet[trip.train]
+        tonnes = whole.tonnes * (1 - self._lost[trip.train] / whole.wagons)
         self._lost[trip.train] = 0
+        self._assigner.short(order, whole.tonnes - tonnes)
         self.worked.tipped[order.name] = self.worked.tipped.get(order.name, 0) + 1
         if order.order.by is not None:
-            late = self.agenda.now_ms > order.order.by * 3_600_000
+            late = self._now > order.order.by * 3_600_000
             self.worked.late[order.name] = self.worked.late.get(order.name, 0) + late
+        self.worked.brought[order.name] = self.worked.brought.get(order.name, 0.0) + tonnes
         ore = order.order.ore or "ore"
         self.worked.tonnes[ore] = self.worked.tonnes.get(ore, 0.0) + tonnes
         self._say(

@@ -64,6 +64,8 @@ class Worked:
     """Of them, by order with a time until when (`by`): those after it."""
     tonnes: dict[str, float] = field(default_factory=dict)
     """By kind of ore."""
+    brought: dict[str, float] = field(default_factory=dict)
+    """Tonnes by order."""
     seconds: float = 0.0
     scans: int = 0
     movements: int = 0

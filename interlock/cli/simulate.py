@@ -168,6 +168,7 @@ def _body(done: Sequence[Worked], files: Sequence[str]) -> dict[str, object]:
                 "tipped": w.tipped,
                 "late": w.late,
                 "tonnes": w.tonnes,
+                "brought": w.brought,
                 "scans": w.scans,
                 "movements": w.movements,
                 "held_back": w.refused,
@@ -200,7 +201,11 @@ def _print(setting: Setting, done: Sequence[Worked], files: Sequence[str], took:
         late = mean([w.late.get(d.name, 0) for w in done]).value
         many_late = f"{late:.4g}" if late else "none"
         after = "" if d.order.by is None else f", {many_late} of them after {d.order.by:g} h"
-        click.echo(f"  order {d.name}: {x.value:.4g} of {d.trains} trains from {d.order.from_}{after}")
+        many = f"{x.value:.4g} of {d.trains} trains"
+        if d.order.tonnes is not None:
+            brought = mean([w.brought.get(d.name, 0.0) for w in done]).value
+            many = f"{brought:.6g} of {d.order.tonnes:g} t, in {x.value:.4g} trains"
+        click.echo(f"  order {d.name}: {many} from {d.order.from_}{after}")
     for name in done[0].wrong.counts():
         count = sum(w.wrong.counts()[name] for w in done)
         click.echo(f"  {name}: {click.style(str(count), fg='red' if count else 'green')}")

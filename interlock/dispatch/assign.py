@@ -1,5 +1,7 @@
 """Which order an idle train takes next.
 
+An order of tonnes needs trains until those that were sent carry as much.
+
     in_turn    the order that has the largest part of its trains still to go, the one that is due first before others
     nearest    the nearest loading place that has room (document D, rule 2b), by metres from the waiting place
     fixed      each train always the same order, the first for the first train and so on (a yardstick, not a proposal)
@@ -10,6 +12,7 @@ A loading place takes no more trains than it has room for, counting those that a
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import field
 from enum import StrEnum
@@ -36,6 +39,8 @@ class Assigner:
     orders: Sequence[Derived]
     how: Assigning = Assigning.IN_TURN
     given: dict[str, int] = field(default_factory=dict)
+    sent: dict[str, float] = field(default_factory=dict)
+    """By order: the tonnes that these carry."""
     busy: dict[str, str] = field(default_factory=dict)
     """By train: the loading place to which it is on its way, or in which it is."""
     near: dict[str, float] = field(default_factory=dict)
@@ -46,8 +51,15 @@ class Assigner:
             self.near[o.name] = min(metres_to(j, at) for j in o.journeys.values())
 
     def left(self, order: Derived) -> int:
-        """Trains that an order still needs."""
-        return order.trains - self.given.get(order.name, 0)
+        """Trains that an order still needs; of tonnes so many of those that carry least."""
+        tonnes = order.order.tonnes
+        if tonnes is None:
+            return order.trains - self.given.get(order.name, 0)
+        return max(0, math.ceil((tonnes - self.sent.get(order.name, 0.0)) / order.carried - 1e-9))
+
+    def short(self, order: Derived, tonnes: float) -> None:
+        """A train has brought less than it carries."""
+        self.sent[order.name] = self.sent.get(order.name, 0.0) - tonnes
 
     def next(self, train: str) -> Derived | None:
         """The order for an idle train, which has it then; None where there is none now."""
@@ -74,6 +86,7 @@ class Assigner:
 
     def _gives(self, train: str, order: Derived) -> None:
         self.given[order.name] = self.given.get(order.name, 0) + 1
+        self.sent[order.name] = self.sent.get(order.name, 0.0) + self.file.fleet[train].tonnes
         self.busy[train] = order.order.from_
 
     def leaves(self, *trains: str) -> None:

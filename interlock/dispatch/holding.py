@@ -56,8 +56,8 @@ class Holding:
             if other is not run and not other.coming and self._certain(other) & move.blocked:
                 return f"{other.name} is in the way"
         inside = self.state({r.name for r in self.runs if r.coming}) & ~move.source
-        for z in move.zones:
-            if (inside & p.limits[z].nodes).bit_count() >= p.limits[z].trains:
+        for z, room in move.zones:
+            if p.limits[z].count(inside) > room:
                 return f"{p.limits[z].name} is full"
         earlier = [r for r in self.runs if r.coming and r is not run and self._bit(r) & move.blocked]
         same = [r.name for r in earlier if run.coming and r.place.under == run.place.under]

@@ -32,12 +32,14 @@ from interlock.table.cells import TraversalKey
 
 @dataclass(frozen=True)
 class Derived:
-    """An order with the journeys that carry it out, by train, and how many of them are needed."""
+    """An order with the journeys that carry it out, by train, and how many of them are needed at most: of tonnes that
+    many of those that carry least, `carried` tonnes each."""
 
     name: str
     order: OrderSpec
     journeys: dict[str, Journey]
     trains: int
+    carried: float = 0.0
 
 
 def metres_to(journey: Journey, section: str) -> float:
@@ -189,9 +191,9 @@ class Derivation:
                 return
             if not self._open(name, journeys[number]):
                 return
-        carried = min(t.tonnes for t in self.file.fleet.values())
+        carried = min(self.file.fleet[n].tonnes for n in journeys)
         trains = order.trains or math.ceil((order.tonnes or 0) / carried)
-        yield Derived(name, order, journeys, trains)
+        yield Derived(name, order, journeys, trains, carried)
 
     def _open(self, name: str, journey: Journey) -> bool:
         """Some chain of routes leads past whatever is blocked."""
@@ -249,10 +251,10 @@ class Derivation:
         return bool(self.railway.routes_on(Place(0, frozenset(), None, under), True))
 
     def _hours(self) -> None:
-        """The time that each place works for all orders, against the shift."""
+        """The time that each place works for all orders, against the shift; tonnes in the largest trains."""
         needed: dict[str, float] = {}
-        carried = min((t.tonnes for t in self.file.fleet.values()), default=1.0)
         for o in self.file.orders.values():
+            carried = max((self.file.fleet[n].tonnes for n in o.only or self.file.fleet), default=1.0)
             trains = o.trains or math.ceil((o.tonnes or 0) / carried)
             for place in (o.from_, o.to):
                 needed[place] = needed.get(place, 0.0) + trains * (self.file.places[place].minutes or 0.0) / 60

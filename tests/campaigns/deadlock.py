@@ -178,7 +178,7 @@ def modelled(instance: Instance) -> Built:
                     continue
                 after = freed(legs, (*held, r))
                 needs = {("route", r), ("excluded", r), ("switch", r), *(("route", c) for c in legs[r].excludes)}
-                d.moves.setdefault(held, []).append((r, after, frozenset(needs), ()))
+                d.moves.setdefault(held, []).append((r, after, frozenset(needs), {}))
                 if after not in known:
                     known.add(after)
                     todo.append(after)

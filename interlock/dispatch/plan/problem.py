@@ -4,12 +4,15 @@ A train stands in one of its nodes.  A move takes it to another one; it is possi
 node that blocks the move, or a zone through which it leads is full.  While a train moves all others stand: what was
 set beside each other on the ground came one after the other, and trains that are under way arrive.
 
+A zone counts as the controller does (R17), which knows sections and no trains: a train counts as often as sections of
+the zone are under it, and when it comes in again, it counts itself.
+
 Every node of every train has a bit, so that a state is one number, and so is what blocks a move.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import field
 
 from interlock.dataclass import dataclass
@@ -21,25 +24,32 @@ class GoesRound(Exception):
 
 @dataclass(frozen=True)
 class Move:
-    """A move: its label, the train, source and target bit, the nodes of others that block it, zones it leads into; what
-    it costs: of several ways a train is given the cheapest that is free."""
+    """A move: its label, the train, source and target bit, the nodes of others that block it, zones it leads into, each
+    with how often others may count there; what it costs: of several ways a train is given the cheapest that is free."""
 
     label: str
     train: int
     source: int
     target: int
     blocked: int
-    zones: tuple[int, ...] = ()
+    zones: tuple[tuple[int, int], ...] = ()
     cost: float = 1.0
 
 
 @dataclass(frozen=True)
 class Limit:
-    """A zone: the nodes in which a train counts, and how many trains there may be."""
+    """A zone: the nodes in which a train counts, those in which it counts twice or more often, and so on."""
 
     name: str
-    nodes: int
-    trains: int
+    nodes: tuple[int, ...]
+
+    def count(self, state: int) -> int:
+        """How often the trains of a state count."""
+        return sum((state & nodes).bit_count() for nodes in self.nodes)
+
+    def beyond(self, room: int) -> int:
+        """The nodes in which one train alone counts more often."""
+        return self.nodes[room] if room < len(self.nodes) else 0
 
 
 @dataclass
@@ -59,9 +69,8 @@ class Problem:
 
     def possible(self, state: int, move: Move) -> bool:
         """Whether a move is possible in a state."""
-        return not state & move.blocked and all(
-            (state & ~move.source & self.limits[z].nodes).bit_count() < self.limits[z].trains for z in move.zones
-        )
+        others = state & ~move.source
+        return not state & move.blocked and all(self.limits[z].count(others) <= room for z, room in move.zones)
 
     def done(self, state: int) -> bool:
         """Every train is where it may stay."""
@@ -80,14 +89,14 @@ class Draft:
     start: object
     holds: dict[object, frozenset[object]] = field(default_factory=dict)
     """What a train in a node keeps from others."""
-    moves: dict[object, list[tuple[str, object, frozenset[object], tuple[str, ...]]]] = field(default_factory=dict)
-    """By node: label, target, the things that nobody else may hold, zones."""
+    moves: dict[object, list[tuple[str, object, frozenset[object], Mapping[str, int]]]] = field(default_factory=dict)
+    """By node: label, target, the things that nobody else may hold, the room that it asks for in zones."""
     costs: dict[tuple[object, str], float] = field(default_factory=dict)
     """By node and label of a move: what it costs, 1 where nothing is stated."""
     home: set[object] = field(default_factory=set)
     gone: set[object] = field(default_factory=set)
-    inside: dict[object, frozenset[str]] = field(default_factory=dict)
-    """The zones in which a train in a node counts."""
+    inside: dict[object, Mapping[str, int]] = field(default_factory=dict)
+    """How often a train in a node counts in zones."""
 
     def order(self) -> list[object]:
         """The nodes from the start, sources before targets.  Raises `GoesRound`."""
@@ -131,7 +140,8 @@ class Built:
 
 
 def build(drafts: Sequence[Draft], limits: Sequence[tuple[str, int]] = ()) -> Built:
-    """Give every node a bit, and find what blocks what: a thing that a move needs and a node holds."""
+    """Give every node a bit, and find what blocks what: a thing that a move needs and a node holds.  `limits`: zones,
+    and how many trains may be there; a move for which a zone would be too small even without others is none."""
     problem = Problem(trains=[d.name for d in drafts])
     bits: list[dict[object, int]] = []
     holders: list[dict[object, int]] = []
@@ -153,22 +163,27 @@ def build(drafts: Sequence[Draft], limits: Sequence[tuple[str, int]] = ()) -> Bu
         holders.append(held)
         problem.nodes.append(list(of.values()))
     number = {name: i for i, (name, _) in enumerate(limits)}
-    for name, trains in limits:
-        inside = 0
-        for d, of in zip(drafts, bits, strict=True):
-            for node, b in of.items():
-                if name in d.inside.get(node, ()):
-                    inside |= b
-        problem.limits.append(Limit(name, inside, trains))
+    for name, _ in limits:
+        often = [
+            (d.inside.get(node, {}).get(name, 0), b)
+            for d, of in zip(drafts, bits, strict=True)
+            for node, b in of.items()
+        ]
+        most = max((n for n, _ in often), default=0)
+        problem.limits.append(Limit(name, tuple(sum(b for n, b in often if n > k) for k in range(most))))
     for t, (d, of) in enumerate(zip(drafts, bits, strict=True)):
         for node, b in of.items():
             out = problem.moves[b] = []
             for label, target, needs, zones in d.moves.get(node, []):
+                own = d.inside.get(node, {})
+                room = tuple((number[z], limits[number[z]][1] - n - own.get(z, 0)) for z, n in zones.items())
+                if any(left < 0 for _, left in room):
+                    continue
                 blocked = 0
                 for u, held in enumerate(holders):
                     if u != t:
                         for thing in needs:
                             blocked |= held.get(thing, 0)
                 cost = d.costs.get((node, label), 1.0)
-                out.append(Move(label, t, b, of[target], blocked, tuple(number[z] for z in zones), cost))
+                out.append(Move(label, t, b, of[target], blocked, room, cost))
     return Built(problem, tuple(bits), sum(of[d.start] for d, of in zip(drafts, bits, strict=True)))

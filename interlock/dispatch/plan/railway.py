@@ -16,11 +16,12 @@ Nothing here depends on names: where several routes are possible they are ordere
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import field, replace
 from functools import cached_property
 from heapq import heappop, heappush
-from itertools import count, takewhile
+from itertools import count, pairwise, takewhile
 from math import inf
 
 from interlock.dataclass import dataclass
@@ -276,9 +277,23 @@ class Railway:
         rear = self.topo.beyond(section, entry)
         return frozenset({("section", rear)} if rear is not None else ())
 
-    def inside(self, under: Iterable[TraversalKey]) -> frozenset[str]:
-        """The zones in which a train on ways counts."""
-        return frozenset(self._zone_of[s] for s, n in under if n != OUTSIDE and s in self._zone_of)
+    def inside(self, under: Iterable[TraversalKey]) -> Mapping[str, int]:
+        """How often a train on ways counts in zones: with each section."""
+        return Counter(self._zone_of[s] for s, n in under if n != OUTSIDE and s in self._zone_of)
+
+    def entering(self, chain: Sequence[RouteRow]) -> Mapping[str, int]:
+        """The room that routes in the order of travel ask for in zones, the last of them set first: a section of a zone
+        counts from when it is locked, until what leads to it inside the zone is locked, too."""
+        room: dict[str, int] = {}
+        ahead: Counter[str] = Counter()
+        for r in reversed(chain):
+            for c in r.conditions.zones:
+                room[c.zone] = max(room.get(c.zone, 0), ahead[c.zone] + c.entries)
+            for before, s in pairwise((None, *r.path.section_ids)):
+                zone = self._zone_of.get(s) if s is not None else None
+                if zone is not None and (before is None or self._zone_of.get(before) != zone):
+                    ahead[zone] += 1
+        return room
 
     def standing(self, r: RouteRow) -> tuple[TraversalKey, ...]:
         """A way on which a train stands before a route's signal."""
@@ -465,7 +480,10 @@ class Railway:
     def _own(self, place: Place, chain: Sequence[RouteRow]) -> bool:
         """The train itself is in the way."""
         mine = self.holds(place.under) | self._under_way(place)
-        return any(mine & self.needs(r) for r in chain)
+        full, inside = dict(self.zones), self.inside(place.under)
+        return any(mine & self.needs(r) for r in chain) or any(
+            inside.get(z, 0) + n > full[z] for z, n in self.entering(chain).items()
+        )
 
     def _after(self, errand: Errand, place: Place, chain: Sequence[RouteRow], turned: bool) -> Place | None:
         leg, last = errand.legs[place.leg], chain[-1]
@@ -512,8 +530,9 @@ class Journey:
                 (d.home if place.under else d.gone).add(place)
             for k, s in enumerate(steps):
                 needs = behind.union(s.besides, *(self.railway.needs(r) for r in s.routes))
-                zones = tuple(dict.fromkeys(z.zone for r in s.routes for z in r.conditions.zones))
-                d.moves.setdefault(place, []).append((str(k), s.after, frozenset(needs), zones))
+                d.moves.setdefault(place, []).append(
+                    (str(k), s.after, frozenset(needs), self.railway.entering(s.routes))
+                )
                 d.costs[place, str(k)] = self.railway.cost(s, self.errand.length_m)
         return d
 

@@ -143,18 +143,13 @@ class Planner:
         ours, theirs = p.nodes[t], p.nodes[u]
         home = p.home & self._mask[u]
         back = [m for b in reversed(theirs) for m in p.moves[b]]
-        tight = [z for z in p.limits if z.trains < 2]
         good: dict[int, int] = {}
         for n in reversed(ours):
             row = home if n & p.home else 0
             for m in p.moves[n]:
-                full = 0
-                for z in m.zones:
-                    if p.limits[z] in tight:
-                        full |= p.limits[z].nodes
-                row |= good[m.target] & ~m.blocked & ~full
+                row |= good[m.target] & ~m.blocked & ~self._full(m)
             for m in back:
-                if row & m.target and not m.blocked & n and (not m.zones or not self._full(m, n)):
+                if row & m.target and not m.blocked & n and not self._full(m) & n:
                     row |= m.source
             good[n] = row
         for n in ours:
@@ -165,8 +160,12 @@ class Planner:
                 found[low] |= n
                 bad ^= low
 
-    def _full(self, m: Move, other: int) -> bool:
-        return any(self.problem.limits[z].trains < 2 and self.problem.limits[z].nodes & other for z in m.zones)
+    def _full(self, m: Move) -> int:
+        """The nodes in which one other train alone fills a zone."""
+        found = 0
+        for z, room in m.zones:
+            found |= self.problem.limits[z].beyond(room)
+        return found
 
     # --- search --------------------------------------------------------------------------------
 
@@ -339,8 +338,7 @@ class Planner:
             shown = others & blocked
             if shown:
                 return 0 if shown & reason else shown & -shown
-        for z in m.zones:
-            inside = others & p.limits[z].nodes
-            if inside.bit_count() >= p.limits[z].trains:
-                return inside
+        for z, room in m.zones:
+            if p.limits[z].count(others) > room:
+                return others & p.limits[z].nodes[0]
         return frame.why[m] & ~m.target
