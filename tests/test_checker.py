@@ -367,7 +367,7 @@ def test_a_delay_that_no_controller_can_count_is_refused(made: Path) -> None:
 
 def test_a_start_that_says_less_is_refused(copy: Path) -> None:
     _, told = lines(copy)
-    proved_again(copy, [x.replace(" K_DP)", ")") if x.startswith("start ") else x for x in told])
+    proved_again(copy, [x.replace(" K_DP ", " ") if x.startswith("start ") else x for x in told])
     assert "the claim P-START lacks" in refused(copy)
 
 

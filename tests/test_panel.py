@@ -109,7 +109,7 @@ def test_a_refusal_says_why_and_where(at_work: tuple[Desk, Any]) -> None:
 
 
 def test_all_signals_are_put_to_stop_at_once_and_nothing_opens_by_itself(at_work: tuple[Desk, Any]) -> None:
-    """Two routes, a voyage whose train is still to come, and a request that was just made: nothing of all this goes on."""
+    """Two routes, a voyage whose train is still to come, a request that was just made: nothing of all this goes on."""
     desk, browser = at_work
     with browser(name="Ida") as b:
         b.ask("voyage", name="12:W>s4_xc1")

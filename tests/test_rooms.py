@@ -70,7 +70,17 @@ NO_THEOREM = {
     **dict.fromkeys(
         [
             f"mutation/{m}.py"
-            for m in ("asked", "blocked", "elsewhere", "forgotten", "points", "swinging", "texts", "ways", "weakenings")
+            for m in (
+                "asked",
+                "blocked",
+                "elsewhere",
+                "forgotten",
+                "points",
+                "swinging",
+                "texts",
+                "ways",
+                "weakenings",
+            )
         ],
         "makes mutants: whatever it makes is judged",
     ),

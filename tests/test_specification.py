@@ -12,6 +12,7 @@ import pytest
 from interlock.checker import specification
 from interlock.checker.check import agree
 from interlock.checker.moves import World
+from interlock.checker.plant import define
 from interlock.checker.railway import Railway
 from interlock.checker.reading import loaded
 from interlock.checker.specification import FOLDER, Specification
@@ -484,3 +485,14 @@ def test_every_word_is_used_and_none_is_explained_in_vain() -> None:
     known, explained = {n[2:] for n in dir(Telling) if n.startswith("w_")}, set(specification.shipped().words)
     assert known <= tokens and explained <= tokens
     assert not known & explained, "no word has two meanings"
+
+
+def test_two_elements_of_one_name_are_no_layout() -> None:
+    """One approach section at two boundaries: what is so of the one would be so of the other."""
+    source = Path("layouts/fig2_3_split.yaml").read_text("utf-8")
+    one = re.sub(r"(?m)^(  [BD]: \{approach: )\w+", r"\1SB", source)
+    assert one.count("approach: SB") == 2
+    _, system, _ = shipped("fig2_3_split")
+    world = Telling(Railway(loaded(one)), written(system))
+    with pytest.raises(Rejected, match="two elements of the layout have the same name"):
+        define(world, specification.shipped())

@@ -19,13 +19,20 @@ from interlock.verify import need
 
 
 def define(world: World, spec: Specification) -> dict[str, Formula]:
-    """The events and next values that the specification defines for a layout; the events become words of the world."""
+    """The events and next values that the specification defines for a layout; the events become words of the world.
+    Raises Rejected where two elements would share one: a layout in which two have the same name is none.
+    """
     world.meanings = dict(spec.words)
     wanted: dict[str, Formula] = {}
     for name, x in _defined(spec.events, world):
+        need(name not in wanted, f"two elements of the layout have the same name: {name} would be defined twice")
         world.events[name] = x
         wanted[name] = x
-    wanted |= {name + PRIME: x for name, x in _defined(spec.next, world)}
+    for name, x in _defined(spec.next, world):
+        need(
+            name + PRIME not in wanted, f"two elements of the layout have the same name: {name} would be defined twice"
+        )
+        wanted[name + PRIME] = x
     return {name: x for name, x in wanted.items() if name.endswith(PRIME) or x != FALSE}
 
 

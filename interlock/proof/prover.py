@@ -108,7 +108,8 @@ def _claims(
 
 
 def start_claim(loop: ClosedLoop) -> Expr:
-    """P-START: at the restart nothing is commanded, all signals show stop, every section is locked."""
+    """P-START: at the restart nothing is commanded, all signals show stop, every section is locked, and no train has
+    gone on or been missed."""
     sym = loop.controller.symbols
     devices = loop.layout.machines.device
     commands = [*sym.machines.command.items(), *sym.machines.drive.items()]
@@ -116,6 +117,7 @@ def start_claim(loop: ClosedLoop) -> Expr:
     out += [var(n) for n in sym.aspects.stop.values()]
     out += [neg(sym.aspects.shows(g.id)) for g in loop.layout.signalling.signals]
     out += [var(n) for n in sym.sections.restart.values()]
+    out += [neg(var(n)) for n in (*sym.sections.passed.values(), *sym.sections.stale.values())]
     return conj(out)
 
 

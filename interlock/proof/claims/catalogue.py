@@ -108,13 +108,16 @@ CLAIMS: dict[str, str] = {
     "while it does.",
     "L-REASON": "No lock ends without its reason: a train has used the section, the lock before it was withdrawn, its "
     "signal was cancelled, or somebody releases it by hand, alone or with all that may have missed a train; after a "
-    "restart by hand, or behind a train that stood there.",
+    "restart by hand, or behind a train that stood there.  None of these is said without its own; what a section "
+    "remembers of its train ends with its lock, and a lock once firm stays so; and none ends, but by its own signal, "
+    "before the one in rear that leads into it.",
     "L-CLEAR": "No section is released, however it is, before it has been reported clear with valid inputs, without a "
     "break, for the release delay.",
     "L-APPROACH": "A route whose signal has been open is not given up before its train came, unless none can be on its "
     "way: all is steadily clear within the braking distance and back to the first signal that announces this one, "
     "over ways that are locked; or stop has been shown without a break for as long as a train needs to stand.  "
-    "(Whether it has been open is the controller's own bit, which is set with proceed and stays while the route does.)",
+    "(Whether it has been open is the controller's own bit, which is set with proceed and stays while the route does, "
+    "and until its train has come or the lock behind its signal ends.)",
     "L-RELEASE": "No section is released while a train stands in it, comes into it, or has been called into it.",
     "L-HELD": "A section in which a train moves is locked.",
     "P-LOCKED": "A point is commanded to move only when the sections of all its ends are steadily clear and unlocked, "
@@ -124,14 +127,15 @@ CLAIMS: dict[str, str] = {
     "P-BLOCKED": "A point, a section of which is blocked, is commanded to move only by hand: whoever works there is "
     "not to have it move for a route.",
     "P-DRIVEN": "A machine is driven to where it is commanded, and never both ways: at once, or where machines start "
-    "one after the other, when its turn has come.",
+    "one after the other, when its turn has come; nor is it commanded both ways.",
     "I-TOLD": "Every indication and alarm tells what is: a section is locked, a detector is faulty, a machine is not "
     "where it was commanded or was trailed, a zone is full.",
     "D-PRESET": "No delay is shorter than the principles order, nor than the world needs: by speeds, braking, reaction "
     "and the delay of outputs, running times of machines, and what is agreed with the neighbour; and none longer than "
     "a TIME of 32 bits counts, some 24 days: a clock that begins anew runs out at once.",
     "P-START": "When the restart delay is over, whatever happened meanwhile, nothing is commanded but crossings and "
-    "bridges to close, all signals show stop, and every section is locked.",
+    "bridges to close, all signals show stop, every section is locked, and of no train it is said that it went on, or "
+    "was missed.",
 }
 
 

@@ -49,6 +49,7 @@ def _ends(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                 )
         ended = conj((f.locking.any_lock(s), neg(after(f.locking.any_lock(s)))))
         yield "L-REASON", s, implies(ended, disj(reasons))
+        yield from _kept(f, s, ended)
         yield "L-REASON", f"{s} used", implies(conj((after(f.seen.used(s)), neg(f.seen.used(s)))), _came_in(f, s))
         gone = disj(neg(f.seen.clear(a)) for j in f.topo.ends[s] if (a := f.topo.beyond(s, j)) is not None)
         onward = conj((f.seen.used(s), neg(f.seen.clear(s)), gone))
@@ -61,6 +62,27 @@ def _ends(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         over = [var(f.sym.sections.release_timer[s]) for s, _ in f.sym.overlaps.ways[g, k]]
         given_up = conj((var(held), neg(after(var(held)))))
         yield "L-CLEAR", f"overlap {k} of {g}", implies(given_up, disj((conj(over), *swings)))
+
+
+def _kept(f: Facts, s: SectionId, ended: Expr) -> Iterator[tuple[str, str, Expr]]:
+    """What a section remembers of its train ends with its lock, and not before it; and no lock ends before the one in
+    rear that leads into it, whatever the reason, unless its own signal is cancelled."""
+    after, any_lock = f.after, f.locking.any_lock(s)
+    held = disj((f.locking.restart(s), any_lock))
+    yield "L-REASON", f"{s} remembered", implies(disj((f.seen.used(s), f.seen.passed(s))), held)
+    firm = f.locking.firm(s)
+    yield "L-REASON", f"{s} firm", implies(conj((firm, neg(after(firm)))), neg(after(any_lock)))
+    lost = conj((neg(var(f.sym.valid)), any_lock))
+    called = (conj((after(var(r.active)), neg(var(r.active)))) for r in f.sym.routes if r.call_on)
+    missed = conj((after(f.seen.stale(s)), neg(f.seen.stale(s))))
+    yield "L-REASON", f"{s} missed", implies(missed, disj((lost, *called)))
+    signals = [g for j in f.topo.ends[s] if (g := f.topo.signal_into.get((j, s))) is not None]
+    cancelled = (var(c) for g in signals if (c := f.sym.cancellation.cancelling.get(g)) is not None)
+    leading = []
+    for j, rear, past in f.track.passed_into(s):
+        leads = f.locking.locked_out(rear, j)
+        leading.append(conj((f.locking.locked_in(s, j), leads, *([f.locking.train(rear)] if past else []))))
+    yield "L-REASON", f"{s} in order", implies(conj((ended, neg(disj(cancelled)))), neg(disj(leading)))
 
 
 def _rear(f: Facts, s: SectionId, j: NodeId) -> SectionId | None:
@@ -105,6 +127,8 @@ def _given_up(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             set_, seen = after(var(r.active)), after(var(r.shown))
             stays = disj((after(var(r.proceed)), conj((var(r.shown), set_))))
             yield "L-APPROACH", f"{r.id} shown", implies(stays, seen)
+            gone = disj((after(f.seen.used(first)), neg(after(from_g))))
+            yield "L-APPROACH", f"{r.id} kept", implies(conj((var(r.shown), neg(seen))), gone)
 
 
 def _withdrawn(f: Facts, r: RouteSymbols) -> Expr:

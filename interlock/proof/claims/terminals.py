@@ -57,7 +57,7 @@ def _drives(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             commanded = var(f.sym.machines.command[m, x])
             due = commanded if turn is None else conj((commanded, var(turn)))
             both.append(iff(var(f.sym.machines.drive[m, x]), due))
-        never = neg(conj(var(f.sym.machines.drive[m, x]) for x in Position))
+        never = neg(conj(var(f.sym.machines.command[m, x]) for x in Position))
         yield "P-DRIVEN", m, f.after(conj((*both, never)))
 
 
