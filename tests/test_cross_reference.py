@@ -64,7 +64,7 @@ def test_it_says_what_the_text_says(name: str) -> None:
         short = block.removeprefix(f"IL_{name}_")
         body = re.sub(r"\(\*.*?\*\)", "", body, flags=re.DOTALL)
         body = re.sub(r'RESTART := "\w+"\.RESTART(?=[,)])', "", body)  # handed on
-        for n in re.findall(r'^ *(?:"\w+"\.)?"?(\w+)"? :=', body, re.MULTILINE):
+        for n in re.findall(r'(?:^ *|THEN |ELSE )(?:"\w+"\.)?"?(\w+)"? :=', body, re.MULTILINE):
             written[n].add(short) if n in found else None
         for n in re.findall(r"\w+", re.sub(r'[\w."]+ :=', "", body)):
             read[n].add(short) if n in found else None

@@ -67,7 +67,7 @@ def _swings_to(w: Words, g: SignalId, s: SectionId, n: int) -> Iterator[Expr]:
             for y in (_only_by(w, g, t), neg(w.f.locking.any_lock(t)), w.sections.long(t))
         ]
         holding = (r.added for r in w.sym.routes if any(m == k for k, _ in r.path.demands))
-        free += [neg(var(name)) for name in holding if name is not None]
+        free += [w.points.unblocked(m), *(neg(var(name)) for name in holding if name is not None)]
         yield disj(
             (w.points.commanded(m, x), conj((*free, *(neg(w.points.holding(way)) for way in w.points.flanks(m)))))
         )

@@ -264,7 +264,13 @@ class PointWords:
         if self.closing(m, x):
             return TRUE
         lies = conj((self.detected(m, x), *(neg(self.commanded(m, y)) for y in Position)))
-        return disj((self.commanded(m, x), self.movable(m), lies))
+        return disj((self.commanded(m, x), conj((self.movable(m), self.unblocked(m))), lies))
+
+    def unblocked(self, m: MachineId) -> Expr:
+        """Nobody has blocked a section of a point, so that it may move for a route; crossings always may."""
+        if m in self._w.layout.machines.device:
+            return TRUE
+        return conj(neg(self._w.ways.blocked(s)) for s in self._w.layout.machines.sections[m])
 
 
 class WayWords:
