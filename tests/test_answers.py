@@ -216,3 +216,14 @@ def test_a_point_of_a_blocked_section_moves_by_hand_and_for_no_route(tmp_path: P
     desk.type("MN_1_2=0")
     assert desk.type("set XA1-B1") == [] and desk.last is not None
     assert not desk.last.outputs["YS_XA1"], "where it lies it is used"
+
+
+def test_a_blocked_overlap_is_the_reason_not_that_it_is_held() -> None:
+    ready = prepare("tests/layouts_for_tests/swing.yaml")
+    assert ready.proved.green and ready.layout is not None
+    desk = Desk(ready)
+    desk.cycles(round(ready.layout.principles.restart_delay_s * 1000 / STEP_MS) + 50)
+    desk.type("release")
+    assert desk.type("set X2-X3") == []
+    (waits,) = desk.type("BLK_q4=1")
+    assert waits["at_stop"][0] == "section q4 is blocked"

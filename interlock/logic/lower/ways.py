@@ -245,7 +245,7 @@ def _overlap_not_blocked(d: Draft, r: RouteRow) -> list[Term]:
     for o in ((cell.signal, k) for k in sorted({cell.option, *cell.swings})):
         free = conj(neg(var(names.BLOCKED(s))) for s, _ in d.overlaps.ways[o])
         note = f"overlap {o[1]} of {o[0]} not blocked, or not held"
-        out.append(Term(disj((neg(d.overlaps.held(o)), free)), "overlap not blocked", note))
+        out.append(Term(disj((free, neg(d.overlaps.held(o)))), "overlap not blocked", note))
     return out
 
 
