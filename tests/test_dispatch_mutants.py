@@ -47,7 +47,7 @@ def four_inside() -> bool:
     railway = case(HEISHAN).ground.railway
     journeys = [railway.draft(errand(railway, c, 60.0)[0]) for c in ADIT[:5]]
     names = [j.errand.train for j in journeys]
-    made = build([j.nodes(names[:k]) for k, j in enumerate(journeys)], railway.zones.limits)
+    made = build([j.nodes(names[:k]) for k, j in enumerate(journeys)], railway.zones)
     (zone,) = made.problem.limits
     counts: set[int] = set()
     original = Problem.done

@@ -95,7 +95,7 @@ class Setting:
                 drafts.append(j.nodes([x.train for x in self.errands[:k] if x.start == e.start]))
         if self.obstacles:
             drafts.append(in_the_way(self.obstacles))
-        return build(drafts, self.railway.zones.limits)
+        return build(drafts, self.railway.zones)
 
     def caught(self, answer: Answer) -> tuple[tuple[str, ...], Verdict]:
         """All trains that no plan takes on, one reason after the other, and whether the others can all go on."""

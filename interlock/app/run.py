@@ -106,9 +106,8 @@ class Operator:
         """All signals to stop: every route is cancelled, and nothing opens by itself or for a command any more."""
         assert self._ready.controller is not None
         symbols = self._ready.controller.symbols
-        for run in (*self.dispatcher.runs, *self.dispatcher.pending):
-            self.numbers.ends(run.name)
-        self.dispatcher.end(None)
+        for name in self.dispatcher.give_up():
+            self.numbers.ends(name)
         by_itself = set(symbols.requests.automatic.values())
         self.held = {n: v for n, v in self.held.items() if n not in by_itself}
         self._once = dict.fromkeys(symbols.cancellation.cancel.values(), 1)

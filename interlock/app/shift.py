@@ -278,7 +278,9 @@ class Shift:
                 self._say("waits", train=trip.train, cause=kind, text=text)
 
     def _ends_wait(self, train: str) -> None:
-        self._waits.pop(train, None)
+        old = self._waits.pop(train, None)
+        if old is not None:
+            self.worked.longest_wait_s = max(self.worked.longest_wait_s, (self.agenda.now_ms - old[1]) / 1000)
 
     # --- work --------------------------------------------------------------------------------------
 

@@ -72,6 +72,7 @@ class Worked:
     refused: int = 0
     wrong: Wrong = field(default_factory=Wrong)
     alarms: list[str] = field(default_factory=list)
+    longest_wait_s: float = 0.0
     planning: Planning = field(default_factory=Planning)
     chain: str = ""
     log: bytes = b""

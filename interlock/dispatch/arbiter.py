@@ -106,12 +106,6 @@ class Arbiter:
             self.waiting.remove(r)
         self._free_ms.pop(r, None)
 
-    def forget(self) -> None:
-        """Nobody wants anything any more."""
-        self.asked = None
-        self.waiting.clear()
-        self._free_ms.clear()
-
     def bound_scans(self, r: Request) -> int:
         """Scans within which a request is made once it has waited too long and could be granted all the time."""
         older = sum(x.turn_ms >= r.turn_ms for x in self.waiting if x is not r)

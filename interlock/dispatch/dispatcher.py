@@ -100,18 +100,25 @@ class Dispatcher:
         self.holding.forget()
         return run
 
-    def end(self, name: str | None) -> bool:
-        """Give up a command: nothing more is asked for; what is set stays until it is cancelled or used.  None: all
-        commands, and whatever people have asked for."""
+    def end(self, name: str) -> bool:
+        """Give up a command: nothing more is asked for; what is set stays until it is cancelled or used."""
         before = len(self.runs) + len(self.pending)
-        for run in [r for r in self.runs if name in (None, r.name)]:
+        for run in [r for r in self.runs if r.name == name]:
             self._remove(run)
-        self.pending = [r for r in self.pending if name not in (None, r.name)]
-        if name is None:
-            self.arbiter.forget()
-            self.other.clear()
-            self._writes, self._for = 0, None
+        self.pending = [r for r in self.pending if r.name != name]
         return len(self.runs) + len(self.pending) < before
+
+    def give_up(self) -> list[str]:
+        """Give up everything: all commands, whose names it gives, and all that people have asked for."""
+        names = [r.name for r in (*self.runs, *self.pending)]
+        for name in names:
+            self.end(name)
+        for request in tuple(self.arbiter.waiting):
+            self.arbiter.withdraw(request)
+        self.arbiter.asked = None
+        self.other.clear()
+        self._writes, self._for = 0, None
+        return names
 
     def ask(self, number: int, source: Source = Source.HAND) -> None:
         """A route (or the swing of an overlap) asked for by somebody: by hand once, else kept until it is granted.

@@ -167,6 +167,6 @@ class Holding:
                 drafts.append(run.journey.nodes(same))
         if self.obstacles:
             drafts.append(in_the_way(self.obstacles))
-        self.built = build(drafts, self._railway.zones.limits)
+        self.built = build(drafts, self._railway.zones)
         self._planner = Planner(self.built.problem, self.budget)
         self._answers = {}

@@ -16,16 +16,16 @@ Nothing here depends on names: where several routes are possible they are ordere
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import field, replace
 from functools import cached_property
 from heapq import heappop, heappush
-from itertools import count, takewhile
+from itertools import count, pairwise, takewhile
 from math import inf
 
 from interlock.dataclass import dataclass
 from interlock.dispatch.plan.problem import Draft
-from interlock.dispatch.plan.zones import Zones
 from interlock.model.elements import NodeId, Position, RouteId, SectionId
 from interlock.model.layout import Layout
 from interlock.model.portable import beside
@@ -129,7 +129,8 @@ class Railway:
         self.metres = {t.key: t.length for s in self.topo.sections for t in self.topo.traversals[s]}
         self._ends = {t.key: (t.entry, t.exit) for s in self.topo.sections for t in self.topo.traversals[s]}
         self.approach = {str(b.node): b.approach for b in layout.track.boundaries}
-        self.zones = Zones(layout)
+        self.zones = [(z.id, z.trains) for z in layout.declared.zones]
+        self._zone_of = {s: z.id for z in layout.declared.zones for s in z.sections}
         self._from: dict[tuple[NodeId, SectionId], list[RouteRow]] = {}
         for r in sorted(table.routes, key=lambda r: (self._rank[r.id], r.number)):
             one_by_one = r.path.onward is None  # past one signal after another
@@ -276,6 +277,24 @@ class Railway:
         rear = self.topo.beyond(section, entry)
         return frozenset({("section", rear)} if rear is not None else ())
 
+    def inside(self, under: Iterable[TraversalKey]) -> Mapping[str, int]:
+        """How often a train on ways counts in zones: with each section."""
+        return Counter(self._zone_of[s] for s, n in under if n != OUTSIDE and s in self._zone_of)
+
+    def entering(self, chain: Sequence[RouteRow]) -> Mapping[str, int]:
+        """The room that routes in the order of travel ask for in zones, the last of them set first: a section of a zone
+        counts from when it is locked, until what leads to it inside the zone is locked, too."""
+        room: dict[str, int] = {}
+        ahead: Counter[str] = Counter()
+        for r in reversed(chain):
+            for c in r.conditions.zones:
+                room[c.zone] = max(room.get(c.zone, 0), ahead[c.zone] + c.entries)
+            for before, s in pairwise((None, *r.path.section_ids)):
+                zone = self._zone_of.get(s) if s is not None else None
+                if zone is not None and (before is None or self._zone_of.get(before) != zone):
+                    ahead[zone] += 1
+        return room
+
     def standing(self, r: RouteRow) -> tuple[TraversalKey, ...]:
         """A way on which a train stands before a route's signal."""
         rear = self.topo.beyond(r.path.section_ids[0], r.path.entry_node)
@@ -319,7 +338,7 @@ class Railway:
         queue = {("queue", name)} if coming else set[object]()
         found.holds[place] = self.holds(place.under) | self.kept(place) | self.holds(back) | queue
         found.home.add(place)
-        found.inside[place] = self.zones.inside(place.under)
+        found.inside[place] = self.inside(place.under)
         return found
 
     def draft(self, errand: Errand) -> Journey:
@@ -461,7 +480,10 @@ class Railway:
     def _own(self, place: Place, chain: Sequence[RouteRow]) -> bool:
         """The train itself is in the way."""
         mine = self.holds(place.under) | self._under_way(place)
-        return any(mine & self.needs(r) for r in chain) or not self.zones.room(place.under, chain)
+        full, inside = dict(self.zones), self.inside(place.under)
+        return any(mine & self.needs(r) for r in chain) or any(
+            inside.get(z, 0) + n > full[z] for z, n in self.entering(chain).items()
+        )
 
     def _after(self, errand: Errand, place: Place, chain: Sequence[RouteRow], turned: bool) -> Place | None:
         leg, last = errand.legs[place.leg], chain[-1]
@@ -503,13 +525,14 @@ class Journey:
             own = {("queue", self.errand.train)} if outside else set()
             behind = {("queue", t) for t in before} if outside else set()
             d.holds[place] = self.railway.holds(place.under) | self.railway.kept(place) | own
-            d.inside[place] = self.railway.zones.inside(place.under)
+            d.inside[place] = self.railway.inside(place.under)
             if not steps:
                 (d.home if place.under else d.gone).add(place)
             for k, s in enumerate(steps):
-                zones = self.railway.zones.entering(s.routes)
                 needs = behind.union(s.besides, *(self.railway.needs(r) for r in s.routes))
-                d.moves.setdefault(place, []).append((str(k), s.after, frozenset(needs), zones))
+                d.moves.setdefault(place, []).append(
+                    (str(k), s.after, frozenset(needs), self.railway.entering(s.routes))
+                )
                 d.costs[place, str(k)] = self.railway.cost(s, self.errand.length_m)
         return d
 
