@@ -13,9 +13,9 @@ from interlock.app.dispatching import Coming
 from interlock.app.replay import BadPlan, Plan, PlanTrain, Replay, from_text, to_text
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.commands import BadOrder, errand
+from interlock.dispatch.plan.errands import NoVoyage
 from interlock.dispatch.plan.explore import TooManyStates, explore
 from interlock.dispatch.plan.problem import build
-from interlock.dispatch.plan.railway import NoVoyage
 from interlock.dispatch.plan.search import Planner, Verdict
 from interlock.dispatch.policy import Policy, yields
 from interlock.dispatch.run import Run
@@ -115,7 +115,7 @@ def test_every_state_is_judged_as_exhaustive_search_judges_it(
     railway = case(path).ground.railway
     journeys = [railway.draft(errand(railway, c, 60.0)[0]) for c in commands]
     same = [[k.errand.train for k in journeys[:i] if k.start.under == j.start.under] for i, j in enumerate(journeys)]
-    built = build([j.nodes(s) for j, s in zip(journeys, same, strict=True)], railway.zones)
+    built = build([j.nodes(s) for j, s in zip(journeys, same, strict=True)], railway.held.zones)
     p, planner = built.problem, Planner(built.problem)
     found = explore(p, built.start)
     assert len(found.deadlocks) == deadlocks and found.deadlocks <= found.unsafe
@@ -141,7 +141,7 @@ def test_the_order_of_commands_changes_no_verdict() -> None:
     verdicts = set()
     for order in permutations(PIT_VOYAGES[1:], 3):
         journeys = [railway.draft(errand(railway, c, 60.0)[0]) for c in order]
-        built = build([j.nodes() for j in journeys], railway.zones)
+        built = build([j.nodes() for j in journeys], railway.held.zones)
         verdicts.add(len(explore(built.problem, built.start).unsafe))
     assert len(verdicts) == 1
 

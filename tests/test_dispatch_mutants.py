@@ -47,13 +47,13 @@ def four_inside() -> bool:
     railway = case(HEISHAN).ground.railway
     journeys = [railway.draft(errand(railway, c, 60.0)[0]) for c in ADIT[:5]]
     names = [j.errand.train for j in journeys]
-    made = build([j.nodes(names[:k]) for k, j in enumerate(journeys)], railway.zones)
+    made = build([j.nodes(names[:k]) for k, j in enumerate(journeys)], railway.held.zones)
     (zone,) = made.problem.limits
     counts: set[int] = set()
     original = Problem.done
 
     def count(p: Problem, state: int) -> bool:
-        counts.add((state & zone.nodes).bit_count())
+        counts.add((state & zone.nodes[0]).bit_count())
         return original(p, state)
 
     Problem.done = count  # type: ignore[method-assign]

@@ -39,7 +39,10 @@ def test_every_second_of_every_train_is_accounted_for() -> None:
         assert sum(of.values()) == pytest.approx(f.seconds, abs=1e-6)
     assert f.trains == w.tipped and f.tonnes == pytest.approx(w.tonnes)
     assert (
-        len(f.alarms) == len(w.alarms) > 0 and f.requests.held_back == w.refused and not f.hazards and not f.standstill
+        len(f.alarms) == len(w.alarms) > 0
+        and f.requests.held_back == w.delays.refused
+        and not f.hazards
+        and not f.standstill
     )
     at_work = sum(of.get(LOADS, 0.0) + of.get(TIPS, 0.0) for of in f.states.values())
     assert sum(f.places.values()) == pytest.approx(at_work)

@@ -16,9 +16,10 @@ from interlock.dispatch import Dispatcher
 from interlock.dispatch.commands import BadOrder, errand
 from interlock.dispatch.language import beside, load
 from interlock.dispatch.orders import Derivation, Derived, read_alike
+from interlock.dispatch.plan.errands import OUTSIDE, Errand, NoVoyage, TooManyPlaces
 from interlock.dispatch.plan.explore import Explored, TooManyStates, explore
 from interlock.dispatch.plan.problem import Built, Draft, Move, build, in_the_way
-from interlock.dispatch.plan.railway import OUTSIDE, Errand, Journey, NoVoyage, Railway, TooManyPlaces
+from interlock.dispatch.plan.railway import Journey, Railway
 from interlock.dispatch.plan.search import Answer, Planner, Verdict
 from interlock.dispatch.policy import Policy
 from interlock.logic.lower import lower
@@ -95,7 +96,7 @@ class Setting:
                 drafts.append(j.nodes([x.train for x in self.errands[:k] if x.start == e.start]))
         if self.obstacles:
             drafts.append(in_the_way(self.obstacles))
-        return build(drafts, self.railway.zones)
+        return build(drafts, self.railway.held.zones)
 
     def caught(self, answer: Answer) -> tuple[tuple[str, ...], Verdict]:
         """All trains that no plan takes on, one reason after the other, and whether the others can all go on."""

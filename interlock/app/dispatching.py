@@ -8,7 +8,8 @@ from dataclasses import field
 from interlock.dataclass import dataclass
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.dispatcher import waiting
-from interlock.dispatch.plan.railway import OUTSIDE, Errand, Railway
+from interlock.dispatch.plan.errands import OUTSIDE, Errand
+from interlock.dispatch.plan.railway import Railway
 from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
 from interlock.logic.names import Name

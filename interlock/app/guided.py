@@ -17,7 +17,8 @@ from interlock.app.setting import Setting
 from interlock.app.worked import Trip
 from interlock.dispatch.assign import Assigner
 from interlock.dispatch.orders import Derived
-from interlock.dispatch.plan.railway import Journey, Place, Step
+from interlock.dispatch.plan.errands import Place, Step
+from interlock.dispatch.plan.railway import Journey
 from interlock.dispatch.run import Run
 from interlock.planning.stages import NEVER, Fleet, Staged, Turn, Under, staged
 

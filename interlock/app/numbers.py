@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.describer import DOUBT, Describer
-from interlock.dispatch.plan.railway import OUTSIDE
+from interlock.dispatch.plan.errands import OUTSIDE
 from interlock.dispatch.run import Run, ways
 from interlock.logic.symbols import Symbols
 from interlock.model.elements import SectionId

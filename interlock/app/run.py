@@ -14,7 +14,8 @@ from interlock.dataclass import dataclass
 from interlock.diag.suggest import did_you_mean
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.commands import BadOrder, errand
-from interlock.dispatch.plan.railway import NoVoyage, Railway, TooManyPlaces
+from interlock.dispatch.plan.errands import NoVoyage, TooManyPlaces
+from interlock.dispatch.plan.railway import Railway
 from interlock.field.plc import Cycle, Link, SoftPlc, runtime_scan
 from interlock.field.polling import InTurn, Poll
 from interlock.logic.cabinet import Allocation, allocate

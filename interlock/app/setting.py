@@ -11,7 +11,8 @@ from interlock.dataclass import dataclass
 from interlock.diag import Diagnostic, Sink
 from interlock.dispatch.language import Orders, beside, load
 from interlock.dispatch.orders import Derivation, Derived
-from interlock.dispatch.plan.railway import OUTSIDE, Railway
+from interlock.dispatch.plan.errands import OUTSIDE
+from interlock.dispatch.plan.railway import Railway
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.lower import lower
 from interlock.logic.symbols import Symbols

@@ -24,7 +24,7 @@ from interlock.dispatch.causes import cause
 from interlock.dispatch.describer import DOUBT, Describer
 from interlock.dispatch.dispatcher import waiting
 from interlock.dispatch.orders import Derived
-from interlock.dispatch.plan.railway import NoVoyage, TooManyPlaces
+from interlock.dispatch.plan.errands import NoVoyage, TooManyPlaces
 from interlock.dispatch.run import ways
 from interlock.model.elements import RouteId, SectionId
 from interlock.record.log import END, Chain
@@ -59,9 +59,6 @@ class Shift:
         self.yard = Yard(setting.track, self.scans.inputs, self.agenda, Random(f"{seed} yard"), self._say)
         driving = self.yard.driving
         driving.stopped, driving.gone, driving.entered = self._stopped, self._gone, self._entered
-        self._dispatcher = Dispatcher(
-            setting.railway, setting.symbols, rule=options.rule, look_ahead=options.look_ahead
-        )
         fleet = frozenset(self._file.fleet)
         self._describer = Describer(setting.layout, setting.symbols, fleet)
         self._assigner = Assigner(self._file, setting.derived, options.how)
@@ -73,6 +70,15 @@ class Shift:
         self._progress_ms = 0
         self._stepped_ms = 0
         self._fresh = True
+        hours = options.hours or self._file.shift_h
+        self._guide = Guide(setting, self._trips, self._assigner, round(3_600_000 * hours)) if options.planned else None
+        self._dispatcher = Dispatcher(
+            setting.railway,
+            setting.symbols,
+            rule=options.rule,
+            look_ahead=options.look_ahead,
+            guide=self._guide.waits if self._guide is not None else lambda run, step: "",
+        )
         self._attendant = Attendant(
             setting,
             self.yard,
@@ -83,10 +89,6 @@ class Shift:
             self._alarm,
             self._look,
         )
-        hours = options.hours or self._file.shift_h
-        self._guide = Guide(setting, self._trips, self._assigner, round(3_600_000 * hours)) if options.planned else None
-        if self._guide is not None:
-            self._dispatcher.guide = self._guide.waits
         self._mishaps = Mishaps(self.yard, Random(f"{seed} faults"), options.faults, self._lost_wagon)
         work = [p.minutes or 0.0 for p in self._file.places.values()]
         self._quiet_ms = round(1000 * (QUIET_S + 120 * max([*work, *(p.back for p in self._file.places.values())])))
@@ -174,7 +176,7 @@ class Shift:
         for name, value in self._describer.writes().items():
             self.yard.inputs.write(name, value)  # taken back by whoever has looked
         if d.holding.refused != before:
-            self.worked.refused += d.holding.refused - before
+            self.worked.delays.refused += d.holding.refused - before
         for train, route in d.journal.asked[asked:]:
             if self._guide is not None:
                 self._guide.granted(train, [str(x) for x in self._dispatcher.stages[RouteId(route)].sections])
@@ -280,7 +282,8 @@ class Shift:
     def _ends_wait(self, train: str) -> None:
         old = self._waits.pop(train, None)
         if old is not None:
-            self.worked.longest_wait_s = max(self.worked.longest_wait_s, (self.agenda.now_ms - old[1]) / 1000)
+            delays = self.worked.delays
+            delays.longest_wait_s = max(delays.longest_wait_s, (self.agenda.now_ms - old[1]) / 1000)
 
     # --- work --------------------------------------------------------------------------------------
 
@@ -445,6 +448,6 @@ class Shift:
         w.seconds = (self.agenda.now_ms - self._zero_ms) / 1000
         for text in (*wrong.hazards, *wrong.passed_at_stop):
             self._say("hazard", text=text)
-        self._say(END, trains=w.trains, scans=w.scans, movements=w.movements, held_back=w.refused)
+        self._say(END, trains=w.trains, scans=w.scans, movements=w.movements, held_back=w.delays.refused)
         w.chain = self._chain.digest
         w.log = b"".join(self._lines)

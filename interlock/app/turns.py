@@ -7,7 +7,8 @@ from math import floor
 
 from interlock.app.setting import Setting
 from interlock.dispatch.orders import Derived
-from interlock.dispatch.plan.railway import Journey, Step
+from interlock.dispatch.plan.errands import Step
+from interlock.dispatch.plan.railway import Journey
 from interlock.planning.problem import Operation, Use
 from interlock.planning.stages import Hold, Piece, Turn
 from interlock.simulate.track import LEAVES_M

@@ -54,6 +54,15 @@ class Planning:
 
 
 @dataclass
+class Delays:
+    """What held trains up."""
+
+    refused: int = 0
+    """Requests that the rule held back."""
+    longest_wait_s: float = 0.0
+
+
+@dataclass
 class Worked:
     """What a shift showed."""
 
@@ -69,10 +78,9 @@ class Worked:
     seconds: float = 0.0
     scans: int = 0
     movements: int = 0
-    refused: int = 0
     wrong: Wrong = field(default_factory=Wrong)
     alarms: list[str] = field(default_factory=list)
-    longest_wait_s: float = 0.0
+    delays: Delays = field(default_factory=Delays)
     planning: Planning = field(default_factory=Planning)
     chain: str = ""
     log: bytes = b""

@@ -171,7 +171,7 @@ def _body(done: Sequence[Worked], files: Sequence[str]) -> dict[str, object]:
                 "brought": w.brought,
                 "scans": w.scans,
                 "movements": w.movements,
-                "held_back": w.refused,
+                "held_back": w.delays.refused,
                 "alarms": len(w.alarms),
                 "plans": w.planning.made,
                 "by_rules": w.planning.by_rules,
@@ -214,7 +214,8 @@ def _print(setting: Setting, done: Sequence[Worked], files: Sequence[str], took:
             click.echo(f"    seed {w.seed}: {text}")
     click.echo(
         f"  {sum(w.scans for w in done):,} scans, {sum(w.movements for w in done):,} signals passed, "
-        f"{sum(w.refused for w in done):,} requests held back, {sum(len(w.alarms) for w in done):,} alarms; {took}"
+        f"{sum(w.delays.refused for w in done):,} requests held back, "
+        f"{sum(len(w.alarms) for w in done):,} alarms; {took}"
     )
     if plans := sum(w.planning.made for w in done):
         click.echo(f"  {plans:,} plans made; given up for the rules {sum(w.planning.by_rules for w in done)} times")

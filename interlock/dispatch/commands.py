@@ -16,7 +16,8 @@ from collections.abc import Sequence
 
 from interlock.diag.called import called
 from interlock.diag.suggest import did_you_mean, nearest
-from interlock.dispatch.plan.railway import OUTSIDE, Errand, Leg, Railway
+from interlock.dispatch.plan.errands import OUTSIDE, Errand, Leg
+from interlock.dispatch.plan.railway import Railway
 from interlock.model.elements import BoundaryKind, SectionId, SignalId
 from interlock.table.cells import TraversalKey
 from interlock.table.rows import VoyageRow

@@ -21,7 +21,8 @@ from interlock.dispatch.holding import Holding
 from interlock.dispatch.journal import Journal
 from interlock.dispatch.obstacles import STRANGER_MS, Obstacles
 from interlock.dispatch.panel import Indications, Stage, stages
-from interlock.dispatch.plan.railway import Errand, Railway, Step
+from interlock.dispatch.plan.errands import Errand, Step
+from interlock.dispatch.plan.railway import Railway
 from interlock.dispatch.plan.search import BUDGET, Verdict
 from interlock.dispatch.policy import Policy, enters, past, yields
 from interlock.dispatch.run import Run
@@ -40,7 +41,8 @@ class Dispatcher:
 
     look_ahead: how many routes are set ahead of a train.  priorities: the class of a voyage decides who is served
     first, else the order of the commands; `wait_ms`: one that has waited so long comes first all the same (0: never).
-    rule: ask only if a completion plan exists; without it deadlocks can be shown.
+    rule: ask only if a completion plan exists; without it deadlocks can be shown.  guide: why a train is to wait though
+    it could go on; whoever gives one sees to it that it ends.
     """
 
     def __init__(
@@ -54,6 +56,7 @@ class Dispatcher:
         rule: bool = True,
         policy: Policy | None = None,
         budget: int = BUDGET,
+        guide: Callable[[Run, Step], str] = lambda run, step: "",
     ) -> None:
         if look_ahead < 1:
             raise ValueError("at least one route is set ahead of a train")
@@ -72,8 +75,7 @@ class Dispatcher:
         self.other: deque[int] = deque()
         """Numbers that are asked for by hand and are no routes: overlaps that are to swing."""
         self.journal = Journal()
-        self.guide: Callable[[Run, Step], str] = lambda run, step: ""
-        """Why a train is to wait though it could go on; whoever gives one sees to it that it ends."""
+        self._guide = guide
         self._writes, self._for = 0, None  # type: tuple[int, tuple[Run, Stage] | None]
         self._cancels: dict[str, int] = {}
         self._passing: dict[SignalId, Stage] = {}
@@ -353,7 +355,7 @@ class Dispatcher:
             ):
                 run.reason = f"{first.route}: {why}"
                 continue
-            if (why := self._waits(run, step, seen) or self.guide(run, step)) or (
+            if (why := self._waits(run, step, seen) or self._guide(run, step)) or (
                 self._rule and not self.holding.safe(run, move)
             ):
                 run.reason = f"{first.route}: {why}" if why else run.reason

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from interlock.dispatch.plan.errands import Step
 from interlock.dispatch.plan.problem import Built, Draft, Move, build, in_the_way
-from interlock.dispatch.plan.railway import Railway, Step
+from interlock.dispatch.plan.railway import Railway
 from interlock.dispatch.plan.search import Answer, Planner, Verdict
 from interlock.dispatch.policy import enters
 from interlock.dispatch.run import Run
@@ -167,6 +168,6 @@ class Holding:
                 drafts.append(run.journey.nodes(same))
         if self.obstacles:
             drafts.append(in_the_way(self.obstacles))
-        self.built = build(drafts, self._railway.zones)
+        self.built = build(drafts, self._railway.held.zones)
         self._planner = Planner(self.built.problem, self.budget)
         self._answers = {}

@@ -15,17 +15,8 @@ from interlock.dataclass import dataclass
 from interlock.diag import Sink
 from interlock.diag.suggest import did_you_mean
 from interlock.dispatch.language import DispatchFile, Orders, OrderSpec, TrainSpec
-from interlock.dispatch.plan.railway import (
-    MARGIN_M,
-    OUTSIDE,
-    Errand,
-    Journey,
-    Leg,
-    NoVoyage,
-    Place,
-    Railway,
-    TooManyPlaces,
-)
+from interlock.dispatch.plan.errands import OUTSIDE, Errand, Leg, NoVoyage, Place, TooManyPlaces
+from interlock.dispatch.plan.railway import MARGIN_M, Journey, Railway
 from interlock.model.elements import SectionId
 from interlock.table.cells import TraversalKey
 

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from enum import StrEnum
 
-from interlock.dispatch.plan.railway import Step
+from interlock.dispatch.plan.errands import Step
 from interlock.dispatch.run import Run
 from interlock.model.elements import SectionId
 

@@ -7,7 +7,8 @@ from dataclasses import field
 
 from interlock.dataclass import dataclass
 from interlock.dispatch.panel import Indications, Stage
-from interlock.dispatch.plan.railway import OUTSIDE, Journey, Place, Step
+from interlock.dispatch.plan.errands import OUTSIDE, Place, Step
+from interlock.dispatch.plan.railway import Journey
 from interlock.model.elements import SectionId, SignalId
 
 

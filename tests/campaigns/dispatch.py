@@ -30,7 +30,7 @@ from interlock.app.dispatching import Coming, Ground, Outcome
 from interlock.app.replay import GONE, Plan, PlanTrain, Replay
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.commands import errand
-from interlock.dispatch.plan.railway import OUTSIDE, Errand
+from interlock.dispatch.plan.errands import OUTSIDE, Errand
 from interlock.proof.system.loop import closed_loop
 from tests.campaigns.deadlock import processor
 from tests.layouts import grown

@@ -27,7 +27,8 @@ from interlock.app.dispatching import Coming, Ground
 from interlock.app.replay import Plan, Replay
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.commands import errand
-from interlock.dispatch.plan.railway import Errand, NoVoyage, Railway, TooManyPlaces
+from interlock.dispatch.plan.errands import Errand, NoVoyage, TooManyPlaces
+from interlock.dispatch.plan.railway import Railway
 from interlock.dispatch.plan.search import Planner, Verdict
 from interlock.model.elements import BoundaryKind
 from interlock.proof.system.loop import closed_loop

@@ -79,11 +79,11 @@ def row(way: Way, trains: int, done: list[Worked], seconds: float) -> tuple[str,
     """A line of the table, and whether something is wrong with it."""
     found = {k: sum(w.wrong.counts()[k] for w in done) for k in done[0].wrong.counts()}
     m = mean([w.trains for w in done])
-    wait = max(w.longest_wait_s for w in done) / 60
+    wait = max(w.delays.longest_wait_s for w in done) / 60
     text = (
         f"| {way.name} | {trains} | {len(done)} | {m.value:.2f} ± {m.half:.2f} | **{found['standstills']}** | "
         f"{found['wrong places']} | {found['hazards'] + found['passed at stop']} | "
-        f"{sum(len(w.alarms) for w in done)} | {sum(w.refused for w in done):,} | "
+        f"{sum(len(w.alarms) for w in done)} | {sum(w.delays.refused for w in done):,} | "
         f"{sum(w.movements for w in done):,} | {wait:.0f} | {seconds / len(done):.2f} |"
     )
     return text, way.clean and any(found.values())

@@ -7,28 +7,24 @@ and flank space clear, its overlap, the line beyond clear, machines that are not
 under way that the author declares hostile.  What the interlocking asks for besides (external conditions, detection,
 lamps, a direction token) is assumed to come.
 
-The overlap of a route is held until its train stands wholly before the signal (R4).  So a train that is longer than the
-last section of its route keeps it, and one behind which another may come over the boundary may keep it: these go on
-only by routes that go with the overlap.
-
 Nothing here depends on names: where several routes are possible they are ordered by their shape.
 """
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import field, replace
 from functools import cached_property
 from heapq import heappop, heappush
-from itertools import count, pairwise, takewhile
+from itertools import count, takewhile
 from math import inf
 
 from interlock.dataclass import dataclass
+from interlock.dispatch.plan.errands import OUTSIDE, Errand, Leg, NoVoyage, Place, Step, TooManyPlaces
+from interlock.dispatch.plan.held import Held
 from interlock.dispatch.plan.problem import Draft
 from interlock.model.elements import NodeId, Position, RouteId, SectionId
 from interlock.model.layout import Layout
-from interlock.model.portable import beside
 from interlock.model.traversal import topology
 from interlock.table.cells import ExitKind, Role, RouteKind, TraversalKey
 from interlock.table.rows import InterlockingTable, RouteRow, last_left
@@ -50,76 +46,6 @@ KEEPS_S = 60.0
 """Seconds that it costs to run over a track on which a long train could stand, where others are too short for it:
 somebody may have to wait there of whom nobody knows yet (our choice)."""
 
-OUTSIDE = 0
-"""The number of the way of a train that stands outside a boundary, whose name is then its section."""
-
-GONE = "gone"
-
-
-class TooManyPlaces(Exception):
-    """An errand leads to more places than can be looked at."""
-
-
-class NoVoyage(Exception):
-    """No chain of routes makes an errand; says which leg, and in `fix` what could be done."""
-
-    def __init__(self, text: str, fix: str) -> None:
-        super().__init__(text)
-        self.fix = fix
-
-
-@dataclass(frozen=True)
-class Leg:
-    """A part of an errand: to a boundary, a signal or a section, over sections; `shunt`: on shunt routes.
-
-    far_first: all its routes are asked for at once, from the far end.
-    """
-
-    to: str
-    via: frozenset[SectionId] = frozenset()
-    shunt: bool = False
-    far_first: bool = False
-
-
-@dataclass(frozen=True)
-class Errand:
-    """What one train is to do.  `start`: the ways under it from the rear, or (boundary, OUTSIDE)."""
-
-    train: str
-    length_m: float
-    start: tuple[TraversalKey, ...]
-    legs: tuple[Leg, ...]
-
-
-@dataclass(frozen=True)
-class Place:
-    """Where a train stands between two routes: leg, what it passed of `via`, the route it came on, ways under it.
-
-    under_way: routes by which it came that hold what the author has added to them (hostile routes, points).
-    """
-
-    leg: int
-    passed: frozenset[SectionId]
-    route: RouteId | None
-    under: tuple[TraversalKey, ...]
-    under_way: frozenset[RouteId] = frozenset()
-
-    def __str__(self) -> str:
-        return beside(s for s, _ in self.under) or GONE
-
-
-@dataclass(frozen=True)
-class Step:
-    """A route, or routes in the order of travel, that take a train from one place to the next.
-
-    besides: what nobody else may hold, beside what the routes need.
-    """
-
-    routes: tuple[RouteRow, ...]
-    after: Place
-    turned: bool
-    besides: frozenset[object] = frozenset()
-
 
 class Railway:
     """A table with what planning asks of it."""
@@ -129,8 +55,7 @@ class Railway:
         self.metres = {t.key: t.length for s in self.topo.sections for t in self.topo.traversals[s]}
         self._ends = {t.key: (t.entry, t.exit) for s in self.topo.sections for t in self.topo.traversals[s]}
         self.approach = {str(b.node): b.approach for b in layout.track.boundaries}
-        self.zones = [(z.id, z.trains) for z in layout.declared.zones]
-        self._zone_of = {s: z.id for z in layout.declared.zones for s in z.sections}
+        self.held = Held(table, layout)
         self._from: dict[tuple[NodeId, SectionId], list[RouteRow]] = {}
         for r in sorted(table.routes, key=lambda r: (self._rank[r.id], r.number)):
             one_by_one = r.path.onward is None  # past one signal after another
@@ -175,126 +100,6 @@ class Railway:
             }
         return found
 
-    # --- what is held and needed ---------------------------------------------------------------
-
-    def holds(self, under: Iterable[TraversalKey]) -> frozenset[object]:
-        """What a train that stands on ways keeps from others."""
-        things: set[object] = set()
-        for section, number in under:
-            if number == OUTSIDE:
-                approach = self.approach.get(section)
-                things |= {("outside", section)} | ({("section", approach)} if approach else set())
-            else:
-                things.add(("section", section))
-                self._locks((section, number), things)
-        return frozenset(things)
-
-    def _locks(self, key: TraversalKey, things: set[object]) -> None:
-        """What the lock of a way keeps from others."""
-        section, number = key
-        things |= {("locked", section), ("way", section, number)}
-        lock = self.table.lock.get(key)
-        for e in lock.exclusions if lock else ():
-            things |= {("shut", e.section, k) for k in (e.numbers if not e.whole else (0,))}
-        things |= {("lies", d.machine, d.position) for d in (lock.points if lock else ())}
-
-    def kept(self, place: Place) -> frozenset[object]:
-        """What a train keeps of the routes by which it came, beyond what it stands on: what the author has added, and
-        the overlap of the last one while it does not stand wholly before the signal."""
-        things: set[object] = set()
-        overlap = None if place.route is None else self.table.route[place.route].locking.overlap
-        if overlap is not None and len(place.under) > 1:
-            for key in overlap.ways:
-                self._locks(key, things)
-        return frozenset(things) | self._under_way(place)
-
-    def _under_way(self, place: Place) -> frozenset[object]:
-        things: set[object] = set()
-        for x in place.under_way:
-            things |= {("under way", x)} | {("lies", d.machine, d.position) for d in self.table.route[x].locking.added}
-        return frozenset(things)
-
-    def needs(self, r: RouteRow) -> frozenset[object]:
-        """What nobody else may hold so that a route can be set and driven."""
-        things: set[object] = set()
-        for key in r.path.traversals:
-            self._way(key, key[0] == r.path.berth, things)
-        for key in r.locking.overlap.ways if r.locking.overlap else ():
-            self._way(key, False, things)
-        demanded = {(d.machine, d.position) for d in r.locking.points}
-        for f in r.clear.foul:
-            if f.when is None or (f.when[0], f.when[1].other) not in demanded:
-                things.add(("section", f.section))
-        things |= {("section", c.name) for c in r.clear.space if not c.lamp}
-        things |= {("section", c.section) for c in r.conditions.block}
-        things |= {("section", c.section) for c in r.clear.demanded or ()}
-        things |= {("under way", c.route) for c in r.locking.barred}
-        things |= {("lies", d.machine, d.position.other) for d in r.locking.added}
-        if r.conditions.token is not None:
-            things.add(("outside", str(r.conditions.token.boundary)))
-        return frozenset(things)
-
-    def _way(self, key: TraversalKey, berth: bool, things: set[object]) -> None:
-        section, number = key
-        if not berth:
-            things |= {("section", section), ("locked", section)}
-        things |= {("shut", section, 0), ("shut", section, number)}
-        lock = self.table.lock.get(key)
-        for e in lock.exclusions if lock else ():
-            whole = {("section", e.section), ("locked", e.section)}
-            things |= whole if e.whole else {("way", e.section, k) for k in e.numbers}
-        things |= {("lies", d.machine, d.position.other) for d in (lock.points if lock else ())}
-
-    def _goes_with(self, before: RouteRow, r: RouteRow) -> bool:
-        """Whether a route can be set from the signal where another ends while the overlap of that is held."""
-        if before.locking.overlap is None:
-            return True
-        held: set[object] = set()
-        needed: set[object] = set()
-        for key in before.locking.overlap.ways:
-            self._locks(key, held)
-        for key in r.path.traversals:
-            if key not in before.locking.overlap.ways or r.kind is not RouteKind.MAIN:
-                self._way(key, key[0] == r.path.berth, needed)
-        for key in r.locking.overlap.ways if r.locking.overlap else ():
-            self._way(key, False, needed)
-        needed |= {("lies", d.machine, d.position.other) for d in r.locking.added}
-        return not held & needed
-
-    def _released(self, place: Place, r: RouteRow) -> frozenset[object] | None:
-        """What must be free of others so that a train has given up its overlap before a route that does not go with it;
-        None where it never does."""
-        assert place.route is not None
-        if self._goes_with(self.table.route[place.route], r):
-            return frozenset()
-        if len(place.under) > 1:
-            return None
-        section, number = place.under[0]
-        entry = self._ends[section, number][0]
-        if entry in self.layout.track.boundary_at:
-            approach = self.approach.get(str(entry))
-            return frozenset({("outside", str(entry))} | ({("section", approach)} if approach else set()))
-        rear = self.topo.beyond(section, entry)
-        return frozenset({("section", rear)} if rear is not None else ())
-
-    def inside(self, under: Iterable[TraversalKey]) -> Mapping[str, int]:
-        """How often a train on ways counts in zones: with each section."""
-        return Counter(self._zone_of[s] for s, n in under if n != OUTSIDE and s in self._zone_of)
-
-    def entering(self, chain: Sequence[RouteRow]) -> Mapping[str, int]:
-        """The room that routes in the order of travel ask for in zones, the last of them set first: a section of a zone
-        counts from when it is locked, until what leads to it inside the zone is locked, too."""
-        room: dict[str, int] = {}
-        ahead: Counter[str] = Counter()
-        for r in reversed(chain):
-            for c in r.conditions.zones:
-                room[c.zone] = max(room.get(c.zone, 0), ahead[c.zone] + c.entries)
-            for before, s in pairwise((None, *r.path.section_ids)):
-                zone = self._zone_of.get(s) if s is not None else None
-                if zone is not None and (before is None or self._zone_of.get(before) != zone):
-                    ahead[zone] += 1
-        return room
-
     def standing(self, r: RouteRow) -> tuple[TraversalKey, ...]:
         """A way on which a train stands before a route's signal."""
         rear = self.topo.beyond(r.path.section_ids[0], r.path.entry_node)
@@ -336,9 +141,9 @@ class Railway:
         taken back."""
         found = Draft(name, place)
         queue = {("queue", name)} if coming else set[object]()
-        found.holds[place] = self.holds(place.under) | self.kept(place) | self.holds(back) | queue
+        found.holds[place] = self.held.holds(place.under) | self.held.kept(place) | self.held.holds(back) | queue
         found.home.add(place)
-        found.inside[place] = self.inside(place.under)
+        found.inside[place] = self.held.inside(place.under)
         return found
 
     def draft(self, errand: Errand) -> Journey:
@@ -445,7 +250,7 @@ class Railway:
 
     def _besides(self, place: Place, r: RouteRow, turned: bool) -> frozenset[object] | None:
         """What else must be free for a route from where a train stands; None where it cannot be set."""
-        return frozenset() if place.route is None or turned else self._released(place, r)
+        return frozenset() if place.route is None or turned else self.held.released(place, r)
 
     def _turns(self, errand: Errand, place: Place) -> bool:
         """The train begins, or has just ended a leg: it may change direction."""
@@ -474,15 +279,15 @@ class Railway:
                 been = {s for r in chain for s in r.path.section_ids}
                 end = Place(0, frozenset(), chain[-1].id, chain[-1].path.traversals)
                 onward = [r for r, _ in self.routes_on(end, False) if been.isdisjoint(r.path.section_ids)]
-                todo += [((*chain, r), turned) for r in onward if self._goes_with(chain[-1], r)]
+                todo += [((*chain, r), turned) for r in onward if self.held.goes_with(chain[-1], r)]
         return found
 
     def _own(self, place: Place, chain: Sequence[RouteRow]) -> bool:
         """The train itself is in the way."""
-        mine = self.holds(place.under) | self._under_way(place)
-        full, inside = dict(self.zones), self.inside(place.under)
-        return any(mine & self.needs(r) for r in chain) or any(
-            inside.get(z, 0) + n > full[z] for z, n in self.entering(chain).items()
+        mine = self.held.holds(place.under) | self.held.under_way(place)
+        full, inside = dict(self.held.zones), self.held.inside(place.under)
+        return any(mine & self.held.needs(r) for r in chain) or any(
+            inside.get(z, 0) + n > full[z] for z, n in self.held.entering(chain).items()
         )
 
     def _after(self, errand: Errand, place: Place, chain: Sequence[RouteRow], turned: bool) -> Place | None:
@@ -524,14 +329,14 @@ class Journey:
             outside = place.under[:1] == self.errand.start and place.route is None and place.under[0][1] == OUTSIDE
             own = {("queue", self.errand.train)} if outside else set()
             behind = {("queue", t) for t in before} if outside else set()
-            d.holds[place] = self.railway.holds(place.under) | self.railway.kept(place) | own
-            d.inside[place] = self.railway.inside(place.under)
+            d.holds[place] = self.railway.held.holds(place.under) | self.railway.held.kept(place) | own
+            d.inside[place] = self.railway.held.inside(place.under)
             if not steps:
                 (d.home if place.under else d.gone).add(place)
             for k, s in enumerate(steps):
-                needs = behind.union(s.besides, *(self.railway.needs(r) for r in s.routes))
+                needs = behind.union(s.besides, *(self.railway.held.needs(r) for r in s.routes))
                 d.moves.setdefault(place, []).append(
-                    (str(k), s.after, frozenset(needs), self.railway.entering(s.routes))
+                    (str(k), s.after, frozenset(needs), self.railway.held.entering(s.routes))
                 )
                 d.costs[place, str(k)] = self.railway.cost(s, self.errand.length_m)
         return d

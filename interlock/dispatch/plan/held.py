@@ -1,0 +1,148 @@
+"""What trains keep from others where they stand, and what nobody else may hold so that a route can be set and driven.
+
+From the table alone.  The overlap of a route is held until its train stands wholly before the signal (R4).  So a train
+that is longer than the last section of its route keeps it, and one behind which another may come over the boundary may
+keep it: these go on only by routes that go with the overlap.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
+
+from interlock.dispatch.plan.errands import OUTSIDE, Place
+from interlock.model.layout import Layout
+from interlock.model.traversal import topology
+from interlock.table.cells import RouteKind, TraversalKey
+from interlock.table.rows import InterlockingTable, RouteRow
+
+
+class Held:
+    """What is held and needed on a railway.  `zones`: with how often trains may count there."""
+
+    def __init__(self, table: InterlockingTable, layout: Layout) -> None:
+        self._table, self._layout, self._topo = table, layout, topology(layout)
+        self._entry = {t.key: t.entry for s in self._topo.sections for t in self._topo.traversals[s]}
+        self._approach = {str(b.node): b.approach for b in layout.track.boundaries}
+        self.zones = [(z.id, z.trains) for z in layout.declared.zones]
+        self._zone_of = {s: z.id for z in layout.declared.zones for s in z.sections}
+
+    def holds(self, under: Iterable[TraversalKey]) -> frozenset[object]:
+        """What a train that stands on ways keeps from others."""
+        things: set[object] = set()
+        for section, number in under:
+            if number == OUTSIDE:
+                approach = self._approach.get(section)
+                things |= {("outside", section)} | ({("section", approach)} if approach else set())
+            else:
+                things.add(("section", section))
+                self._locks((section, number), things)
+        return frozenset(things)
+
+    def _locks(self, key: TraversalKey, things: set[object]) -> None:
+        """What the lock of a way keeps from others."""
+        section, number = key
+        things |= {("locked", section), ("way", section, number)}
+        lock = self._table.lock.get(key)
+        for e in lock.exclusions if lock else ():
+            things |= {("shut", e.section, k) for k in (e.numbers if not e.whole else (0,))}
+        things |= {("lies", d.machine, d.position) for d in (lock.points if lock else ())}
+
+    def kept(self, place: Place) -> frozenset[object]:
+        """What a train keeps of the routes by which it came, beyond what it stands on: what the author has added, and
+        the overlap of the last one while it does not stand wholly before the signal."""
+        things: set[object] = set()
+        overlap = None if place.route is None else self._table.route[place.route].locking.overlap
+        if overlap is not None and len(place.under) > 1:
+            for key in overlap.ways:
+                self._locks(key, things)
+        return frozenset(things) | self.under_way(place)
+
+    def under_way(self, place: Place) -> frozenset[object]:
+        """What a train keeps of what the author has added to the routes by which it came."""
+        things: set[object] = set()
+        for x in place.under_way:
+            things |= {("under way", x)} | {("lies", d.machine, d.position) for d in self._table.route[x].locking.added}
+        return frozenset(things)
+
+    def needs(self, r: RouteRow) -> frozenset[object]:
+        """What nobody else may hold so that a route can be set and driven."""
+        things: set[object] = set()
+        for key in r.path.traversals:
+            self._way(key, key[0] == r.path.berth, things)
+        for key in r.locking.overlap.ways if r.locking.overlap else ():
+            self._way(key, False, things)
+        demanded = {(d.machine, d.position) for d in r.locking.points}
+        for f in r.clear.foul:
+            if f.when is None or (f.when[0], f.when[1].other) not in demanded:
+                things.add(("section", f.section))
+        things |= {("section", c.name) for c in r.clear.space if not c.lamp}
+        things |= {("section", c.section) for c in r.conditions.block}
+        things |= {("section", c.section) for c in r.clear.demanded or ()}
+        things |= {("under way", c.route) for c in r.locking.barred}
+        things |= {("lies", d.machine, d.position.other) for d in r.locking.added}
+        if r.conditions.token is not None:
+            things.add(("outside", str(r.conditions.token.boundary)))
+        return frozenset(things)
+
+    def _way(self, key: TraversalKey, berth: bool, things: set[object]) -> None:
+        section, number = key
+        if not berth:
+            things |= {("section", section), ("locked", section)}
+        things |= {("shut", section, 0), ("shut", section, number)}
+        lock = self._table.lock.get(key)
+        for e in lock.exclusions if lock else ():
+            whole = {("section", e.section), ("locked", e.section)}
+            things |= whole if e.whole else {("way", e.section, k) for k in e.numbers}
+        things |= {("lies", d.machine, d.position.other) for d in (lock.points if lock else ())}
+
+    def goes_with(self, before: RouteRow, r: RouteRow) -> bool:
+        """Whether a route can be set from the signal where another ends while the overlap of that is held."""
+        if before.locking.overlap is None:
+            return True
+        held: set[object] = set()
+        needed: set[object] = set()
+        for key in before.locking.overlap.ways:
+            self._locks(key, held)
+        for key in r.path.traversals:
+            if key not in before.locking.overlap.ways or r.kind is not RouteKind.MAIN:
+                self._way(key, key[0] == r.path.berth, needed)
+        for key in r.locking.overlap.ways if r.locking.overlap else ():
+            self._way(key, False, needed)
+        needed |= {("lies", d.machine, d.position.other) for d in r.locking.added}
+        return not held & needed
+
+    def released(self, place: Place, r: RouteRow) -> frozenset[object] | None:
+        """What must be free of others so that a train has given up its overlap before a route that does not go with it;
+        None where it never does."""
+        assert place.route is not None
+        if self.goes_with(self._table.route[place.route], r):
+            return frozenset()
+        if len(place.under) > 1:
+            return None
+        section, number = place.under[0]
+        entry = self._entry[section, number]
+        if entry in self._layout.track.boundary_at:
+            approach = self._approach.get(str(entry))
+            return frozenset({("outside", str(entry))} | ({("section", approach)} if approach else set()))
+        rear = self._topo.beyond(section, entry)
+        return frozenset({("section", rear)} if rear is not None else ())
+
+    def inside(self, under: Iterable[TraversalKey]) -> Mapping[str, int]:
+        """How often a train on ways counts in zones: with each section."""
+        return Counter(self._zone_of[s] for s, n in under if n != OUTSIDE and s in self._zone_of)
+
+    def entering(self, chain: Sequence[RouteRow]) -> Mapping[str, int]:
+        """The room that routes in the order of travel ask for in zones, the last of them set first: a section of a zone
+        counts from when it is locked, until what leads to it inside the zone is locked, too."""
+        room: dict[str, int] = {}
+        ahead: Counter[str] = Counter()
+        for r in reversed(chain):
+            for c in r.conditions.zones:
+                room[c.zone] = max(room.get(c.zone, 0), ahead[c.zone] + c.entries)
+            for before, s in pairwise((None, *r.path.section_ids)):
+                zone = self._zone_of.get(s) if s is not None else None
+                if zone is not None and (before is None or self._zone_of.get(before) != zone):
+                    ahead[zone] += 1
+        return room
