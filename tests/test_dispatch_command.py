@@ -39,10 +39,10 @@ def test_a_plan_leads_straight_on_where_that_is_free(layout: str, commands: tupl
 def test_a_train_that_is_too_long_for_its_overlaps_is_told_so() -> None:
     code, text = run("tests/layouts_for_tests/overlap_head.yaml", "1:W17>W")
     assert code == 1 and "no chain of routes takes 1, 60 m long, from W17 to W" in text
-    # 12 m of track hold 10 m of train: a driver may stand 2 m short of the signal
-    code, text = run("tests/layouts_for_tests/overlap_head.yaml", "1:W17>W", "--length", "10.5")
-    assert code == 1 and "no chain of routes takes 1, 10.5 m long, from W17 to W" in text
-    code, text = run("tests/layouts_for_tests/overlap_head.yaml", "1:W17>W", "--length", "10")
+    # 12 m of track hold 9 m of train: a driver may stand 3 m short of their end
+    code, text = run("tests/layouts_for_tests/overlap_head.yaml", "1:W17>W", "--length", "9.5")
+    assert code == 1 and "no chain of routes takes 1, 9.5 m long, from W17 to W" in text
+    code, text = run("tests/layouts_for_tests/overlap_head.yaml", "1:W17>W", "--length", "9")
     assert code == 0 and "each granted within" in text
 
 
@@ -51,6 +51,7 @@ def test_a_train_that_is_too_long_for_its_overlaps_is_told_so() -> None:
     [
         (("12:q4/X5>E", "13:q4/X5>E"), "13:q4/X5>E: 13 begins in q4, where 12 stands"),
         (("1:q4/X5>E", "--length", "500"), "1:q4/X5>E: a train of 500 m does not stand in q4, which has 300 m there"),
+        (("1:q4/X5>E", "--length", "300"), "which has 300 m there, 3 m of them left by drivers at its end"),
         (("1:W>E>W",), "1:W>E>W: 1 leaves at E, and does not come back in the same command"),
         (("1:W>E+q4+q3",), "1:W>E+q4+q3: no chain of routes takes 1 from W over q3, q4 to E"),
         (("1:q4/X5>W",), "routes lead from q4 to E; name another place"),

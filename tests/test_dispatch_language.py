@@ -7,12 +7,13 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from interlock.app.turns import STOPS_M
 from interlock.cli.dispatch import command
 from interlock.diag import Sink
 from interlock.dispatch.language import load_text
-from interlock.dispatch.orders import MARGIN_M, Derivation
+from interlock.dispatch.orders import Derivation
 from interlock.dispatch.plan.railway import Railway
-from interlock.simulate import driving
+from interlock.model.stopping import END_M, MARGIN_M, SIGNAL_M
 from tests.layouts import SHIPPED, built
 
 HEISHAN = Path("layouts/heishan.dispatch").read_text("utf-8")
@@ -171,6 +172,6 @@ def test_two_trains_do_not_begin_in_one_section() -> None:
 
 def test_a_place_is_long_enough_for_a_train_that_stops_before_its_end() -> None:
     """Longer trains stood across the points before a place, were never loaded, and nothing moved any more."""
-    assert "IL6009" in told(HEISHAN.replace("length: 60", "length: 259"))
-    assert "IL6009" not in told(HEISHAN.replace("length: 60", "length: 258"))
-    assert MARGIN_M == driving.MARGIN_M
+    assert "IL6009" in told(HEISHAN.replace("length: 60", "length: 257.1"))
+    assert "IL6009" not in told(HEISHAN.replace("length: 60", "length: 257"))
+    assert SIGNAL_M <= MARGIN_M and END_M <= MARGIN_M < STOPS_M

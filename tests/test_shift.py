@@ -34,9 +34,10 @@ from interlock.dispatch.assign import Assigner, Assigning
 from interlock.dispatch.causes import CAUSES
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.lower import lower
+from interlock.model.stopping import MARGIN_M, SIGNAL_M
 from interlock.record import read
 from interlock.simulate.agenda import Agenda, not_before
-from interlock.simulate.driving import MARGIN_M, Build, Rolling
+from interlock.simulate.driving import Build, Rolling
 from interlock.simulate.mishaps import TRIAL
 from interlock.simulate.motion import Motion, runs, standing
 from interlock.simulate.run import load
@@ -138,7 +139,7 @@ def test_a_train_that_comes_into_sight_of_a_signal_at_a_whole_millisecond_runs_o
         stood = run_on(yard)
         assert len(stood) == 1, f"reacts within {k} ms"
         yard.sight.look(stood[0].train)
-        assert stood[0].train.view.gap == pytest.approx(MARGIN_M)
+        assert stood[0].train.view.gap == pytest.approx(SIGNAL_M)
 
 
 @pytest.mark.parametrize("accepted", [False, True])
@@ -426,6 +427,17 @@ def test_an_order_of_tonnes_is_done_when_they_are_there(tmp_path: Path) -> None:
         assert done.exit_code == 0, done.output
         brought = float(told.split(" of 480 t")[0].rpartition(" ")[2])
         assert 480 <= brought < 540 and (not only or brought == 480), told
+
+
+@pytest.mark.parametrize("track", ["260", "260.1"])
+def test_trains_as_long_as_a_loading_place_permits_are_loaded(tmp_path: Path, track: str) -> None:
+    """The longest that are let through stood with their rear on the points, and were never loaded."""
+    (tmp_path / "heishan.yaml").write_text(Path(HEISHAN).read_text("utf-8").replace("260", track), "utf-8")
+    text = Path("layouts/heishan.dispatch").read_text("utf-8")
+    longest = f"length: {float(track) - MARGIN_M:.1f}"
+    (tmp_path / "heishan.dispatch").write_text(text.replace("length: 60", longest), "utf-8")
+    w = one(str(tmp_path / "heishan.yaml"), None, 0, Options(hours=1.0))
+    assert w.trains > 1 and not any(w.wrong.counts().values())
 
 
 THROUGH = """dispatch: 1

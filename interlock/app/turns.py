@@ -14,7 +14,8 @@ from interlock.planning.stages import Hold, Piece, Turn
 from interlock.simulate.track import LEAVES_M
 
 STOPS_M = 5.0
-"""Metres before the end of a section within which a train is taken to stop: more than the drivers keep."""
+"""Metres before the end of a section within which a train is taken to stop: more than any driver keeps
+(`model/stopping.py`)."""
 
 
 class NoHorizon(ValueError):

@@ -19,6 +19,7 @@ from interlock.diag.suggest import did_you_mean, nearest
 from interlock.dispatch.plan.errands import OUTSIDE, Errand, Leg
 from interlock.dispatch.plan.railway import Railway
 from interlock.model.elements import BoundaryKind, SectionId, SignalId
+from interlock.model.stopping import MARGIN_M, stands_on
 from interlock.table.cells import TraversalKey
 from interlock.table.rows import VoyageRow
 
@@ -62,10 +63,13 @@ def errand(railway: Railway, command: str, length_m: float, train: str = "") -> 
 
 
 def _fits(railway: Railway, start: tuple[TraversalKey, ...], length_m: float) -> tuple[TraversalKey, ...]:
-    """Where a train begins, if it stands there wholly.  Raises `BadOrder`."""
+    """Where a train begins, if it stands there wholly; one of no length, of which nothing is known, does.
+
+    Raises `BadOrder`."""
     section, metres = start[-1][0], railway.metres.get(start[-1])
-    if start[-1][1] != OUTSIDE and metres is not None and metres < length_m:
+    if start[-1][1] != OUTSIDE and metres is not None and length_m and not stands_on(metres, length_m):
         text = f"a train of {length_m:g} m does not stand in {section}, which has {metres:g} m there"
+        text += f", {MARGIN_M:g} m of them left by drivers at its end" if length_m <= metres else ""
         raise BadOrder("IL6004", text, fix="take a shorter train, or begin outside")
     return start
 

@@ -16,8 +16,9 @@ from interlock.diag import Sink
 from interlock.diag.suggest import did_you_mean
 from interlock.dispatch.language import DispatchFile, Orders, OrderSpec, TrainSpec
 from interlock.dispatch.plan.errands import OUTSIDE, Errand, Leg, NoVoyage, Place, TooManyPlaces
-from interlock.dispatch.plan.railway import MARGIN_M, Journey, Railway
+from interlock.dispatch.plan.railway import Journey, Railway
 from interlock.model.elements import SectionId
+from interlock.model.stopping import MARGIN_M, stands_on
 from interlock.table.cells import TraversalKey
 
 
@@ -219,10 +220,10 @@ class Derivation:
                 text = f"no train can leave {name}: no route begins at a signal of {p.at}"
                 self.sink.add("IL6008", text, self.orders.at("places", name, key=True), "put a signal at its end")
             metres = max((self.railway.metres[k] for (k,) in ways), default=0.0)
-            if p.capacity * longest + MARGIN_M > metres:
+            if not stands_on(metres, p.capacity * longest):
                 trains = f"{p.capacity} trains" if p.capacity > 1 else "a train"
                 text = f"{name} is to hold {trains} of {longest:g} m, and {p.at} has {metres:g} m"
-                text += f", {MARGIN_M:g} m of them before the signal" if p.capacity * longest <= metres else ""
+                text += f", {MARGIN_M:g} m of them left by drivers at its end" if p.capacity * longest <= metres else ""
                 fix = "lower its capacity" if p.capacity > 1 else "take shorter trains"
                 self.sink.add("IL6009", text, self.orders.at("places", name), fix)
         room = sum(p.capacity for p in self.file.places.values())

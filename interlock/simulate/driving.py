@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from interlock.dataclass import dataclass
 from interlock.model.portable import portable
+from interlock.model.stopping import SIGNAL_M
 from interlock.simulate.agenda import not_before
 from interlock.simulate.motion import Motion, runs, standing
 from interlock.simulate.track import NONE
@@ -20,9 +21,6 @@ from interlock.simulate.train import Train
 
 if TYPE_CHECKING:
     from interlock.simulate.yard import Yard
-
-MARGIN_M = 2.0
-"""Metres before a signal in which a driver stands (our choice)."""
 
 SIGHT_M = 30.0
 """Metres more than its braking distance from which a signal is read (our choice)."""
@@ -157,10 +155,10 @@ class Driving:
         """Metres in which a driver means to stand."""
         t = r.train
         if r.accepted:
-            return max(0.0, t.view.gap + t.view.further[0] - MARGIN_M) if t.view.further else inf
+            return max(0.0, t.view.gap + t.view.further[0] - SIGNAL_M) if t.view.further else inf
         if t.view.target == NONE:
             return max(0.0, t.view.gap) if t.driver.called else 0.0
-        return max(0.0, t.view.gap - MARGIN_M) if t.driver.called else 0.0
+        return max(0.0, t.view.gap - SIGNAL_M) if t.driver.called else 0.0
 
     def _limits(self, t: Train, metres: float) -> list[float]:
         found = []

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from math import inf
 from typing import TYPE_CHECKING
 
+from interlock.model.stopping import END_M
 from interlock.simulate.track import NONE, Stretch
 from interlock.simulate.train import Train
 
@@ -71,7 +72,7 @@ class Sight:
             gap += s[d].metres
             on = self.follows(s[d], moving=True)
             if on == NONE:
-                stops.append(gap - 3.0 if called else 0.0)
+                stops.append(gap - END_M if called else 0.0)
                 break
             signal = s[on].signal
             if signal != NONE and (self.obeys(t, signal) or not called):

@@ -8,8 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from random import Random
 
+from interlock.model.stopping import SIGNAL_M
 from interlock.simulate.agenda import Agenda
-from interlock.simulate.driving import MARGIN_M, Build, Driving, Rolling
+from interlock.simulate.driving import Build, Driving, Rolling
 from interlock.simulate.hazards import Watch
 from interlock.simulate.inputs import Inputs
 from interlock.simulate.motion import standing
@@ -58,7 +59,7 @@ class Yard:
         self._numbers += 1
         t = Train(self._numbers, [first], metres - 1.0, metres - 1.0 - build.length, origin=self._numbers)
         t.driver.called = True
-        t.handling = Handling(build.brakes, build.gathers, build.speed, MARGIN_M)
+        t.handling = Handling(build.brakes, build.gathers, build.speed, SIGNAL_M)
         t.under.looks(self.track, t.body)
         r = Rolling(name, build, t, standing(self.clock, 0.0), -t.head, -t.tail)
         self.trains.append(t)

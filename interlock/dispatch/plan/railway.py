@@ -25,6 +25,7 @@ from interlock.dispatch.plan.held import Held
 from interlock.dispatch.plan.problem import Draft
 from interlock.model.elements import NodeId, Position, RouteId, SectionId
 from interlock.model.layout import Layout
+from interlock.model.stopping import stands_on
 from interlock.model.traversal import topology
 from interlock.table.cells import ExitKind, Role, RouteKind, TraversalKey
 from interlock.table.rows import InterlockingTable, RouteRow, last_left
@@ -37,10 +38,6 @@ DIVERGES_S = 10.0
 
 TURNS_S = 60.0
 """Seconds that a change of direction costs (our choice)."""
-
-MARGIN_M = 2.0
-"""Metres before a signal or the end of the track in which a driver stands, as in simulated shifts (our choice); a train
-counts as so much longer."""
 
 KEEPS_S = 60.0
 """Seconds that it costs to run over a track on which a long train could stand, where others are too short for it:
@@ -110,10 +107,10 @@ class Railway:
 
     def _lies(self, ways: Sequence[TraversalKey], length: float) -> tuple[TraversalKey, ...]:
         """The last of some ways that a train of a length covers with its head short of the end."""
-        covered = -MARGIN_M
+        covered = 0.0
         for k in range(len(ways) - 1, -1, -1):
             covered += self.metres.get(ways[k], float("inf"))
-            if covered >= length:
+            if stands_on(covered, length):
                 return tuple(ways[k:])
         return tuple(ways)
 
@@ -221,7 +218,7 @@ class Railway:
     def _keeps(self, r: RouteRow, length_m: float) -> bool:
         """A route runs over a track on which such a train could stand, and does not end there, while elsewhere tracks
         are too short for it."""
-        long = [sections for sections, metres in self._standing.values() if metres >= length_m + MARGIN_M]
+        long = [sections for sections, metres in self._standing.values() if stands_on(metres, length_m)]
         own, _ = self._standing.get(r.id, (frozenset(), 0.0))
         return len(long) < len(self._standing) and any(x != own and not x.isdisjoint(r.path.section_ids) for x in long)
 
