@@ -14,6 +14,7 @@ import pytest
 
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.commands import errand
+from interlock.dispatch.dispatcher import waiting
 from interlock.dispatch.plan.explore import explore
 from interlock.dispatch.plan.problem import build, in_the_way
 from interlock.dispatch.plan.railway import Railway
@@ -183,6 +184,7 @@ def test_who_is_caught_by_a_train_without_a_command_is_named_and_goes_on_when_it
     p.run(60)
     assert p.asked == [] and p.opened() == set()
     assert p.dispatcher.journal.said[-1] == "no plan exists: in cannot go on, with q4 in the way"
+    assert waiting(p.dispatcher) == {"in": p.dispatcher.journal.said[-1]}
     p.stand("ap_W")
     p.run(60)
     assert p.opened() == {"X7"}

@@ -92,6 +92,12 @@ def test_timings_with_the_rule_and_without() -> None:
     assert code == 1 and "without the rule: 6 of 6" in text and "X2-W: q3 is not clear" in text
 
 
+def test_who_is_caught_is_told_to_be_so_and_not_what_was_wanting_before() -> None:
+    """All four are due at once; the dispatcher has told in its first scan that none stands there yet."""
+    code, text = run("layouts/mine11.yaml", "1:W>E", "2:E>W", "3:W>E", "4:E>W", "--timings", "1")
+    assert code == 1 and "  1: no plan exists: 1, 2" in text and "no train stands before" not in text, text
+
+
 def test_trains_that_cannot_all_go_are_named() -> None:
     code, text = run("layouts/mine11.yaml", "1:W>E", "2:W>E", "3:E>W", "4:E>W")
     assert code == 1 and "no plan exists, shown by exhaustive search: " in text and text.rstrip().endswith("are caught")

@@ -128,7 +128,7 @@ class Guide:
 
     def _caught(self, train: str) -> bool:
         """No completion plan takes a train on: nobody waits for it."""
-        return train in self.trips and self.trips[train].run.caught
+        return train in self.trips and bool(self.trips[train].run.caught)
 
     def _holds_back(self) -> bool:
         """A train has been held back by nothing but the plan for as long as nothing was granted."""

@@ -342,7 +342,10 @@ class Dispatcher:
 
     def _wanted(self, run: Run, seen: Indications) -> Stage | None:
         """The first route of the step that a train takes next, if it may; sets `run.asking`."""
-        if run.finished or run.way.ahead >= self._look_ahead or run.caught:
+        if run.finished or run.way.ahead >= self._look_ahead:
+            return None
+        if run.caught:
+            run.reason = run.caught
             return None
         for step, move in self.holding.steps(run):
             order = [self.stages[r.id] for r in step.routes]

@@ -129,7 +129,7 @@ class Holding:
         if self.built is not None:
             return
         for run in self.runs:
-            run.caught = False
+            run.caught = ""
         if not self._rule:
             self.make()
             return
@@ -144,9 +144,10 @@ class Holding:
                 self._tell("UNKNOWN: whether all trains can go on was not found out")
                 return
             names = ", ".join(r.name for r in caught)
-            self._tell(f"no plan exists: {names} cannot go on{self._because()}")
+            text = f"no plan exists: {names} cannot go on{self._because()}"
+            self._tell(text)
             for r in caught:
-                r.caught = True
+                r.caught = text
 
     def _tell(self, text: str) -> None:
         """Once, until something else is said."""

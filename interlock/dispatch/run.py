@@ -94,7 +94,8 @@ class Run:
     way: SetRoutes = field(default_factory=SetRoutes)
     asking: Asking = field(default_factory=Asking)
     reason: str = ""
-    caught: bool = False
+    caught: str = ""
+    """That no plan exists with it, and why, as long as it is so."""
     lines: dict[str, frozenset[SectionId]] = field(default_factory=dict)
     """By voyage that it meets: the single line that it shares with it."""
     voyage: str = ""
