@@ -13,13 +13,13 @@ from interlock.app.dispatching import Coming
 from interlock.app.replay import BadPlan, Plan, PlanTrain, Replay, from_text, to_text
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.commands import BadOrder, errand
-from interlock.dispatch.plan.errands import NoVoyage
+from interlock.dispatch.plan.errands import NoVoyage, Place
 from interlock.dispatch.plan.explore import TooManyStates, explore
-from interlock.dispatch.plan.problem import build
+from interlock.dispatch.plan.problem import Draft, build
 from interlock.dispatch.plan.search import Planner, Verdict
 from interlock.dispatch.policy import Policy, yields
 from interlock.dispatch.run import Run
-from interlock.model.elements import SectionId
+from interlock.model.elements import RouteId, SectionId
 from interlock.proof.system.loop import closed_loop
 from tests.campaigns.dispatch import (
     LOOPS,
@@ -96,6 +96,23 @@ def _renamed(command: str, old: dict[str, str]) -> str:
 
 
 # --- the model ---------------------------------------------------------------------------------
+
+
+def test_deadlocks_are_told_apart_by_where_trains_stand() -> None:
+    """A train that came to one place by two routes makes two states, and one deadlock."""
+    a, b = Draft("a", "west"), Draft("b", "east")
+    by = [Place(0, frozenset(), RouteId(x), ((SectionId("m"), 1),)) for x in ("straight", "curved")]
+    a.moves["west"] = [(str(k), place, frozenset(), {}) for k, place in enumerate(by)]
+    for place in by:
+        a.holds[place] = frozenset({"m"})
+        a.moves[place] = [("0", "out", frozenset({"n"}), {})]
+    b.holds["east"] = frozenset({"n"})
+    b.moves["east"] = [("0", "gone", frozenset({"m"}), {})]
+    a.home.add("out")
+    b.home.add("gone")
+    built = build([a, b])
+    found = explore(built.problem, built.start)
+    assert (len(found.deadlocks), found.standing, found.states) == (2, 1, 7)
 
 
 @pytest.mark.parametrize(

@@ -79,7 +79,8 @@ def test_a_command_that_a_shell_has_cut_is_told_where_a_terminal_shows_it() -> N
 
 def test_the_shortest_deadlock_is_told_and_shown_on_the_controller() -> None:
     code, text = run("layouts/mine11.yaml", "1:W>E", "2:E>W", "--explore")
-    assert code == 0 and "states 18, unsafe 2, deadlocks 2" in text
+    assert code == 0 and "states 18 (where each train stands, and by which route it came there), unsafe 2" in text
+    assert "deadlocks 2 (by where the trains stand)" in text
     assert "1. 1 runs over X7-X1 and stands in q1." in text
     assert "4. 1 in q3 cannot go on: X3-E is blocked by 2." in text
     assert "refuses all 2 routes that are left" in text
@@ -189,6 +190,7 @@ def test_results_as_data() -> None:
         "states": 25,
         "unsafe": 1,
         "deadlocks": 1,
+        "deadlocked_states": 1,
         "moves_between_safe_states": 36,
         "moves_held_back": 2,
     }

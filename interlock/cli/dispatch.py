@@ -200,7 +200,8 @@ def _body(found: Dispatched) -> dict[str, object]:
         else {
             "states": x.states,
             "unsafe": len(x.unsafe),
-            "deadlocks": len(x.deadlocks),
+            "deadlocks": x.standing,
+            "deadlocked_states": len(x.deadlocks),
             "moves_between_safe_states": x.safe_moves,
             "moves_held_back": x.refused_moves,
         },
@@ -243,8 +244,12 @@ def _print(found: Dispatched, form: str) -> None:
     x = found.explored
     if x is not None:
         click.echo(
-            f"states {x.states}, unsafe {len(x.unsafe)}, deadlocks {len(x.deadlocks)}; moves between safe states "
-            f"{x.safe_moves}, none of them held back; moves into unsafe states {x.refused_moves}, all held back"
+            f"states {x.states} (where each train stands, and by which route it came there), unsafe {len(x.unsafe)}; "
+            f"deadlocks {x.standing} (by where the trains stand)"
+        )
+        click.echo(
+            f"moves between safe states {x.safe_moves}, none of them held back; "
+            f"moves into unsafe states {x.refused_moves}, all held back"
         )
         if found.deadlock is not None and found.deadlock.story:
             click.echo("the shortest deadlock without the rule:")

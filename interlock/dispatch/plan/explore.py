@@ -15,15 +15,18 @@ class TooManyStates(Exception):
 
 @dataclass(frozen=True)
 class Explored:
-    """What there is: states reachable without the rule; unsafe ones, from which not all can finish; deadlocks, in
-    which no train can move; those that the rule never enters; moves between safe states, all of which the rule allows.
+    """What there is: states reachable without the rule, which are where each train stands and by which route it came
+    there; unsafe ones, from which not all can finish; deadlocks, in which no train can move; moves between safe states,
+    all of which the rule allows; those into unsafe ones, none of which it allows.
 
-    shortest: moves to the nearest deadlock; `last_safe`: how many of them lead to states that are safe.
+    standing: deadlocks told apart by where the trains stand alone.  shortest: moves to the nearest deadlock;
+    `last_safe`: how many of them lead to states that are safe.
     """
 
     states: int
     unsafe: frozenset[int]
     deadlocks: frozenset[int]
+    standing: int
     safe_moves: int
     refused_moves: int
     shortest: tuple[Move, ...] | None
@@ -70,6 +73,7 @@ def explore(p: Problem, start: int, most: int = MOST_STATES) -> Explored:
         len(order),
         frozenset(order) - safe,
         frozenset(stuck),
+        len({tuple(p.label[b] for b in p.at(s)) for s in stuck}),
         inner,
         refused,
         tuple(path[::-1]) if stuck else None,
