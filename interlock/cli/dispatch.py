@@ -231,14 +231,7 @@ def _print(found: Dispatched, form: str) -> None:
         where = ", where nothing has failed" if found.faults else ""
         click.echo(f"replayed on the controller with its plant{where}: {held}")
     elif said == Verdict.NONE:
-        names = " and ".join(found.caught) + (" is caught" if len(found.caught) == 1 else " are caught")
-        why = f", with {', '.join(found.faults)} in the way" if found.faults else ""
-        click.echo(f"{click.style('NONE', fg='red')}  no plan exists, shown by exhaustive search: {names}{why}")
-        if len(found.caught) < len(found.errands):
-            can = (
-                "can all go on" if found.others is Verdict.PLAN else "UNKNOWN: whether they can go on was not found out"
-            )
-            click.echo(f"the others: {can}")
+        _none(found)
     else:
         click.echo(f"{click.style(said, fg='yellow')}  whether a plan exists was not found out")
     x = found.explored
@@ -262,3 +255,17 @@ def _print(found: Dispatched, form: str) -> None:
         stuck = next((o for o in found.timings.outcomes if o.stuck), None)
         for train, why in (stuck.stuck if stuck else {}).items():
             click.echo(f"  {train}: {why}")
+
+
+def _none(found: Dispatched) -> None:
+    """Who is caught, what becomes of the others, and on what this rests."""
+    names = " and ".join(found.caught) + (" is caught" if len(found.caught) == 1 else " are caught")
+    why = f", with {', '.join(found.faults)} in the way" if found.faults else ""
+    click.echo(f"{click.style('NONE', fg='red')}  no plan exists, shown by exhaustive search: {names}{why}")
+    if len(found.caught) < len(found.errands):
+        can = "can all go on" if found.others is Verdict.PLAN else "UNKNOWN: whether they can go on was not found out"
+        click.echo(f"the others: {can}")
+    click.echo(
+        "assumed: every train stands at its origin already, from outside in the section before its boundary; "
+        "none comes back to where it was"
+    )
