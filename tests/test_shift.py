@@ -26,7 +26,7 @@ from click.testing import CliRunner
 from interlock.app import shift as shift_module
 from interlock.app.setting import Setting, prepared
 from interlock.app.shift import Shift
-from interlock.app.shifts import many, mean, one, student
+from interlock.app.shifts import EXACT, many, mean, one, student
 from interlock.app.worked import Options, Worked
 from interlock.cli.simulate import command
 from interlock.dispatch import Dispatcher
@@ -318,10 +318,26 @@ def test_orders_are_given_in_turn_by_distance_or_always_the_same() -> None:
     assert a.next("1") and a.next("2") and a.next("3") and a.why("4") == "no place to load is free"
 
 
+PUBLISHED_T = dict(
+    enumerate(
+        (
+            *(12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228),
+            *(2.201, 2.179, 2.160, 2.145, 2.131, 2.120, 2.110, 2.101, 2.093, 2.086),
+            *(2.080, 2.074, 2.069, 2.064, 2.060, 2.056, 2.052, 2.048, 2.045, 2.042),
+        ),
+        1,
+    )
+) | {40: 2.021, 60: 2.000, 120: 1.980}
+"""By degrees of freedom: Student's t for 95 %, two-sided (Abramowitz and Stegun, table 26.10)."""
+
+
 def test_means_and_how_sure_they_are() -> None:
-    known = {1: 12.706, 2: 4.303, 3: 3.182, 4: 2.776, 9: 2.262, 29: 2.045, 99: 1.984}
-    for freedom, t in known.items():
-        assert student(freedom) == pytest.approx(t, rel=3e-3)
+    for freedom, t in PUBLISHED_T.items():
+        assert student(freedom) == pytest.approx(t, abs=5.001e-4), freedom
+    for freedom, t in {1: 63.657, 2: 9.925, 3: 5.841, 4: 4.604, 10: 3.169, 30: 2.750, 120: 2.617}.items():
+        assert student(freedom, 0.99) == pytest.approx(t, abs=5.001e-4), freedom
+    assert student(3) == pytest.approx(3.182446, abs=1e-6)
+    assert student(EXACT) == pytest.approx(student(EXACT + 1), rel=1e-4) and student(10**5) > 1.959964
     m = mean([30, 32, 34])
     assert m.value == 32 and m.half == pytest.approx(4.303 * 2 / 3**0.5, rel=1e-3)
     assert mean([5]).half == inf

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor, Future
 from contextlib import contextmanager
-from math import pi, sqrt, tan
+from functools import lru_cache
+from math import cos, pi, sin, sqrt, tan
 from statistics import NormalDist, fmean, stdev
 
 from interlock.app.setting import prepared
@@ -93,18 +94,39 @@ def mean(values: Sequence[float]) -> Mean:
     return Mean(fmean(values), student(len(values) - 1) * stdev(values) / sqrt(len(values)), len(values))
 
 
+EXACT = 200
+"""Degrees of freedom up to which Student's t is computed exactly; beyond, an expansion is right to ten digits."""
+
+
+@lru_cache(maxsize=256)
 def student(freedom: int, level: float = 0.95) -> float:
-    """Student's t: the quantile of a two-sided level, by the expansion in 1/freedom (exact for one and two)."""
-    p = (1 + level) / 2
-    if freedom == 1:
-        return tan(pi * (p - 0.5))
-    if freedom == 2:
-        return float((2 * p - 1) * sqrt(2 / (4 * p * (1 - p))))
-    z = NormalDist().inv_cdf(p)
-    terms = (
-        (z**3 + z) / 4,
-        (5 * z**5 + 16 * z**3 + 3 * z) / 96,
-        (3 * z**7 + 19 * z**5 + 17 * z**3 - 15 * z) / 384,
-        (79 * z**9 + 776 * z**7 + 1482 * z**5 - 1920 * z**3 - 945 * z) / 92160,
-    )
-    return z + sum(t / float(freedom) ** (k + 1) for k, t in enumerate(terms))
+    """Student's t: the quantile of a two-sided level.
+
+    Up to `EXACT` from the finite sums for whole degrees of freedom (Abramowitz and Stegun, Handbook of Mathematical
+    Functions, 26.7.3 and 26.7.4), beyond by the expansion in 1/freedom (26.7.5).
+    """
+    z = NormalDist().inv_cdf((1 + level) / 2)
+    if freedom > EXACT:
+        terms = (
+            (z**3 + z) / 4,
+            (5 * z**5 + 16 * z**3 + 3 * z) / 96,
+            (3 * z**7 + 19 * z**5 + 17 * z**3 - 15 * z) / 384,
+            (79 * z**9 + 776 * z**7 + 1482 * z**5 - 1920 * z**3 - 945 * z) / 92160,
+        )
+        return z + sum(t / float(freedom) ** (k + 1) for k, t in enumerate(terms))
+    low, high = 0.0, pi / 2  # of the angle whose tangent is t over the root of the degrees of freedom
+    for _ in range(60):
+        angle = (low + high) / 2
+        low, high = (angle, high) if _within(freedom, angle) < level else (low, angle)
+    return tan(low) * sqrt(freedom)
+
+
+def _within(freedom: int, angle: float) -> float:
+    """How likely Student's t is between -t and t, where t over the root of the degrees of freedom is tan(angle)."""
+    odd = freedom % 2
+    term = cos(angle) if odd else 1.0
+    total = 0.0
+    for k in range(1 + odd, freedom, 2):  # from the exponent of one term to that of the next
+        total += term
+        term *= k / (k + 1) * cos(angle) ** 2
+    return 2 / pi * (angle + sin(angle) * total) if odd else sin(angle) * total
