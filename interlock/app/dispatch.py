@@ -278,8 +278,7 @@ def _setting(
                 code, text = ("IL6015", f"{one.train} reads like {same}")
                 if one.train == same:
                     code, text = "IL6004", f"{one.train} is commanded twice"
-                how = "give each train a number of its own, or one command with both ways: 12:W>q4>E"
-                raise BadOrder(code, text, (), "", how)
+                raise BadOrder(code, text, (), "", _apart(railway, c, one))
             there = next((e for e in errands if _one_place(e, one)), None)
             if there is not None:
                 text = f"{one.train} begins in {one.start[-1][0]}, where {there.train} stands"
@@ -293,6 +292,20 @@ def _setting(
         except TooManyPlaces as error:
             sink.add("IL6005", f"{c}: {error}", None, "name a place on the way")
     return None if sink.has_errors else Setting(railway, errands, obstacles)
+
+
+def _apart(railway: Railway, command: str, one: Errand) -> str:
+    """What to command instead of something that is there already."""
+    if all(v.name != command for v in railway.table.voyages):
+        return "give each train a number of its own, or one command with both ways: 12:W>q4>E"
+    leg, start = one.legs[0], str(one.start[-1][0])
+    if one.start[-1][1] != OUTSIDE:
+        first = next(v for v in railway.table.voyages if v.name == command).routes[0]
+        start += f"/{railway.table.route[first].entry}"
+    return (
+        "name the voyage once; command another train with a number of its own: "
+        f"'12:{start}>{'+'.join((leg.to, *sorted(leg.via)))}'"
+    )
 
 
 def _one_place(a: Errand, b: Errand) -> bool:
