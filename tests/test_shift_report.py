@@ -142,3 +142,18 @@ def test_the_commands(tmp_path: Path) -> None:
     log.write_bytes(w.log.replace(b'"t":', b'"t": ', 1))
     done = run(play, str(log), "--layout", "layouts/heishan.yaml")
     assert done.exit_code == 1 and "[IL6011]" in done.output
+
+
+def test_logs_whose_reports_would_have_one_name_are_refused_before_anything_is_written(tmp_path: Path) -> None:
+    """The second report overwrote the first."""
+    logs = [tmp_path / x / "heishan-0.log" for x in ("a", "b", "c")]
+    logs[2] = logs[2].with_name("heishan-1.log")
+    for log in logs:
+        log.parent.mkdir()
+        log.write_bytes(shift()[0].log)
+    done = CliRunner().invoke(record, [*map(str, logs), "--report", str(tmp_path / "r")], catch_exceptions=False)
+    assert done.exit_code == 1 and not (tmp_path / "r").exists()
+    told = " ".join(done.output.split())
+    assert f"{logs[0]} and {logs[1]} would both be reported as heishan-0" in told and str(logs[2]) not in told
+    assert CliRunner().invoke(record, [*map(str, logs[1:]), "--report", str(tmp_path / "r")]).exit_code == 0
+    assert sorted(f.name for f in (tmp_path / "r").glob("*.csv")) == ["heishan-0.csv", "heishan-1.csv"]

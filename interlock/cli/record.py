@@ -99,10 +99,11 @@ def _parquet(target: Path, found: dict[str, Recorded], force: bool, form: str) -
 
 def _report(folder: Path, found: dict[str, Recorded], force: bool, form: str) -> None:
     """Page, figures and graph of each shift.  Raises `NoShift`, `NotOurs`, `OSError`."""
+    _told_apart(found, form)
     folder.mkdir(parents=True, exist_ok=True)
     files = []
     for name, r in found.items():
-        stem = Path(name).name.removesuffix(".log")
+        stem = _stem(name)
         page = shift_html(r)
         made = {".html": page, ".csv": to_csv(figures(r.events)), ".svg": graph_svg(r.events)}
         for ending, text in made.items():
@@ -117,6 +118,22 @@ def _report(folder: Path, found: dict[str, Recorded], force: bool, form: str) ->
     else:
         for f in files:
             click.echo(f"written: {f}")
+
+
+def _stem(log: str) -> str:
+    """How the files of a log's report are called, but for their endings."""
+    return Path(log).name.removesuffix(".log")
+
+
+def _told_apart(found: dict[str, Recorded], form: str) -> None:
+    """Ends the command where two reports would have the same names: the second would overwrite the first."""
+    first: dict[str, str] = {}
+    for name in found:
+        other = first.setdefault(_stem(name), name)
+        if other != name:
+            text = f"{other} and {name} would both be reported as {_stem(name)}"
+            failed(text, form, fix="report them into folders of their own, or rename one of them")
+            sys.exit(FINDINGS)
 
 
 def _write_csv(target: Path, text: str, force: bool) -> None:
