@@ -36,7 +36,7 @@ from interlock.panel.server import FILES, Access, application, listening, serve
 from interlock.panel.simulated import SimulatedField
 from interlock.record.log import Log, read_file
 from tests.layouts import SHIPPED
-from tests.panels import panel, proved, quick, unproved
+from tests.panels import QUICK, panel, proved, quick, unproved
 
 
 @pytest.fixture(scope="module")
@@ -271,6 +271,92 @@ def test_without_power_nothing_is_known_and_then_all_is_locked(at_work: tuple[De
         b.released()
         assert b.rest["sys"]["releases"] in (before + 1, before + 2)
         assert b.state["g:XB"][3] is None  # nothing is restored by itself (R16)
+
+
+AUTOMATIC = f"""
+interlock: 1
+name: automatic
+boundaries: {{W: {{approach: wa 600}}, E: {{approach: ea 600, trains: out}}}}
+tracks: {{line: [W, q1 300, q2 300, E]}}
+signals: {{A: {{from: W, into: q1}}}}
+automatic: [{{from: A, to: E}}]
+{QUICK}
+"""
+
+
+def test_blocks_outlast_a_power_cut_and_automatic_working_does_not() -> None:
+    """Somebody may work on the track: the operator's place holds a block, whatever becomes of the controller."""
+    with panel(unproved(AUTOMATIC)) as (_, browser), browser() as b:
+        b.ask("speed", times=10)
+        b.released()
+        s, r = "q2", "A-E"
+        assert b.ask("block", section=s, on=True)["ok"] and b.ask("automatic", route=r, on=True)["ok"]
+        b.until(lambda: b.state[f"s:{s}"][3] == 1 and b.state[f"a:{r}"][0] == 1)
+        b.ask("power", on=False)
+        b.until(lambda: not b.rest["sys"]["power"] and b.state[f"s:{s}"][0] == 1)
+        assert b.state[f"s:{s}"][3] == 1, "it is known without power, too"
+        b.events.clear()
+        b.ask("power", on=True)
+        b.until(lambda: b.rest["sys"]["valid"])
+        for _ in range(10):
+            b.hear()
+        assert b.state[f"s:{s}"][3] == 1 and b.state[f"a:{r}"][0] == 0
+        assert f"section {s} is still blocked" in kinds(b.events, "note")
+        assert b.ask("block", section=s, on=False)["ok"]
+        b.until(lambda: b.state[f"s:{s}"][3] == 0)
+
+
+def test_blocks_and_reminders_are_restored_from_the_record_that_is_gone_on_with(ready: Ready, tmp_path: Path) -> None:
+    path = tmp_path / "shift.log"
+    with panel(ready, recorder=Recorder(path, ready)) as (_, browser), browser(name="Eva") as b:
+        b.ask("block", section="s3", on=True)
+        b.ask("block", section="s9", on=True)
+        b.ask("remind", at="g:XB", text="lamp is being changed")
+        b.ask("block", section="s9", on=False)
+    for _ in range(2):  # the second time from a record in which it was restored
+        with panel(ready, recorder=Recorder(path, ready)) as (_, browser), browser() as b:
+            b.until(lambda: b.rest["reminders"].get("g:XB", [])[:2] == ["lamp is being changed", "Eva"])
+            b.until(lambda: b.rest["sys"]["valid"] and b.state["s:s3"][3] == 1)
+            assert b.state["s:s9"][3] == 0
+            assert "section s3 is still blocked" in kinds(b.events, "note")
+            b.released()
+            b.ask("set", route="XB-XI7")
+            b.until(lambda: kinds(b.events, "refusal"))
+            assert ["section s3 is blocked", ["s:s3"]] in next(e["reasons"] for e in b.events if e["kind"] == "refusal")
+    with panel(ready, recorder=Recorder(path, ready)) as (_, browser), browser() as b:
+        b.ask("block", section="s3", on=False)
+        b.ask("remind", at="g:XB", text="")
+    with panel(ready, recorder=Recorder(path, ready)) as (_, browser), browser() as b:
+        b.until(lambda: b.rest["sys"]["valid"])
+        assert b.state["s:s3"][3] == 0 and not b.rest["reminders"]
+
+
+def test_a_block_that_cannot_be_restored_is_an_alarm(ready: Ready, tmp_path: Path) -> None:
+    """As where the record goes elsewhere from now on: nobody would look for the block of yesterday."""
+    before, after = (tmp_path / f"heishan-20260101-0{n}0000.log" for n in (1, 2))
+    with panel(ready, recorder=Recorder(before, ready)) as (_, browser), browser() as b:
+        b.ask("block", section="s3", on=True)
+    with panel(ready, recorder=Recorder(after, ready)) as (_, browser), browser() as b:
+        told = "section s3 was blocked when heishan-20260101-010000.log ended, and is not blocked now: block it again"
+        assert told in [a[1] for a in b.rest["alarms"]]
+        assert b.state["s:s3"][3] == 0
+    with Log.resume(after)[0] as log:
+        log.add(0, "kept", blocks=["s99"], reminders={})
+    with panel(ready, recorder=Recorder(after, ready)) as (_, browser), browser() as b:
+        assert "the block of section s99 cannot be restored: there is no such section" in [
+            a[1] for a in b.rest["alarms"]
+        ]
+
+
+def test_a_record_of_before_says_what_is_blocked_in_its_operations(ready: Ready, tmp_path: Path) -> None:
+    path = tmp_path / "old.log"
+    recorder = Recorder(path, ready)
+    for text in ("block section s3", "block section s9", "free section s9"):
+        recorder.event(Event("operation", text))
+    recorder.close()
+    again = Recorder(path, ready)
+    assert again.standing.blocks == ("s3",)
+    again.close()
 
 
 def test_a_lost_substation_is_an_alarm_and_closes_everything(at_work: tuple[Desk, Any]) -> None:

@@ -147,7 +147,8 @@ class Buttons:
         """Bar a section to routes, or free it."""
         name = self._symbols.sections.blocked.get(section)  # type: ignore[call-overload]
         if name is None:
-            raise Refused(f"{called('section', section)} cannot be blocked")
+            known = section in self._symbols.sections.clear or section in self._symbols.sections.restart
+            raise Refused(f"{called('section', section)} cannot be blocked" if known else "there is no such section")
         self._typed(f"{name}={int(on)}")
 
     def turn(self, machine: str, to: str, last: Cycle) -> None:

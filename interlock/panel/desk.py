@@ -76,6 +76,7 @@ class Desk:
         """Called when the cycles have ended."""
         self.broken = ""
         """Why the thread ended, where it should not have."""
+        self._restore()
 
     # --- browsers ----------------------------------------------------------------------------------
 
@@ -117,6 +118,8 @@ class Desk:
         self._last = Cycle({}, {}, False, ())
         self._watch = self._watching()
         self._once("the controller starts: every section stays locked until it is released")
+        for s in self.operating.stands.blocks:
+            self._note(Event("note", f"section {s} is still blocked", at=(f"s:{s}",)))
         poll = InTurn() if self.field is not None else Beside()
         with closing(run(self.ready, self.links, self._cycle_ms, None, self._inputs, now, sleep, poll)) as cycles:
             for cycle, _ in cycles:
@@ -135,7 +138,7 @@ class Desk:
             if self._recorder is not None:
                 self._recorder.cycle(None)
             self.publish(None, ())
-            self.browsers.tell(self.picture.dark(), lambda: self._rest(None))
+            self.browsers.tell(self.picture.dark(self.operating.stands.blocks), lambda: self._rest(None))
             self.clock.sleep(max(0.0, self._cycle_ms / 1000 - (self.clock.now() - began)))
 
     def _inputs(self, last: Cycle | None, dt_ms: int) -> Mapping[str, int]:
@@ -184,8 +187,20 @@ class Desk:
         assert layout is not None and controller is not None and allocation is not None
         return Watch(layout, controller, allocation)
 
-    def _once(self, text: str) -> None:
-        self._alarm(self.operating.alarms.once(text, (), stamp()))
+    def _restore(self) -> None:
+        """What was blocked when the server ended is blocked again, and reminders stand; where the record does not say
+        it because another one has begun, that is an alarm."""
+        if self._recorder is None:
+            return
+        self.operating.restore(self._recorder.standing)
+        self._recorder.stands(self.operating.stands)
+        log, blocks = self._recorder.left_behind
+        for s in blocks:
+            self._once(f"section {s} was blocked when {log} ended, and is not blocked now: block it again", f"s:{s}")
+        self.browsers.tell(self.picture.dark(self.operating.stands.blocks), lambda: self._rest(None))
+
+    def _once(self, text: str, *at: str) -> None:
+        self._alarm(self.operating.alarms.once(text, at, stamp()))
 
     def _alarm(self, a: Alarm, reasons: tuple[Reason, ...] = ()) -> None:
         self._note(Event("alarm", a.text, at=a.at, reasons=reasons))
@@ -250,9 +265,11 @@ class Desk:
                 raise Refused("the railway is real: this can only be done where it is simulated")
             text = self._simulate(self.field, what, command)
         else:
-            if not self.power and what not in ("acknowledge", "remind", "lamp test"):
+            if not self.power and what not in WITHOUT_POWER:
                 raise Refused("the controller has no power")
             text = self.operating.carry_out(who, what, command, self._last)
+            if self._recorder is not None:
+                self._recorder.stands(self.operating.stands)
         if text:
             self._note(Event("release" if what in ("release", "release all") else "operation", text, who.name))
         return None
@@ -292,6 +309,9 @@ class Desk:
 
 SIMULATED = ("put", "bring", "drive", "turn train", "divide", "take away", "fail", "power", "speed")
 """Commands that are about the simulated railway."""
+
+WITHOUT_POWER = ("acknowledge", "remind", "lamp test", "block")
+"""Commands that are about this place, and not about the controller."""
 
 
 def _metres(c: Mapping[str, Any]) -> float:

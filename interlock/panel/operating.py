@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from typing import Any
 
 from interlock.app.reasons import Moment, Reason, Reasons
@@ -14,6 +14,7 @@ from interlock.panel.alarms import Alarms
 from interlock.panel.asked import Asked
 from interlock.panel.commands import TEXT, Buttons, Refused
 from interlock.panel.event import Event, stamp
+from interlock.panel.standing import BLOCK, FREE, Standing
 
 
 @dataclass(frozen=True)
@@ -35,12 +36,38 @@ class Operating:
         self.reminders: dict[str, list[str]] = {}
         self.releases = releases
         """Releases by hand, counted; the count goes on with a record that goes on."""
-        self.begins_again()
+        self._symbols = ready.controller.symbols
+        self._begin()
 
     def begins_again(self) -> None:
-        """The controller has lost its power: nothing is held, and nothing is asked for any more."""
-        assert self._ready.controller is not None
-        self._symbols = self._ready.controller.symbols
+        """The controller has lost its power: nothing is asked for any more, and nothing is held but what bars sections
+        to routes: that is held at this place, and somebody may work on the track."""
+        stands = self.stands
+        self._begin()
+        self._block(stands.blocks)
+
+    @property
+    def stands(self) -> Standing:
+        """What is blocked, and what reminds."""
+        held = self.operator.held
+        blocks = tuple(str(s) for s, n in self._symbols.sections.blocked.items() if held.get(n))
+        return Standing(blocks, {k: list(v) for k, v in self.reminders.items()})
+
+    def restore(self, before: Standing) -> None:
+        """The server has started again, and goes on with a record: what was blocked is, and reminders stand."""
+        self.reminders |= {k: list(v) for k, v in before.reminders.items() if k in self._elements}
+        self._block(before.blocks)
+
+    def _block(self, sections: Iterable[str]) -> None:
+        """Block again what was blocked; what cannot be is an alarm."""
+        for s in sections:
+            try:
+                self.buttons.block(s, True)
+            except Refused as no:
+                a = self.alarms.once(f"the block of section {s} cannot be restored: {no}", (), stamp())
+                self._note(Event("alarm", a.text))
+
+    def _begin(self) -> None:
         self.operator = Operator(self._ready)
         self.buttons = Buttons(self._ready, self.operator)
         self._asked = Asked(self._symbols, self.operator)
@@ -86,7 +113,7 @@ class Operating:
                 return f"release all clear sections (release {self.releases})"
             case "block":
                 b.block(str(c["section"]), bool(c["on"]))
-                return f"{'block' if c['on'] else 'free'} section {c['section']}"
+                return f"{BLOCK if c['on'] else FREE}{c['section']}"
             case "turn":
                 b.turn(str(c["machine"]), str(c["to"]), last)
                 return f"move {c['machine']} {'normal' if c['to'] == 'N' else 'reverse'} by hand"

@@ -311,9 +311,10 @@ class Picture:
             aspect = "clear" if outputs.get(clear or "") else "caution" if outputs.get(caution or "") else "dark"
             shown[key] = [aspect, 0, None, None, 0]
 
-    def dark(self) -> Shown:
-        """Without power nothing is known: sections count as occupied, lamps are dark."""
-        shown: Shown = {key: [1, [], 0, 0, 0, None, 0, 0] for key, *_ in self._sections}
+    def dark(self, blocks: Container[str] = ()) -> Shown:
+        """Without power nothing is known: sections count as occupied, lamps are dark.  `blocks`: the sections that are
+        blocked, which this place knows."""
+        shown: Shown = {key: [1, [], 0, int(key[2:] in blocks), 0, None, 0, 0] for key, *_ in self._sections}
         shown |= {key: ["", "", 0, 0, 0] for key, *_ in self._machines}
         shown |= {key: ["dark", 0, None, None, 0] for key in self._lamps}
         shown |= {key: [0] for key, _ in self._overlaps}

@@ -19,9 +19,10 @@ from interlock.field.plc import Cycle
 from interlock.model.traversal import topology
 from interlock.panel.event import Event, rules
 from interlock.panel.journal import PICTURE
+from interlock.panel.standing import KEPT, Standing, left_behind, standing
 from interlock.record.log import END, Log
 
-KEPT = 100_000
+WAITING = 100_000
 """Lines that are kept at most while nothing can be written."""
 
 AGAIN_S = 1.0
@@ -49,6 +50,11 @@ def views(ready: Ready) -> Views:
     return out
 
 
+def _kept(now: Standing) -> dict[str, Any]:
+    """What stands, as it is written; a copy, since what cannot be written at once is kept."""
+    return {"blocks": list(now.blocks), "reminders": {k: list(v) for k, v in now.reminders.items()}}
+
+
 class Recorder:
     """Writes a panel's record."""
 
@@ -65,11 +71,15 @@ class Recorder:
         self._on: frozenset[str] | None = None
         self._base: frozenset[str] | None = None
         """What was on when writing had to stop."""
-        self._waiting: deque[tuple[int, str, dict[str, Any]]] = deque(maxlen=KEPT)
+        self._waiting: deque[tuple[int, str, dict[str, Any]]] = deque(maxlen=WAITING)
         self._dropped = 0
         self._tried = 0.0
         self.releases = 0
         """Releases by hand that the log counts already."""
+        self.standing = Standing()
+        """What is blocked and what reminds, as the log has it."""
+        self.left_behind: tuple[str, tuple[str, ...]] = ("", ())
+        """Where the log begins anew: the one before it, and what is blocked there."""
         self._log: Log | None = None
         self._left: Log | None = None
         """Where writing had to stop."""
@@ -91,7 +101,7 @@ class Recorder:
     def _open(self, layout: str, digest: str) -> None:
         """Begin the log, or go on with it: one of another kind, or of the layout as it was, would be told wrongly."""
         if not self.path.exists():
-            self._log = Log.create(self.path)
+            self._log, self.left_behind = Log.create(self.path), left_behind(self.path, layout)
             return
         self._log, found = Log.resume(self.path)
         first = found.events[0] if found.events else None
@@ -107,6 +117,7 @@ class Recorder:
                 self._log.close()
                 raise ValueError(f"{wrong}: choose another file")
         self.releases = sum(e["kind"] == "release" for e in found.events)
+        self.standing = standing(found.events)
 
     def _let_go(self) -> None:
         for lock in self._held:
@@ -116,6 +127,12 @@ class Recorder:
         """Something has happened."""
         reasons = [[r.text, list(r.at)] for r in e.reasons]
         self._put(e.kind, text=e.text, who=e.who, at=list(e.at), reasons=reasons, rules=rules(e), time=e.time)
+
+    def stands(self, now: Standing) -> None:
+        """What is blocked, and what reminds, before that is told of."""
+        if now != self.standing:
+            self.standing = now
+            self._put(KEPT, **_kept(now))
 
     def cycle(self, cycle: Cycle | None) -> None:
         """A cycle has ended; None while there is no power."""
@@ -153,7 +170,7 @@ class Recorder:
             self._keep(t_ms, kind, fields)
 
     def _keep(self, t_ms: int, kind: str, fields: dict[str, Any]) -> None:
-        self._dropped += len(self._waiting) == KEPT
+        self._dropped += len(self._waiting) == WAITING
         self._waiting.append((t_ms, kind, fields))
 
     def _look(self) -> None:
@@ -183,6 +200,8 @@ class Recorder:
             if left is None:
                 self._log.add(since, "begin", **self._heading)
                 self._log.add(since, PICTURE, on=sorted(self._base or ()), off=[], whole=True)
+                if self.standing != Standing():
+                    self._log.add(since, KEPT, **_kept(self.standing))
             self._log.add(since, "gap", text=self.lost, dropped=self._dropped)
             while self._waiting:
                 t_ms, kind, fields = self._waiting[0]
