@@ -66,8 +66,10 @@ def test_a_route_that_is_set_says_what_its_signal_waits_for(loop: Ready) -> None
 
 
 def test_it_is_said_for_people(capsys: pytest.CaptureFixture[str]) -> None:
+    _text({"route": "A-E", "automatic": False})
     _text({"route": "S1-W", "at_stop": ["the direction at W is not ours", "section 1DG is occupied"]})
-    told = "  route S1-W is set, its signal at stop: the direction at W is not ours; section 1DG is occupied\n"
+    told = "  route A-E no longer works automatically\n"
+    told += "  route S1-W is set, its signal at stop: the direction at W is not ours; section 1DG is occupied\n"
     assert capsys.readouterr().out == told
 
 
@@ -94,7 +96,7 @@ automatic: [{from: A, to: E}]
 """
 
 
-def test_stop_switches_automatic_working_off(tmp_path: Path) -> None:
+def test_stop_and_cancel_switch_automatic_working_off(tmp_path: Path) -> None:
     """It would set its route again as soon as that is cancelled."""
     (tmp_path / "automatic.yaml").write_text(AUTOMATIC, "utf-8")
     ready = prepare(str(tmp_path / "automatic.yaml"))
@@ -104,8 +106,15 @@ def test_stop_switches_automatic_working_off(tmp_path: Path) -> None:
     desk.type("release")
     desk.type("AUTO_R1=1")
     assert desk.last is not None and not desk.last.outputs["YS_A"]
-    desk.type("stop")
+    assert desk.operator.type("stop") == ("A-E",)
+    desk.cycles(300)
     assert desk.last.outputs["YS_A"] and desk.operator.held == {}
+    desk.type("AUTO_R1=1")
+    assert not desk.last.outputs["YS_A"]
+    assert desk.operator.type("cancel A") == ("A-E",), "it would be set again in the next scan"
+    desk.cycles(300)
+    assert desk.last.outputs["YS_A"] and desk.operator.held == {}
+    assert desk.operator.type("cancel A") == ()
 
 
 TWO = """

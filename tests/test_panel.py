@@ -306,6 +306,34 @@ def test_blocks_outlast_a_power_cut_and_automatic_working_does_not() -> None:
         b.until(lambda: b.state[f"s:{s}"][3] == 0)
 
 
+def test_cancel_switches_automatic_working_off_and_what_is_set_by_itself_is_told() -> None:
+    """A route that is cancelled was set again 0.2 s later, and no word of it stood in the record."""
+    with panel(unproved(AUTOMATIC)) as (_, browser), browser() as b:
+        b.ask("speed", times=10)
+        b.released()
+        b.ask("automatic", route="A-E", on=True)
+        b.until(lambda: b.state["g:A"][0] == "clear")
+        b.until(lambda: "route A-E is set, automatically" in kinds(b.events, "operation"))
+        assert b.ask("cancel", signal="A")["ok"]
+        b.until(lambda: b.state["g:A"][3] is None)
+        assert kinds(b.events, "operation")[-1] == "cancel the route from A; it no longer works automatically"
+        for _ in range(30):
+            b.hear()
+        assert b.state["g:A"][3] is None and b.state["a:A-E"] == [0]
+        b.events.clear()
+        b.ask("set", route="A-E")
+        b.until(lambda: b.state["g:A"][0] == "clear")
+        b.ask("cancel", signal="A")
+        b.until(lambda: b.state["g:A"][3] is None)
+        assert kinds(b.events, "operation") == ["route A-E is set", "cancel the route from A"]
+        b.ask("block", section="q1", on=True)
+        b.ask("automatic", route="A-E", on=True)
+        b.events.clear()
+        assert b.ask("cancel", signal="A")["ok"], "nothing is set yet, and nothing is to be"
+        b.until(lambda: any("cancel" in x for x in kinds(b.events, "operation")))
+        assert kinds(b.events, "operation")[-1] == "cancel at A, where none is set; no longer automatic: A-E"
+
+
 def test_blocks_and_reminders_are_restored_from_the_record_that_is_gone_on_with(ready: Ready, tmp_path: Path) -> None:
     path = tmp_path / "shift.log"
     with panel(ready, recorder=Recorder(path, ready)) as (_, browser), browser(name="Eva") as b:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Generator, Mapping
+from collections.abc import Callable, Generator, Iterable, Mapping
 from dataclasses import replace
 
 from interlock.app.check import derive_file
@@ -22,6 +22,7 @@ from interlock.logic.cabinet import Allocation, allocate
 from interlock.logic.controller import Controller, Input
 from interlock.logic.expr import interning
 from interlock.logic.lower import lower
+from interlock.model.elements import SignalId
 from interlock.model.layout import Layout
 from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.verdict import Progress, quiet
@@ -81,37 +82,60 @@ class Operator:
         )
         self.numbers = Numbers(ready.layout, symbols, self.dispatcher)
 
-    def type(self, line: str) -> None:
-        """Take one line of input.  Raises `BadCommand`."""
+    def type(self, line: str) -> tuple[str, ...]:
+        """Take one line of input; the routes that no longer work automatically because of it.  Raises `BadCommand`."""
         assert self._ready.controller is not None
+        symbols = self._ready.controller.symbols
         verb, rest = spoken(line)
         if verb == "voyage":
             self._voyage(rest)
-            return
+            return ()
         if verb == "train":
             self._train(rest)
-            return
+            return ()
         if (verb, rest) == ("stop", ""):
-            self._stop()
-            return
+            return self._stop()
         found = operate(self._ready, line)
-        number = found.get(self._ready.controller.symbols.requests.request)
+        number = found.get(symbols.requests.request)
+        switched_off: tuple[str, ...] = ()
         if "=" in line:
             self.held = {n: v for n, v in {**self.held, **found}.items() if v}
         elif number is not None:
             self.dispatcher.ask(number)
         else:
             self._once |= found
+            signal = next((g for g, name in symbols.cancellation.cancel.items() if name in found), None)
+            if signal is not None:
+                switched_off = self._switch_off(self.automatic(signal))
+        return switched_off
 
-    def _stop(self) -> None:
+    def automatic(self, signal: SignalId | None = None) -> tuple[int, ...]:
+        """Routes that work automatically, by number: those from a signal and those that lead past it, or all."""
+        assert self._ready.controller is not None
+        y = self._ready.controller.symbols
+        on = tuple(number for number, name in y.requests.automatic.items() if self.held.get(name))
+        if signal is None:
+            return on
+        own = y.routes.of_signal.get(signal, ())
+        those = {x.number for r in own for x in (r, *y.routes.set_with(r))}
+        return tuple(number for number in on if number in those)
+
+    def _switch_off(self, numbers: Iterable[int]) -> tuple[str, ...]:
+        """Routes work automatically no longer: what is cancelled would be set again at once."""
+        assert self._ready.controller is not None
+        y = self._ready.controller.symbols
+        for number in numbers:
+            self.held.pop(y.requests.automatic[number], None)
+        return tuple(str(y.routes.number[number].id) for number in numbers)
+
+    def _stop(self) -> tuple[str, ...]:
         """All signals to stop: every route is cancelled, and nothing opens by itself or for a command any more."""
         assert self._ready.controller is not None
         symbols = self._ready.controller.symbols
         for name in self.dispatcher.give_up():
             self.numbers.ends(name)
-        by_itself = set(symbols.requests.automatic.values())
-        self.held = {n: v for n, v in self.held.items() if n not in by_itself}
         self._once = dict.fromkeys(symbols.cancellation.cancel.values(), 1)
+        return self._switch_off(self.automatic())
 
     def _voyage(self, told: str) -> None:
         ended = told.removesuffix(" end") if told.endswith(" end") else ""

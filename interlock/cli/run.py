@@ -128,7 +128,8 @@ class _Typed:
                 say({"asked": line, "who": who})
             taken = True
             try:
-                operator.type(line)
+                for route in operator.type(line):
+                    say({"route": route, "automatic": False})
             except (BadCommand, Full) as error:
                 taken = False
                 say({"refused": str(error)})
@@ -314,6 +315,8 @@ def _text(event: dict[str, Any]) -> None:
             click.echo(f"  swing {signal_} is refused: {text}")
         case {"route": route, "at_stop": waits}:
             click.echo(f"  route {route} is set, its signal at stop: {'; '.join(waits)}")
+        case {"route": route, "automatic": _}:
+            click.echo(f"  route {route} no longer works automatically")
         case {"refused": text} | {"voyage": text}:
             click.echo(f"  {text}")
         case {"asked": line, "who": who}:

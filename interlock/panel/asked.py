@@ -50,6 +50,16 @@ class Asked:
             told = tuple(reasons.of_request(number, moment, cycle.words().get(number, UNKNOWN)))
             yield Event("refusal", f"route {name} is refused", who or "dispatcher", (signal,), told)
 
+    def by_itself(self, before: Cycle, cycle: Cycle) -> Iterator[Event]:
+        """Routes that have been set since they work automatically: nobody has asked for them."""
+        y = self._symbols
+        was, now = before.memory.state, cycle.memory.state
+        asked = cycle.inputs.get(y.requests.request, 0) if not before.inputs.get(y.requests.request, 0) else 0
+        for number, switch in y.requests.automatic.items():
+            r = y.routes.number[number]
+            if cycle.inputs.get(switch) and number != asked and now.get(r.active) and not was.get(r.active):
+                yield Event("operation", f"route {r.id} is set, automatically", at=(f"g:{r.entry}",))
+
     def _swing(self, reasons: Reasons, before: Cycle, cycle: Cycle, moment: Moment, who: str) -> Iterator[Event]:
         """Whether an overlap swings, where that was asked for."""
         number = cycle.inputs[self._symbols.requests.request]

@@ -13,7 +13,7 @@ from interlock.dataclass import dataclass
 from interlock.diag.called import called
 from interlock.dispatch.arbiter import Full
 from interlock.field.plc import Cycle
-from interlock.model.elements import MachineId, Position
+from interlock.model.elements import MachineId, Position, SignalId
 
 Done = Callable[[Cycle], bool]
 
@@ -81,9 +81,10 @@ class Buttons:
         self._symbols, self._timers = ready.controller.symbols, ready.controller.timers
         self.routes = {str(r.id): r for r in ready.table.routes}
 
-    def _typed(self, line: str) -> None:
+    def _typed(self, line: str) -> tuple[str, ...]:
+        """The routes that no longer work automatically because of it."""
         try:
-            self._operator.type(line)
+            return self._operator.type(line)
         except (BadCommand, Full) as error:
             raise Refused(str(error)) from None
 
@@ -102,12 +103,13 @@ class Buttons:
         self._typed(f"swing {signal}")
         return self._symbols.overlaps.swing_request[signal]  # type: ignore[index]
 
-    def cancel(self, signal: str, last: Cycle) -> None:
-        """Take back the route from a signal."""
+    def cancel(self, signal: str, last: Cycle) -> tuple[bool, tuple[str, ...]]:
+        """Take back the route from a signal: whether one is set, and those that no longer work automatically."""
         state = last.memory.state
-        if not any(state.get(r.active) for r in self._symbols.routes.of_signal.get(signal, [])):  # type: ignore[call-overload]
+        is_set = any(state.get(r.active) for r in self._symbols.routes.of_signal.get(SignalId(signal), []))
+        if not is_set and not self._operator.automatic(SignalId(signal)):
             raise Refused(f"no route from {signal} is set that a train has not entered", f"g:{signal}")
-        self._typed(f"cancel {signal}")
+        return is_set, self._typed(f"cancel {signal}")
 
     def stop(self) -> None:
         """All signals to stop, whatever is set."""

@@ -73,8 +73,9 @@ class Operating:
         self._asked = Asked(self._symbols, self.operator)
 
     def answers(self, before: Cycle, cycle: Cycle, moment: Moment) -> Iterator[Event]:
-        """What a cycle has answered to what was asked."""
-        return self._asked.answers(self.reasons, before, cycle, moment)
+        """What a cycle has answered to what was asked, and the routes that were set without that."""
+        yield from self._asked.answers(self.reasons, before, cycle, moment)
+        yield from self._asked.by_itself(before, cycle)
 
     def waits(self, route: str, last: Cycle, dt_ms: int) -> list[Reason]:
         """Why a route is not set, or does not open."""
@@ -96,8 +97,7 @@ class Operating:
                 self._asked.ask(b.swing(str(c["signal"])), who.name)
                 return f"swing the overlap of {c['signal']}"
             case "cancel":
-                b.cancel(str(c["signal"]), last)
-                return f"cancel the route from {c['signal']}"
+                return _cancelled(str(c["signal"]), *b.cancel(str(c["signal"]), last))
             case "stop":
                 b.stop()
                 for event in self._asked.given_up("all signals were put to stop"):
@@ -153,3 +153,11 @@ class Operating:
         if self.reminders.pop(at, None) is None:
             return ""
         return f"reminder on {at.partition(':')[2]} taken away"
+
+
+def _cancelled(signal: str, is_set: bool, switched_off: tuple[str, ...]) -> str:
+    """What is told of a cancellation: what is set again by itself would be set again at once."""
+    if not is_set:
+        return f"cancel at {signal}, where none is set; no longer automatic: {', '.join(switched_off)}"
+    more = "; it no longer works automatically" if switched_off else ""
+    return f"cancel the route from {signal}{more}"
