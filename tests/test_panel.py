@@ -141,12 +141,64 @@ def test_points_are_moved_by_hand_and_not_while_they_are_locked(at_work: tuple[D
         b.ask("set", route="XI9-XC4")
         b.until(lambda: b.state["g:XI9"][0] == "clear")
         assert b.state["m:P4"][0] == "N"
-        b.ask("turn", machine="P4", to="R")
-        for _ in range(20):
-            b.hear()
-        assert b.state["m:P4"][0] == "N" and b.state["g:XI9"][0] == "clear"
+        no = b.ask("turn", machine="P4", to="R")
+        assert no["why"] == [["P4 cannot be moved: section s9 is locked for route XI9-XC4", ["m:P4", "s:s9"]]]
         b.ask("cancel", signal="XI9")
         b.until(lambda: not b.state["s:s9"][1])
+        for _ in range(20):
+            b.hear()
+        assert b.state["m:P4"][0] == "N", "nothing is kept for later"
+        b.ask("block", section="s9", on=True)
+        b.until(lambda: b.state["s:s9"][3] == 1)
+        assert b.ask("turn", machine="P4", to="R")["ok"], "in a blocked section by hand it moves"
+        b.until(lambda: b.state["m:P4"][0] == "R")
+        b.ask("block", section="s9", on=False)
+        b.ask("fail", kind="machine", name="P4", on=True)
+        b.until(lambda: b.state["m:P4"][0] == "")
+        b.events.clear()
+        assert b.ask("turn", machine="P4", to="N")["ok"]
+        late = "P4 was to be moved normal by hand, and is not detected there after 15 s"
+        b.until(lambda: late in kinds(b.events, "note"))
+        b.ask("fail", kind="machine", name="P4", on=False)
+        b.until(lambda: b.state["m:P4"][0] == "N")
+        if b.state["m:P4"][4]:
+            b.ask("looked", machine="P4")
+            b.until(lambda: not b.state["m:P4"][4])
+        b.until(lambda: all(not a[4] for a in b.rest["alarms"]))
+        b.ask("acknowledge")
+
+
+@pytest.fixture(scope="module")
+def lab() -> Iterator[tuple[Desk, Any]]:
+    """Flank protection, an overlap with two alternatives, a level crossing; each test leaves it without routes."""
+    text = Path("layouts/flank_lab.yaml").read_text("utf-8")
+    own = next(line for line in text.splitlines() if line.startswith("principles:"))
+    with panel(unproved(text.replace(own, QUICK))) as (desk, browser):
+        with browser() as b:
+            b.ask("speed", times=10)
+            b.released()
+        yield desk, browser
+
+
+def test_a_move_that_flank_protection_forbids_is_refused_and_a_crossing_always_closes(lab: tuple[Desk, Any]) -> None:
+    _, browser = lab
+    with browser() as b:
+        b.ask("set", route="L5-N8")
+        b.until(lambda: b.state["g:L5"][3] == ["L5-N8", 1])
+        no = b.ask("turn", machine="1", to="R")["why"][0][0]
+        assert no == "1 cannot be moved: 1 is held as flank protection: section w5 is locked for route L5-N8"
+        b.ask("cancel", signal="L5")
+        b.until(lambda: b.state["g:L5"][3] is None and not b.state["s:w5"][1])
+        b.ask("fail", kind="section", name="g4", on=True)
+        b.until(lambda: b.state["s:g4"][0] == 1)
+        assert b.state["m:LC1"][0] == "N"
+        assert b.ask("turn", machine="LC1", to="R")["ok"]
+        b.until(lambda: b.state["m:LC1"][0] == "R")
+        assert "move LC1 closed by hand" in kinds(b.events, "operation")
+        no = b.ask("turn", machine="LC1", to="N")["why"][0][0]
+        assert no == "LC1 cannot be moved: section g4 is occupied"
+        b.ask("fail", kind="section", name="g4", on=False)
+        b.until(lambda: b.state["m:LC1"][0] == "N")
 
 
 def test_faults_are_alarms_until_they_are_gone_and_seen(at_work: tuple[Desk, Any]) -> None:

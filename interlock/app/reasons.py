@@ -21,7 +21,7 @@ from interlock.logic.names import Name, computed
 from interlock.logic.sentences import about, sentence
 from interlock.logic.symbols import Symbols
 from interlock.logic.words import REFUSED
-from interlock.model.elements import SectionId, SignalId
+from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
 
 
@@ -117,6 +117,20 @@ class Reasons:
     def of_loss(self, number: int, moment: Moment) -> list[Reason]:
         """Which condition of proceed was lost (R14)."""
         return self._told(names.CONDITIONS(number), moment, set())
+
+    def of_move(self, machine: MachineId, to: Position, moment: Moment) -> list[Reason]:
+        """Why a machine cannot be moved by hand; nothing where it can, as a device can always be closed (R13)."""
+        by_hand, free = self._steps[names.MOVED_BY_HAND(machine, to)], self._steps[names.MOVABLE(machine)]
+        assert isinstance(by_hand, Equation) and isinstance(free, Equation)
+        if all(t.kind != "point free by hand" for t in by_hand.terms):
+            return []
+        look = _Look(self, moment)
+        found: dict[str, Reason] = {}
+        for t in free.terms:
+            for reason in look.why(t.expr, True) if not look.true(t.expr) else ():
+                flank = f"{machine} is held as flank protection: " if t.kind == "flank not held" else ""
+                found.setdefault(flank + reason.text, Reason(flank + reason.text, reason.at))
+        return list(found.values())
 
     def _told(self, wire: str, moment: Moment, leave: set[str]) -> list[Reason]:
         step = self._steps[wire]

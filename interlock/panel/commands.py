@@ -8,17 +8,19 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from interlock.app.reasons import Moment, Reasons
 from interlock.app.run import BadCommand, Operator, Ready
 from interlock.dataclass import dataclass
 from interlock.diag.called import called
 from interlock.dispatch.arbiter import Full
 from interlock.field.plc import Cycle
 from interlock.model.elements import MachineId, Position, SignalId
+from interlock.model.times import supervision_s
 
 Done = Callable[[Cycle], bool]
 
 TURN_S = 15.0
-"""Seconds for which the key of a point is held at most."""
+"""Seconds for which the key of a point is held at most, or for as long as it may take."""
 
 RELEASE_S = 600.0
 """Seconds for which the release of a section is held at most."""
@@ -37,10 +39,13 @@ class Refused(Exception):
 
 @dataclass
 class Hold:
-    """An input that is held: until something is so, for so many milliseconds at most."""
+    """An input that is held: until something is so, for so many milliseconds at most.  `fails`: why it is let go of
+    before that, empty while it is not; `late`: what is said when its time is over."""
 
     done: Done
     left_ms: float
+    fails: Callable[[Cycle], str] = lambda c: ""
+    late: str = ""
 
 
 class Holds:
@@ -50,20 +55,23 @@ class Holds:
         self._operator = operator
         self._held: dict[str, Hold] = {}
 
-    def hold(self, name: str, seconds: float, done: Done) -> None:
-        """Hold an input until something is so, for so many seconds at most."""
+    def hold(self, name: str, hold: Hold) -> None:
+        """Hold an input."""
         self._operator.type(f"{name}=1")
-        self._held[name] = Hold(done, seconds * 1000)
+        self._held[name] = hold
 
     def let_go(self, cycle: Cycle, dt_ms: float) -> list[str]:
-        """After a cycle: the inputs that are not held any more since their purpose is fulfilled, or time is over."""
-        gone = []
+        """After a cycle: inputs are not held any more whose purpose is fulfilled, cannot be fulfilled, or was not in
+        time; what is to be said of it."""
+        told = []
         for name, hold in tuple(self._held.items()):
             hold.left_ms -= dt_ms
-            if hold.done(cycle) or hold.left_ms <= 0:
+            done = hold.done(cycle)
+            why = "" if done else hold.fails(cycle)
+            if done or why or hold.left_ms <= 0:
                 self.drop(name)
-                gone.append(name)
-        return gone
+                told.append("" if done else why or hold.late)
+        return [text for text in told if text]
 
     def drop(self, name: str) -> None:
         """Let go of an input."""
@@ -74,8 +82,9 @@ class Holds:
 class Buttons:
     """What an operator may ask for, a method each; all raise `Refused`."""
 
-    def __init__(self, ready: Ready, operator: Operator) -> None:
-        assert ready.controller is not None and ready.table is not None
+    def __init__(self, ready: Ready, operator: Operator, reasons: Reasons) -> None:
+        assert ready.layout is not None and ready.controller is not None and ready.table is not None
+        self._layout, self._reasons = ready.layout, reasons
         self.holds = Holds(operator)
         self._operator = operator
         self._symbols, self._timers = ready.controller.symbols, ready.controller.timers
@@ -125,7 +134,7 @@ class Buttons:
             raise Refused(f"{called('section', section)} is not locked", f"s:{section}")
         if not last.inputs.get(self._symbols.sections.clear.get(section, ""), 0):  # type: ignore[call-overload]
             raise Refused(f"{called('section', section)} is occupied", f"s:{section}")
-        self.holds.hold(name, RELEASE_S, lambda c: not any(c.memory.state.get(n) for n in locked))
+        self.holds.hold(name, Hold(lambda c: not any(c.memory.state.get(n) for n in locked), RELEASE_S * 1000))
 
     def release_all(self, last: Cycle) -> None:
         """Release all sections that are clear, after a restart or a loss of inputs."""
@@ -143,7 +152,7 @@ class Buttons:
         preset = next(t.preset_ms for t in self._timers if t.name == y.start.restart_timer)
         if any(last.memory.state.get(n) for n in y.sections.restart.values()) and (ran is None or ran < preset):
             raise Refused(f"the restart delay runs: {(preset - (ran or 0)) / 1000:.0f} s to go")
-        self.holds.hold(y.sections.release_all, 30.0, lambda c: not open_(c))
+        self.holds.hold(y.sections.release_all, Hold(lambda c: not open_(c), 30_000))
 
     def block(self, section: str, on: bool) -> None:
         """Bar a section to routes, or free it."""
@@ -153,26 +162,44 @@ class Buttons:
             raise Refused(f"{called('section', section)} cannot be blocked" if known else "there is no such section")
         self._typed(f"{name}={int(on)}")
 
-    def turn(self, machine: str, to: str, last: Cycle) -> None:
-        """Move points or a device by hand: held until it is detected there."""
+    def turn(self, machine: str, to: str, last: Cycle) -> str:
+        """Move points or a device by hand: held until it is detected there; where it is moved to, in words.  What is
+        locked now is not moved later."""
         x = Position.NORMAL if to == "N" else Position.REVERSE
         key = (MachineId(machine), x)
-        name = self._symbols.machines.by_hand.get(key)
-        if name is None:
+        name, command = self._symbols.machines.by_hand.get(key), self._symbols.machines.command.get(key)
+        if name is None or command is None:
             raise Refused(f"{machine} is not moved by hand")
         there = self._symbols.machines.detected[key]
         if last.inputs.get(there):
             raise Refused(f"{machine} lies there already", f"m:{machine}")
+        word = self._layout.machines.word(*key)
+        if found := self._reasons.of_move(*key, Moment(last.inputs, last.memory, 0)):
+            at = (f"m:{machine}", *(x for reason in found for x in reason.at))
+            raise Refused(f"{machine} cannot be moved: {'; '.join(reason.text for reason in found)}", *at)
         for y in Position:
             self.holds.drop(self._symbols.machines.by_hand[key[0], y])
-        self.holds.hold(name, TURN_S, lambda c: bool(c.inputs.get(there)))
+        seconds = max(TURN_S, supervision_s(self._layout, key[0]))
+        self.holds.hold(
+            name,
+            Hold(
+                lambda c: bool(c.inputs.get(there)),
+                seconds * 1000,
+                lambda c: (
+                    "" if c.memory.state.get(command) else f"{machine} is not moved {word}: it is not free any more"
+                ),
+                f"{machine} was to be moved {word} by hand, and is not detected there after {seconds:.0f} s",
+            ),
+        )
+        return word
 
     def looked(self, machine: str, last: Cycle) -> None:
         """Confirm that trailed points were looked at."""
         name = self._symbols.machines.looked_at.get(machine)  # type: ignore[call-overload]
         if name is None or not last.memory.state.get(self._symbols.machines.trailed[machine]):  # type: ignore[index]
             raise Refused(f"{machine} was not trailed")
-        self.holds.hold(name, 1.0, lambda c: not c.memory.state.get(self._symbols.machines.trailed[machine]))  # type: ignore[index]
+        trailed = self._symbols.machines.trailed[MachineId(machine)]
+        self.holds.hold(name, Hold(lambda c: not c.memory.state.get(trailed), 1000))
 
     def automatic(self, route: str, on: bool) -> None:
         """Let a route be set again after every train, or not."""

@@ -154,7 +154,8 @@ class Desk:
 
     def _after(self, cycle: Cycle) -> None:
         before, self._last = self._last, cycle
-        self.operating.buttons.holds.let_go(cycle, self._dt_ms)
+        for text in self.operating.buttons.holds.let_go(cycle, self._dt_ms):
+            self._note(Event("note", text))
         moment = Moment(cycle.inputs, before.memory, self._dt_ms)
         for answer in self.operating.answers(before, cycle, moment):
             self._note(answer)

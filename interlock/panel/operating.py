@@ -69,7 +69,7 @@ class Operating:
 
     def _begin(self) -> None:
         self.operator = Operator(self._ready)
-        self.buttons = Buttons(self._ready, self.operator)
+        self.buttons = Buttons(self._ready, self.operator, self.reasons)
         self._asked = Asked(self._symbols, self.operator)
 
     def answers(self, before: Cycle, cycle: Cycle, moment: Moment) -> Iterator[Event]:
@@ -115,8 +115,7 @@ class Operating:
                 b.block(str(c["section"]), bool(c["on"]))
                 return f"{BLOCK if c['on'] else FREE}{c['section']}"
             case "turn":
-                b.turn(str(c["machine"]), str(c["to"]), last)
-                return f"move {c['machine']} {'normal' if c['to'] == 'N' else 'reverse'} by hand"
+                return f"move {c['machine']} {b.turn(str(c['machine']), str(c['to']), last)} by hand"
             case "looked":
                 b.looked(str(c["machine"]), last)
                 return f"{c['machine']} was looked at after it was trailed"
