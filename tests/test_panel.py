@@ -358,6 +358,31 @@ def test_blocks_outlast_a_power_cut_and_automatic_working_does_not() -> None:
         b.until(lambda: b.state[f"s:{s}"][3] == 0)
 
 
+def test_what_an_overlap_or_flank_protection_holds_is_shown_as_locked(lab: tuple[Desk, Any]) -> None:
+    """By locks of routes alone, points in an overlap looked free, and could not be moved."""
+    _, browser = lab
+    with browser() as b:
+        assert b.state["m:6"][2] == 0 and b.state["m:6"][5] == "" and b.state["s:w6"][8] == []
+        b.ask("set", route="N2-F")
+        b.until(lambda: b.state["o:F.1"][0] and b.state["g:N2"][0] != "stop")
+        assert b.state["m:6"][2] == 1 and b.state["m:6"][5] == "overlap 1 of F is held there"
+        assert b.state["s:w6"][1] == [] and b.state["s:w6"][8] == ["F"]
+        assert b.ask("turn", machine="6", to="R")["why"][0][0] == "6 cannot be moved: overlap 1 of F is held there"
+        b.ask("cancel", signal="N2")
+        b.until(lambda: b.state["g:N2"][3] is None and not b.state["s:w2"][1] and not b.state["o:F.1"][0])
+        b.ask("set", route="L5-N8")
+        b.until(lambda: b.state["g:L5"][3] == ["L5-N8", 1])
+        why = "1 is held as flank protection: section w5 is locked for route L5-N8"
+        assert b.state["s:w1"][1] == [] and b.state["m:1"][2] == 1 and b.state["m:1"][5] == why
+        b.ask("cancel", signal="L5")
+        b.until(lambda: b.state["g:L5"][3] is None and not b.state["s:w5"][1])
+        b.ask("fail", kind="section", name="w1", on=True)
+        b.until(lambda: b.state["s:w1"][0] == 1)
+        assert b.state["m:1"][2] == 0, "occupied is not locked"
+        b.ask("fail", kind="section", name="w1", on=False)
+        b.until(lambda: b.state["s:w1"][0] == 0)
+
+
 def test_cancel_switches_automatic_working_off_and_what_is_set_by_itself_is_told() -> None:
     """A route that is cancelled was set again 0.2 s later, and no word of it stood in the record."""
     with panel(unproved(AUTOMATIC)) as (_, browser), browser() as b:

@@ -120,14 +120,24 @@ class Reasons:
 
     def of_move(self, machine: MachineId, to: Position, moment: Moment) -> list[Reason]:
         """Why a machine cannot be moved by hand; nothing where it can, as a device can always be closed (R13)."""
-        by_hand, free = self._steps[names.MOVED_BY_HAND(machine, to)], self._steps[names.MOVABLE(machine)]
-        assert isinstance(by_hand, Equation) and isinstance(free, Equation)
+        by_hand = self._steps[names.MOVED_BY_HAND(machine, to)]
+        assert isinstance(by_hand, Equation)
         if all(t.kind != "point free by hand" for t in by_hand.terms):
             return []
-        look = _Look(self, moment)
+        return self._not_free(machine, moment, ())
+
+    def of_hold(self, machine: MachineId, moment: Moment) -> list[Reason]:
+        """What holds a machine where it lies, whether or not something stands over it: routes and overlaps, flank
+        protection, and the restart."""
+        return self._not_free(machine, moment, ("inputs valid", "point section clear"))
+
+    def _not_free(self, machine: MachineId, moment: Moment, leave: tuple[str, ...]) -> list[Reason]:
+        """Why a machine is not free to move, but for conditions of some kinds."""
+        free, look = self._steps[names.MOVABLE(machine)], _Look(self, moment)
+        assert isinstance(free, Equation)
         found: dict[str, Reason] = {}
         for t in free.terms:
-            for reason in look.why(t.expr, True) if not look.true(t.expr) else ():
+            for reason in look.why(t.expr, True) if t.kind not in leave and not look.true(t.expr) else ():
                 flank = f"{machine} is held as flank protection: " if t.kind == "flank not held" else ""
                 found.setdefault(flank + reason.text, Reason(flank + reason.text, reason.at))
         return list(found.values())

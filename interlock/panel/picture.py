@@ -11,6 +11,7 @@ from collections.abc import Container, Mapping
 from math import ceil
 from typing import Any
 
+from interlock.app.reasons import Moment, Reasons
 from interlock.app.run import Ready
 from interlock.emit.drawing import plan_svg
 from interlock.emit.drawing.place import place
@@ -137,13 +138,33 @@ def _route(r: RouteRow, table: InterlockingTable, overlap: str) -> dict[str, Any
     }
 
 
-def _held(y: Symbols) -> dict[str, list[str]]:
-    """By machine the locks that need it."""
-    held: dict[str, list[str]] = {}
-    for way, needs in y.ways.demands.items():
-        for m, _ in needs:
-            held.setdefault(str(m), []).append(y.sections.lock[way])
-    return held
+class _Held:
+    """What holds machines where they lie, as the controller's own condition has it; looked at anew where what is
+    remembered has changed."""
+
+    def __init__(self, layout: Layout, controller: Controller) -> None:
+        self._reasons, self._machines = Reasons(layout, controller), tuple(layout.machines)
+        self._state: Mapping[str, bool] = {}
+        self.why: dict[str, str] = {}
+        """By machine that is held: by what."""
+
+    def after(self, cycle: Cycle) -> None:
+        """A cycle has ended."""
+        if cycle.memory.state == self._state:
+            return
+        self._state = dict(cycle.memory.state)
+        moment = Moment(cycle.inputs, cycle.memory, 0)
+        found = {str(m): self._reasons.of_hold(m, moment) for m in self._machines}
+        self.why = {m: "; ".join(r.text for r in reasons) for m, reasons in found.items() if reasons}
+
+
+def _over(y: Symbols) -> dict[str, list[tuple[str, Name]]]:
+    """By section the overlaps over it: the signal, and what tells that it is held."""
+    over: dict[str, list[tuple[str, Name]]] = {}
+    for option, name in y.overlaps.held.items():
+        for s in dict.fromkeys(s for s, _ in y.overlaps.ways[option]):
+            over.setdefault(str(s), []).append((str(option[0]), name))
+    return over
 
 
 def _awaited(y: Symbols) -> dict[str, list[str]]:
@@ -199,7 +220,7 @@ class Picture:
         self.layout, self.controller, self.table = ready.layout, ready.controller, ready.table
         y = self.symbols = ready.controller.symbols
         self.presets: dict[str, int] = {t.name: t.preset_ms for t in ready.controller.timers}
-        before = _awaited(y)
+        before, over = _awaited(y), _over(y)
         self._sections = [
             (
                 f"s:{s}",
@@ -211,10 +232,11 @@ class Picture:
                 y.sections.release.get(s),
                 tuple(y.sections.locks_of.get(s, [])),
                 y.sections.healthy.get(s),
+                tuple(over.get(str(s), ())),
             )
             for s in dict.fromkeys((*y.sections.clear, *y.sections.restart))
         ]
-        held = _held(y)
+        self._held = _Held(ready.layout, ready.controller)
         self._machines = [
             (
                 f"m:{m}",
@@ -222,7 +244,6 @@ class Picture:
                 tuple(y.machines.command.get((m, x)) for x in Position),
                 y.indication.get(f"late {m}"),
                 y.machines.trailed.get(m),
-                tuple(held.get(str(m), ())),
             )
             for m in self.layout.machines
         ]
@@ -271,7 +292,7 @@ class Picture:
 
     def _of_sections(self, cycle: Cycle, shown: Shown) -> None:
         state, inputs, valid = cycle.memory.state, cycle.inputs, cycle.valid
-        for key, clear, restart, blocked, stale, timers, release, locks, healthy in self._sections:
+        for key, clear, restart, blocked, stale, timers, release, locks, healthy, over in self._sections:
             occupied = 1 if clear is None or not valid else 1 - inputs.get(clear, 0)
             ways = [k for k, n in locks if state.get(n)]
             releasing = bool(release and inputs.get(release))
@@ -284,19 +305,22 @@ class Picture:
                 self._longest(cycle, timers) if releasing and not occupied else None,
                 int(releasing),
                 int(healthy is not None and not inputs.get(healthy, 0)),
+                list(dict.fromkeys(g for g, n in over if state.get(n))),
             ]
 
     def _of_machines(self, cycle: Cycle, shown: Shown, idle: Container[str]) -> None:
         state, inputs, outputs = cycle.memory.state, cycle.inputs, cycle.outputs
-        for key, contacts, commands, late, trailed, held in self._machines:
+        self._held.after(cycle)
+        for key, contacts, commands, late, trailed in self._machines:
             lies = "".join(x for x, n in zip("NR", contacts, strict=True) if n and inputs.get(n))
             wanted = "".join(x for x, n in zip("NR", commands, strict=True) if n and state.get(n))
             shown[key] = [
                 lies if cycle.valid else "",
                 wanted,
-                int(any(state.get(n) for n in held)),
+                int(key[2:] in self._held.why),
                 int(bool(late and outputs.get(late)) or f"idle {key[2:]}" in idle),
                 int(bool(trailed and state.get(trailed))),
+                self._held.why.get(key[2:], ""),
             ]
 
     def _of_signals(self, cycle: Cycle, shown: Shown) -> None:
@@ -314,8 +338,8 @@ class Picture:
     def dark(self, blocks: Container[str] = ()) -> Shown:
         """Without power nothing is known: sections count as occupied, lamps are dark.  `blocks`: the sections that are
         blocked, which this place knows."""
-        shown: Shown = {key: [1, [], 0, int(key[2:] in blocks), 0, None, 0, 0] for key, *_ in self._sections}
-        shown |= {key: ["", "", 0, 0, 0] for key, *_ in self._machines}
+        shown: Shown = {key: [1, [], 0, int(key[2:] in blocks), 0, None, 0, 0, []] for key, *_ in self._sections}
+        shown |= {key: ["", "", 0, 0, 0, ""] for key, *_ in self._machines}
         shown |= {key: ["dark", 0, None, None, 0] for key in self._lamps}
         shown |= {key: [0] for key, _ in self._overlaps}
         return shown
