@@ -358,6 +358,20 @@ def test_blocks_outlast_a_power_cut_and_automatic_working_does_not() -> None:
         b.until(lambda: b.state[f"s:{s}"][3] == 0)
 
 
+@pytest.mark.parametrize("name", ["heishan", "passing_loop", ""])
+def test_without_power_no_value_of_before_is_left(tmp_path: Path, name: str) -> None:
+    """Conditions, zones, directions and automatic working kept what they showed when the power went."""
+    text = quick(tmp_path, name).read_text("utf-8") if name else AUTOMATIC
+    with panel(unproved(text)) as (desk, browser), browser() as b:
+        b.until(lambda: b.rest["sys"]["valid"])
+        shown = set(b.state)
+        b.ask("power", on=False)
+        b.until(lambda: not b.rest["sys"]["power"] and all(v[0] == 1 for k, v in b.state.items() if k[0] == "s"))
+        assert shown == set(desk.picture.dark())
+        others = {k: v for k, v in b.state.items() if k[0] in "czba"}
+        assert others and all(x is None for v in others.values() for x in v)
+
+
 def test_what_an_overlap_or_flank_protection_holds_is_shown_as_locked(lab: tuple[Desk, Any]) -> None:
     """By locks of routes alone, points in an overlap looked free, and could not be moved."""
     _, browser = lab

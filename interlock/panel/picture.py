@@ -336,12 +336,18 @@ class Picture:
             shown[key] = [aspect, 0, None, None, 0]
 
     def dark(self, blocks: Container[str] = ()) -> Shown:
-        """Without power nothing is known: sections count as occupied, lamps are dark.  `blocks`: the sections that are
+        """Without power nothing is known: sections count as occupied, lamps are dark; of
+        conditions, zones, directions and automatic working the value is None.  `blocks`: the sections that are
         blocked, which this place knows."""
         shown: Shown = {key: [1, [], 0, int(key[2:] in blocks), 0, None, 0, 0, []] for key, *_ in self._sections}
         shown |= {key: ["", "", 0, 0, 0, ""] for key, *_ in self._machines}
         shown |= {key: ["dark", 0, None, None, 0] for key in self._lamps}
         shown |= {key: [0] for key, _ in self._overlaps}
+        y = self.symbols
+        unknown = [f"c:{c}" for c in y.condition] + [f"z:{z}" for z in y.zone_full]
+        unknown += [f"a:{self._routes[k]}" for k in y.requests.automatic]
+        shown |= {key: [None] for key in unknown}
+        shown |= {f"b:{b}": [None, None, None] for b in y.token}
         return shown
 
 
