@@ -168,6 +168,33 @@ def test_points_are_moved_by_hand_and_not_while_they_are_locked(at_work: tuple[D
         b.ask("acknowledge")
 
 
+def test_what_a_route_keeps_is_not_released_by_hand_and_a_train_ends_a_release(tmp_path: Path) -> None:
+    """It was taken, counted, and armed for ten minutes, even when a train came into the section."""
+    slow = quick(tmp_path).read_text("utf-8").replace("release_delay_s: 0.3", "release_delay_s: 2")
+    with panel(unproved(slow)) as (desk, browser), browser() as b:
+        b.ask("speed", times=10)
+        b.released()
+        counted = b.rest["sys"]["releases"]
+        b.ask("set", route="XB-XI7")
+        b.until(lambda: b.state["g:XB"][0] == "clear")
+        for s in ("s2", "s3"):
+            assert b.ask("release", section=s)["why"] == [["route XB-XI7 is set: cancel it first", ["g:XB"]]]
+        b.ask("bring", boundary="W", train="L7", metres=30)
+        b.until(lambda: b.state["s:s6"][0] == 1 and not any(b.state[f"s:{s}"][1] for s in ("s2", "s3")))
+        b.ask("speed", times=1)
+        b.ask("take away", train="L7")
+        b.until(lambda: b.state["s:s6"][0] == 0)
+        assert b.state["s:s6"][1]
+        assert b.ask("release", section="s6")["ok"]
+        b.ask("fail", kind="section", name="s6", on=True)
+        b.until(lambda: "the release of section s6 is given up: it is occupied" in kinds(b.events, "note"))
+        assert not desk.operating.operator.held
+        b.ask("fail", kind="section", name="s6", on=False)
+        b.until(lambda: b.state["s:s6"][0] == 0)
+        assert b.ask("release", section="s6")["ok"]
+        b.until(lambda: not b.state["s:s6"][1] and b.rest["sys"]["releases"] == counted + 2)
+
+
 @pytest.fixture(scope="module")
 def lab() -> Iterator[tuple[Desk, Any]]:
     """Flank protection, an overlap with two alternatives, a level crossing; each test leaves it without routes."""

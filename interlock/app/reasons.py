@@ -16,10 +16,10 @@ from interlock.diag.called import called
 from interlock.field.plc import Memory
 from interlock.logic import names
 from interlock.logic.controller import Controller, Equation, Input, Step, Timer
-from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr, evaluate
+from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr, evaluate, variables
 from interlock.logic.names import Name, computed
 from interlock.logic.sentences import about, sentence
-from interlock.logic.symbols import Symbols
+from interlock.logic.symbols import RouteSymbols, Symbols
 from interlock.logic.words import REFUSED
 from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
@@ -141,6 +141,35 @@ class Reasons:
                 flank = f"{machine} is held as flank protection: " if t.kind == "flank not held" else ""
                 found.setdefault(flank + reason.text, Reason(flank + reason.text, reason.at))
         return list(found.values())
+
+    def of_release(self, section: SectionId, moment: Moment) -> list[Reason]:
+        """Why a section is not released by hand, however long that is asked for: a route is set over it, or what lies
+        in rear is locked towards it."""
+        restart = moment.before.state.get(names.RESTART_LOCK(section))
+        step = self._steps[names.RELEASED_AFTER_RESTART(section) if restart else names.RELEASED_BY_HAND(section)]
+        assert isinstance(step, Equation)
+        look, active = _Look(self, moment), {r.active: r for r in self.symbols.routes}
+        found: dict[str, Reason] = {}
+        for t in step.terms:
+            if t.kind not in ("rear released", "no train about to come") or look.true(t.expr):
+                continue
+            for name in (n for n in variables((t.expr,)) if moment.before.state.get(n)):
+                told = [active[name]] if name in active else []
+                if name in self.locks and self.locks[name][0] != section:
+                    in_rear = self.symbols.routes.over.get((SectionId(self.locks[name][0]), self.locks[name][1]), ())
+                    told = [r for r in in_rear if moment.before.state.get(r.active)]
+                    if not told:
+                        text = f"{self.locked(name, moment)}: release it first"
+                        found.setdefault(text, Reason(text, (f"s:{self.locks[name][0]}",)))
+                for reason in map(self._cancel_first, told, [moment] * len(told)):
+                    found.setdefault(reason.text, reason)
+        return list(found.values())
+
+    def _cancel_first(self, r: RouteSymbols, moment: Moment) -> Reason:
+        """A route that is set keeps what it leads over."""
+        going = moment.before.state.get(self.symbols.cancellation.cancelling[r.entry])
+        text = f"route {r.id} is {'being cancelled: wait for that' if going else 'set: cancel it first'}"
+        return Reason(text, (f"g:{r.entry}",))
 
     def _told(self, wire: str, moment: Moment, leave: set[str]) -> list[Reason]:
         step = self._steps[wire]

@@ -14,7 +14,7 @@ from interlock.dataclass import dataclass
 from interlock.diag.called import called
 from interlock.dispatch.arbiter import Full
 from interlock.field.plc import Cycle
-from interlock.model.elements import MachineId, Position, SignalId
+from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.model.times import supervision_s
 
 Done = Callable[[Cycle], bool]
@@ -132,9 +132,23 @@ class Buttons:
         locked = self._symbols.sections.locked_by[section]  # type: ignore[index]
         if not any(last.memory.state.get(n) for n in locked):
             raise Refused(f"{called('section', section)} is not locked", f"s:{section}")
-        if not last.inputs.get(self._symbols.sections.clear.get(section, ""), 0):  # type: ignore[call-overload]
+        clear = self._symbols.sections.clear.get(SectionId(section), "")
+        if not last.inputs.get(clear, 0):
             raise Refused(f"{called('section', section)} is occupied", f"s:{section}")
-        self.holds.hold(name, Hold(lambda c: not any(c.memory.state.get(n) for n in locked), RELEASE_S * 1000))
+        if found := self._reasons.of_release(SectionId(section), Moment(last.inputs, last.memory, 0)):
+            raise Refused("; ".join(r.text for r in found), *(x for r in found for x in r.at))
+        given_up = f"the release of {called('section', section)} is given up:"
+        self.holds.hold(
+            name,
+            Hold(
+                lambda c: not any(c.memory.state.get(n) for n in locked),
+                RELEASE_S * 1000,
+                lambda c: (
+                    "" if c.inputs.get(clear, 0) else f"{given_up} it {'is' if c.valid else 'counts as'} occupied"
+                ),
+                f"{given_up} it has not become free in {RELEASE_S:.0f} s",
+            ),
+        )
 
     def release_all(self, last: Cycle) -> None:
         """Release all sections that are clear, after a restart or a loss of inputs."""
