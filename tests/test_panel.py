@@ -195,6 +195,27 @@ def test_what_a_route_keeps_is_not_released_by_hand_and_a_train_ends_a_release(t
         b.until(lambda: not b.state["s:s6"][1] and b.rest["sys"]["releases"] == counted + 2)
 
 
+def test_a_section_without_detection_needs_no_release(tmp_path: Path) -> None:
+    """It counts as occupied for ever: after a restart it was the last step, which nobody could ever take."""
+    text = Path("layouts/depot.yaml").read_text("utf-8") + QUICK
+    with panel(unproved(text)) as (desk, browser), browser() as b:
+        published: list[set[str]] = []
+        desk.publish = lambda cycle, alarms: published.append(set(alarms))
+        b.ask("speed", times=10)
+        b.until(lambda: b.rest["sys"]["valid"] and b.rest["sys"]["delay"] == 0)
+        assert "wsh" not in b.rest["sys"]["restart"] and "p1" in b.rest["sys"]["restart"]
+        assert b.state["s:wsh"][:3] == [1, [], 0]
+        told = "section wsh has no detection: it counts as occupied, and needs no release"
+        assert b.ask("release", section="wsh")["why"] == [[told, ["s:wsh"]]]
+        assert "start" in published[-1]
+        assert b.ask("release all")["ok"]
+        b.until(lambda: not b.rest["sys"]["restart"])
+        b.until(lambda: "start" not in published[-1])
+        r = next(r["id"] for r in b.rest["still"]["routes"] if r["exit"][1] in ("wsh", "WASH"))
+        b.ask("set", route=r)
+        b.until(lambda: f"route {r} is set" in kinds(b.events, "operation"))
+
+
 @pytest.fixture(scope="module")
 def lab() -> Iterator[tuple[Desk, Any]]:
     """Flank protection, an overlap with two alternatives, a level crossing; each test leaves it without routes."""

@@ -12,8 +12,9 @@ from interlock.diag.called import called
 from interlock.field.plc import Cycle
 from interlock.logic.cabinet import Allocation
 from interlock.logic.controller import Controller
+from interlock.logic.names import Name
 from interlock.logic.symbols import RouteSymbols, Symbols
-from interlock.model.elements import MachineId, Position, SignalId
+from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
 from interlock.model.times import supervision_s
@@ -61,6 +62,12 @@ def possible(layout: Layout, controller: Controller, allocation: Allocation) -> 
         text = f"the detector of {called('section', s)} is out of order"
         found.append(Possible(f"detector {s}", f"ALARM_DETECTOR_{portable(s)}", text, (f"s:{s}",), _missing(name)))
     return tuple(found)
+
+
+def to_release(layout: Layout, symbols: Symbols) -> dict[SectionId, Name]:
+    """The restart locks of the sections that an operator releases after a restart.  A section without detection counts
+    as occupied for ever: it is never released, and shunting movements end in it all the same."""
+    return {s: n for s, n in symbols.sections.restart.items() if s not in layout.track.undetected}
 
 
 def listed(alarms: Iterable[Possible]) -> list[tuple[str, str, str]]:
@@ -119,6 +126,7 @@ class Watch:
         self._stations = frozenset(allocation.stations)
         self.possible = possible(layout, controller, allocation)
         self._start = next(p for p in self.possible if p.key == START)
+        self._restart = to_release(layout, controller.symbols)
         self._idle = Idle(layout, controller.symbols)
         self._fallen: dict[SignalId, Fallen] = {}
         self._before: Mapping[str, bool] = {}
@@ -146,7 +154,7 @@ class Watch:
             self.causes = self._lost(cycle) | self._idle.causes
             self.causes |= {p.key: (p.text, p.at) for p in self.possible if p.is_so is not None and p.is_so(cycle)}
         self.past = {f"{FALLEN} {g}": (x.text, x.at) for g, x in self._fallen.items()}
-        if any(state.get(n) for n in self._symbols.sections.restart.values()):
+        if any(state.get(n) for n in self._restart.values()):
             self.past[START] = (self._start.text, ())
         self._before = state
         return fallen

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from interlock.app.alarms import to_release
 from interlock.app.reasons import Moment, Reasons
 from interlock.app.run import BadCommand, Operator, Ready
 from interlock.dataclass import dataclass
@@ -129,6 +130,9 @@ class Buttons:
         name = self._symbols.sections.release.get(section)  # type: ignore[call-overload]
         if name is None:
             raise Refused(f"{called('section', section)} is never locked")
+        if section in self._layout.track.undetected:
+            what = f"{called('section', section)} has no detection: it counts as occupied, and needs no release"
+            raise Refused(what, f"s:{section}")
         locked = self._symbols.sections.locked_by[section]  # type: ignore[index]
         if not any(last.memory.state.get(n) for n in locked):
             raise Refused(f"{called('section', section)} is not locked", f"s:{section}")
@@ -154,9 +158,11 @@ class Buttons:
         """Release all sections that are clear, after a restart or a loss of inputs."""
         y = self._symbols
 
+        restart = to_release(self._layout, y)
+
         def open_(c: Cycle) -> list[str]:
             state, clear = c.memory.state, {s for s, n in y.sections.clear.items() if c.inputs.get(n)}
-            found = [str(s) for s, n in y.sections.restart.items() if state.get(n) and s in clear]
+            found = [str(s) for s, n in restart.items() if state.get(n) and s in clear]
             locked = {s for (s, _), n in y.sections.lock.items() if state.get(n)}
             return found + [str(s) for s, n in y.sections.stale.items() if state.get(n) and s in clear & locked]
 
@@ -164,7 +170,7 @@ class Buttons:
             raise Refused("no section that is clear waits for its release")
         ran = last.memory.elapsed.get(y.start.restart_timer)
         preset = next(t.preset_ms for t in self._timers if t.name == y.start.restart_timer)
-        if any(last.memory.state.get(n) for n in y.sections.restart.values()) and (ran is None or ran < preset):
+        if any(last.memory.state.get(n) for n in restart.values()) and (ran is None or ran < preset):
             raise Refused(f"the restart delay runs: {(preset - (ran or 0)) / 1000:.0f} s to go")
         self.holds.hold(y.sections.release_all, Hold(lambda c: not open_(c), 30_000))
 

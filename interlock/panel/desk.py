@@ -215,7 +215,7 @@ class Desk:
         """What belongs to no element."""
         y, dispatcher = self.picture.symbols, self.operating.operator.dispatcher
         state: Mapping[str, bool] = {} if cycle is None else cycle.memory.state
-        locked = [str(s) for s, n in y.sections.restart.items() if state.get(n)]
+        locked = [str(s) for s, n in self.picture.to_release.items() if state.get(n)]
         timer = None if cycle is None else self.picture.left(cycle, y.start.restart_timer)
         return {
             "sys": {

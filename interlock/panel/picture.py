@@ -11,6 +11,7 @@ from collections.abc import Container, Mapping
 from math import ceil
 from typing import Any
 
+from interlock.app.alarms import to_release
 from interlock.app.reasons import Moment, Reasons
 from interlock.app.run import Ready
 from interlock.emit.drawing import plan_svg
@@ -220,12 +221,14 @@ class Picture:
         self.layout, self.controller, self.table = ready.layout, ready.controller, ready.table
         y = self.symbols = ready.controller.symbols
         self.presets: dict[str, int] = {t.name: t.preset_ms for t in ready.controller.timers}
+        self.to_release = to_release(ready.layout, y)
+        """The restart locks that are released by hand."""
         before, over = _awaited(y), _over(y)
         self._sections = [
             (
                 f"s:{s}",
                 y.sections.clear.get(s),
-                y.sections.restart.get(s),
+                self.to_release.get(s),
                 y.sections.blocked.get(s),
                 y.sections.stale.get(s),
                 tuple(t for t in (y.sections.release_timer.get(s), *before.get(s, [])) if t is not None),

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from interlock import __version__
+from interlock.app.alarms import to_release
 from interlock.app.run import Ready
 from interlock.emit.drawing import plan_svg
 from interlock.field.alone import hold
@@ -41,7 +42,7 @@ def views(ready: Ready) -> Views:
     for option, name in y.overlaps.held.items():
         ways = y.overlaps.ways[option]
         out[name] = [["edge", str(e), "overlap"] for s, n in ways for e in topo.traversals[s][n - 1].edges]
-    out |= {name: [["section", str(s), "restart"]] for s, name in y.sections.restart.items()}
+    out |= {name: [["section", str(s), "restart"]] for s, name in to_release(layout, y).items()}
     for r in y.routes:
         out |= {name: [["signal", str(r.entry), "proceed"]] for name in r.open_while}
     for (m, x), name in y.machines.detected.items():
