@@ -26,6 +26,7 @@ from interlock.app.run import Ready, run
 from interlock.cli.main import cli
 from interlock.cli.panel import opened
 from interlock.field.alone import InUse
+from interlock.panel.asking import ASKED, SWITCHED, in_words
 from interlock.panel.clock import MOST_S, Clock
 from interlock.panel.desk import Desk
 from interlock.panel.event import Event
@@ -216,12 +217,46 @@ def test_a_section_without_detection_needs_no_release(tmp_path: Path) -> None:
         b.until(lambda: f"route {r} is set" in kinds(b.events, "operation"))
 
 
+def test_the_record_says_what_was_refused_and_which_lamp_failed(lab: tuple[Desk, Any]) -> None:
+    """`section s6 is occupied` told nobody what was asked for."""
+    _, browser = lab
+    with browser() as b:
+        b.events.clear()
+        b.ask("release", section="g4")
+        b.ask("cancel", signal="SA")
+        b.ask("turn", machine="6", to="N")
+        b.ask("take away", train="nobody")
+        b.ask("speed", times=1000)
+        b.ask("drive", train="x", go=True)
+        b.until(lambda: len(kinds(b.events, "refusal")) == 6)
+        assert kinds(b.events, "refusal") == [
+            "release section g4: refused: section g4 is not locked",
+            "cancel the route from SA: refused: no route from SA is set that a train has not entered",
+            "move 6 normal: refused: 6 lies there already",
+            "take away train nobody: refused: there is no train nobody",
+            "time runs 1000 times as fast: refused: time runs 1, 2, 5, 10, 60 times as fast",
+            "let train x go on: refused: there is no train x",
+        ]
+        lamp = b.rest["still"]["lamps"]["F"]["stop"]
+        b.ask("fail", kind="lamp", name=lamp, on=True)
+        b.ask("fail", kind="lamp", name=lamp, on=False)
+        b.until(lambda: len(kinds(b.events, "operation")) == 2)
+        told = ["fault of the stop lamp of F", "fault put right: the stop lamp of F"]
+        assert kinds(b.events, "operation") == told
+
+
+def test_every_command_has_words_for_its_refusal(lab: tuple[Desk, Any]) -> None:
+    desk, _ = lab
+    for command in every_command(desk.browsers.still):
+        assert command["do"] in {**ASKED, **SWITCHED} and "  " not in in_words(command) and in_words(command)
+
+
 @pytest.fixture(scope="module")
 def lab() -> Iterator[tuple[Desk, Any]]:
     """Flank protection, an overlap with two alternatives, a level crossing; each test leaves it without routes."""
     text = Path("layouts/flank_lab.yaml").read_text("utf-8")
     own = next(line for line in text.splitlines() if line.startswith("principles:"))
-    with panel(unproved(text.replace(own, QUICK))) as (desk, browser):
+    with panel(unproved(text.replace(own, QUICK.replace("{", "{lamp_proof: yes, ")))) as (desk, browser):
         with browser() as b:
             b.ask("speed", times=10)
             b.released()

@@ -20,6 +20,7 @@ from interlock.app.run import Ready, run
 from interlock.field.plc import Cycle, Link
 from interlock.field.polling import Beside, InTurn
 from interlock.panel.alarms import Alarm
+from interlock.panel.asking import in_words
 from interlock.panel.browsers import Browsers
 from interlock.panel.clock import MOST_S, SPEEDS, Clock
 from interlock.panel.commands import Refused
@@ -249,7 +250,7 @@ class Desk:
                 reply({"ok": True, **(self._do(who, command) or {})})
             except (Refused, Impossible) as no:
                 at = getattr(no, "at", ())
-                self._note(Event("refusal", str(no), who.name, tuple(at)))
+                self._note(Event("refusal", f"{in_words(command)}: refused: {no}", who.name, tuple(at)))
                 reply({"ok": False, "why": [[str(no), list(at)]]})
             except (LookupError, TypeError, ValueError, AttributeError):
                 reply({"ok": False, "why": [["this panel does not know such a command", []]]})
@@ -296,7 +297,8 @@ class Desk:
                 return f"train {name} is taken away"
             case "fail":
                 f.faults.fail(str(c["kind"]), str(c["name"]), bool(c["on"]))
-                return f"fault {'of' if c['on'] else 'put right:'} {c['kind']} {c['name']}"
+                found = f.faults.called(str(c["kind"]), str(c["name"]))
+                return f"fault {'of' if c['on'] else 'put right:'} {found}"
             case "power":
                 self.power = bool(c["on"])
                 return f"power {'on' if self.power else 'off'}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from math import inf
 
+from interlock.logic import names
 from interlock.model.portable import portable
 from interlock.panel.stock import Impossible
 from interlock.simulate.world import World
@@ -57,6 +58,16 @@ class Faults:
         if name not in self._stations:
             raise Impossible(f"there is no substation {name}")
         (self.cut.add if on else self.cut.discard)(name)
+
+    def called(self, kind: str, name: str) -> str:
+        """What fails, in words: a lamp by its signal, not by its input."""
+        if kind == "lamp":
+            for signal, lamps in self.lamp_inputs().items():
+                for what, proof in lamps.items():
+                    if proof == name:
+                        return f"the {what} lamp of {signal}"
+        found = next((c.id for c in self._world.layout.signalling.conditions if names.CONDITION(c.id) == name), name)
+        return f"{'substation' if kind == 'station' else kind} {found}"
 
     def lamp_inputs(self) -> dict[str, dict[str, str]]:
         """By signal: the inputs that report its lamps."""
