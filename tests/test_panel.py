@@ -480,6 +480,17 @@ def test_what_an_overlap_or_flank_protection_holds_is_shown_as_locked(lab: tuple
         b.until(lambda: b.state["s:w1"][0] == 0)
 
 
+def test_where_no_overlap_is_held_there_is_nothing_to_swing(lab: tuple[Desk, Any]) -> None:
+    _, browser = lab
+    with browser() as b:
+        b.events.clear()
+        b.ask("swing", signal="F")
+        b.until(lambda: kinds(b.events, "refusal"))
+        no = next(e for e in b.events if e["kind"] == "refusal")
+        assert no["text"] == "the overlap of F does not swing"
+        assert no["reasons"] == [["no overlap of F is held: there is nothing to swing", ["g:F"]]]
+
+
 def test_cancel_switches_automatic_working_off_and_what_is_set_by_itself_is_told() -> None:
     """A route that is cancelled was set again 0.2 s later, and no word of it stood in the record."""
     with panel(unproved(AUTOMATIC)) as (_, browser), browser() as b:

@@ -64,7 +64,7 @@ class Reasons:
         """Why a route was not set when its number was read; `code`: what the controller says of it."""
         r = next((x for x in self.symbols.routes if x.number == number), None)
         if r is None:
-            return [Reason("the overlap cannot swing now: a train is near, or what it would lie over is not free")]
+            return [self._no_swing(number, moment)]
         if moment.before.state.get(r.shown) and any(moment.before.state.get(n) for n in r.open_while):
             return [Reason("the route is set, and its signal open", (f"g:{r.entry}",))]
         if code <= REFUSED:
@@ -76,6 +76,14 @@ class Reasons:
         for reason in map(self._of_code, codes, [moment] * len(codes)):
             found.setdefault(reason.text, reason)
         return list(found.values())
+
+    def _no_swing(self, number: int, moment: Moment) -> Reason:
+        """Why an overlap does not swing."""
+        g = next((g for g, n in self.symbols.overlaps.swing_request.items() if n == number), None)
+        held = (name for (of, _), name in self.symbols.overlaps.held.items() if of == g)
+        if g is not None and not any(moment.before.state.get(name) for name in held):
+            return Reason(f"no overlap of {g} is held: there is nothing to swing", (f"g:{g}",))
+        return Reason("the overlap cannot swing now: a train is near, or what it would lie over is not free")
 
     def swing(self, number: int, before: Memory, after: Memory) -> tuple[SignalId, bool] | None:
         """The signal whose overlap a number asks to swing, and whether another alternative is held after the scan; None
