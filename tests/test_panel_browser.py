@@ -56,6 +56,18 @@ TURNS_OLD = """() => {
 """Keeps when a page last said that what it shows is old."""
 
 
+TAPPED = """{
+    const Real = WebSocket;
+    window.sent = [];
+    window.WebSocket = class extends Real {
+        constructor(url) { super(url); window.socket = this; }
+        send(text) { window.sent.push(JSON.parse(text)); if (!window.mute) super.send(text); }
+    };
+    window.tell = m => window.socket.onmessage({data: JSON.stringify({c: {}, ...m, t: Date.now() / 1000})});
+}"""
+"""Keeps what a page sends (nothing leaves it while `mute`); `tell` is what its server might say to it."""
+
+
 class Server:
     """`interlock run --panel` as a process."""
 
@@ -88,12 +100,13 @@ def closing_pages(found: Any) -> Iterator[Any]:
             context.close()
 
 
-def opened(found: Any, url: str) -> tuple[Any, list[str]]:
-    """A page, and what goes wrong on it."""
+def opened(found: Any, url: str, script: str = "") -> tuple[Any, list[str]]:
+    """A page, and what goes wrong on it; a script that runs before it."""
     page, wrong = found.new_page(viewport={"width": 1500, "height": 900}), list[str]()
     page.set_default_timeout(40_000)
     page.on("console", lambda m: wrong.append(m.text) if m.type == "error" else None)
     page.on("pageerror", lambda e: wrong.append(str(e)))
+    page.add_init_script(script)
     page.goto(url)
     page.wait_for_selector("#plan svg")
     return page, wrong
@@ -593,3 +606,27 @@ def test_each_blade_of_a_slip_shows_how_it_lies(chromium: Any, said: str, points
             assert wrong == []
     finally:
         one.end()
+
+
+FLANK = Path("layouts/flank_lab.yaml")
+"""With a derailer, proof of lamps, and a signal that shows caution."""
+
+
+def style(page: Any, selector: str, what: str) -> str:
+    """How something is drawn at last."""
+    found: str = page.eval_on_selector(selector, "(e, what) => getComputedStyle(e)[what]", what)
+    return found
+
+
+def test_each_state_is_drawn_as_the_table_says(chromium: Any) -> None:
+    """What the server says of an element, alone and together with something else: on one page, one after the other."""
+    with serving(unproved(FLANK.read_text("utf-8"))) as (desk, url), closing_pages(chromium) as b:
+        page, wrong = opened(b, url, TAPPED)
+        fresh(page)
+        red, yellow = "rgb(255, 77, 77)", "rgb(255, 210, 74)"
+        for late, trailed, colour in ((0, 0, yellow), (1, 0, red), (0, 1, red)):
+            for m, mark in (("6", "rect.mark"), ("Gs1", "path.mark")):
+                page.evaluate("([k, v]) => tell({c: {[k]: v}})", [f"m:{m}", ["", "", 1, late, trailed]])
+                assert style(page, f"#point-{m} {mark}", "fill") == colour, "points that are locked, and lost"
+                assert (style(page, f"#point-{m} {mark}", "animationName") == "blink") == (colour == red)
+        assert desk.broken == "" and wrong == []
