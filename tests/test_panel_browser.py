@@ -63,6 +63,8 @@ TAPPED = """{
         constructor(url) { super(url); window.socket = this; }
         send(text) { window.sent.push(JSON.parse(text)); if (!window.mute) super.send(text); }
     };
+    window.SYS = {power: true, valid: true, lost: [], restart: [], delay: null, releasing: false, releases: 0, speed: 1,
+        minutes: 0, failed: [], voyages: [], numbers: []};
     window.tell = m => window.socket.onmessage({data: JSON.stringify({c: {}, ...m, t: Date.now() / 1000})});
 }"""
 """Keeps what a page sends (nothing leaves it while `mute`); `tell` is what its server might say to it."""
@@ -629,4 +631,17 @@ def test_each_state_is_drawn_as_the_table_says(chromium: Any) -> None:
                 page.evaluate("([k, v]) => tell({c: {[k]: v}})", [f"m:{m}", ["", "", 1, late, trailed]])
                 assert style(page, f"#point-{m} {mark}", "fill") == colour, "points that are locked, and lost"
                 assert (style(page, f"#point-{m} {mark}", "animationName") == "blink") == (colour == red)
+        dark, bar = "rgb(34, 43, 53)", "none"
+        for aspect, out, fill, cross in (
+            ("stop", 0, "rgb(255, 59, 59)", bar),
+            ("stop", 1, dark, "rgb(255, 176, 0)"),
+            ("clear", 1, "rgb(53, 224, 111)", bar),
+        ):
+            page.evaluate("v => tell({sys: {...SYS, valid: true}, c: {'g:F': v}})", [aspect, 0, None, None, out])
+            assert style(page, "#signal-F .lamp", "fill") == fill, "a lamp that is out is dark here, too"
+            assert style(page, "#signal-F .sign.cross", "stroke") == cross
+            assert (style(page, "#signal-F .lamp", "strokeWidth") != "1.3px") == bool(out)
+        page.evaluate("tell({sys: {...SYS, valid: false}, c: {'g:F': ['stop', 0, null, null, 1]}})")
+        assert style(page, "#signal-F .sign.cross", "stroke") == "none", "nobody knows: no inputs come"
+        page.evaluate("tell({sys: {...SYS, valid: true}})")
         assert desk.broken == "" and wrong == []

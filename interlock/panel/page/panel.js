@@ -207,6 +207,7 @@ function alarms() {
 // --- the rest of the page ---
 function system() {
   const s = rest.sys;
+  document.body.classList.toggle("unsure", !s.valid);
   $("inputs").textContent = s.valid ? "inputs valid" : "INPUTS NOT VALID";
   $("inputs").className = `pill ${s.valid ? "good" : "bad"}`;
   $("power").textContent = s.power ? "power" : "NO POWER";

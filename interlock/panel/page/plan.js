@@ -35,6 +35,7 @@ export class Plan {
     }
     this.lies = {}; // after what is clicked: of a slip the legs chosen between lie beside the blades
     for (const [m, one] of Object.entries(still.machines)) this.lies[m] = one.points.map(p => this.point(p)).filter(Boolean);
+    for (const g of Object.keys(still.signals)) this.signs(by(`signal-${g}`));
     for (const g of Object.keys(still.signals)) this.key(`g:${g}`, by(`signal-${g}`), `signal ${g}`, 9);
     for (const [b, one] of Object.entries(still.boundaries)) this.key(`b:${b}`, by(`boundary-${b}`), `boundary ${one.label}`, 12);
     for (const e of svg.querySelectorAll(".buffer")) {
@@ -88,6 +89,14 @@ export class Plan {
     const w = Math.max(b.width, 2 * reach), h = Math.max(b.height, 2 * reach);
     if (key[0] !== "m" || group.dataset.n) make("rect", {class: "reach", x, y, width: w, height: h, rx: 4}, group);
     else make("circle", {class: "reach", cx: b.x + b.width / 2, cy: b.y + b.height / 2, r: reach}, group);
+  }
+
+  // what tells the lights of a signal from each other without their colours, drawn over its first lamp
+  signs(group) {
+    const lamp = group?.querySelector(".lamp");
+    if (!lamp) return;
+    const [x, y, r] = ["cx", "cy", "r"].map(k => Number(lamp.getAttribute(k))), s = 0.7 * r;
+    make("path", {class: "sign cross", d: `M${x - s} ${y - s} L${x + s} ${y + s} M${x - s} ${y + s} L${x + s} ${y - s}`}, group);
   }
 
   // a bridge is a frame, a road two lines: what is clicked is all of each place at which it lies over a track
