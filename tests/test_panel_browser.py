@@ -62,12 +62,14 @@ TAPPED = """{
     window.WebSocket = class extends Real {
         constructor(url) { super(url); window.socket = this; }
         send(text) { window.sent.push(JSON.parse(text)); if (!window.mute) super.send(text); }
+        set onmessage(heard) { super.onmessage = e => { if (!window.deaf) heard(e); }; this.heard = heard; }
     };
     window.SYS = {power: true, valid: true, lost: [], restart: [], delay: null, releasing: false, releases: 0, speed: 1,
         minutes: 0, failed: [], voyages: [], numbers: []};
-    window.tell = m => window.socket.onmessage({data: JSON.stringify({c: {}, ...m, t: Date.now() / 1000})});
+    window.tell = m => window.socket.heard({data: JSON.stringify({c: {}, ...m, t: Date.now() / 1000})});
 }"""
-"""Keeps what a page sends (nothing leaves it while `mute`); `tell` is what its server might say to it."""
+"""Keeps what a page sends (nothing leaves it while `mute`); `tell` is what its server might say to it, who is not heard
+while `deaf`."""
 
 
 class Server:
@@ -162,7 +164,8 @@ def test_from_request_to_release_by_mouse_alone(chromium: Any, server: Server) -
         page, wrong = opened(b, server.url)
         for simulated, told in ((True, "let time run faster"), (False, "come to a stand.")):
             delay = "{power: 1, valid: 1, restart: ['s2'], delay: 586, lost: []}"
-            steps = f"async s => (await import('/acts.js')).steps({{simulated: s}}, {{'s:s2': [0]}}, {delay})"
+            still = "{simulated: s, sections: {}}"
+            steps = f"async s => (await import('/acts.js')).steps({still}, {{'s:s2': [0]}}, {delay}, () => false)"
             assert told in page.evaluate(steps, simulated)[2][1].rpartition("Trains")[2]
         press(page, "Release all clear sections")
         page.wait_for_selector("#restart", state="hidden")
@@ -645,3 +648,37 @@ def test_each_state_is_drawn_as_the_table_says(chromium: Any) -> None:
         assert style(page, "#signal-F .sign.cross", "stroke") == "none", "nobody knows: no inputs come"
         page.evaluate("tell({sys: {...SYS, valid: true}})")
         assert desk.broken == "" and wrong == []
+
+
+def test_the_box_of_the_restart_asks_for_what_can_be_done_and_no_more(chromium: Any) -> None:
+    """On a layout with call-on signals, or a section that has no detection; after a loss of inputs, or without."""
+    text = Path("layouts/passing_loop.yaml").read_text("utf-8")
+    with serving(unproved(text)) as (_, url), closing_pages(chromium) as b:
+        page, wrong = opened(b, url, TAPPED)
+        fresh(page)
+
+        def told(valid: bool, **sections: list[Any]) -> str:
+            state = {f"s:{s}": v for s, v in sections.items()}
+            page.evaluate("([valid, c]) => tell({c, sys: {...SYS, valid, delay: 0}})", [valid, state])
+            return str(page.inner_text("#restart")) if page.is_visible("#restart") else ""
+
+        def locked(occupied: int, stale: int) -> list[Any]:
+            return [occupied, ["1"], 0, 0, stale, None, 0, 0]
+
+        page.evaluate("window.deaf = true")
+        names = page.eval_on_selector_all("#plan g.section[id]:has(.track[id])", "es => es.map(e => e.id.slice(8))")
+        assert {"IAG", "IIAG"} <= set(names)
+        free = {s: [0, [], 0, 0, 0, None, 0, 0] for s in names}
+        assert told(True, **free) == ""
+        assert told(True, IAG=locked(1, 1)) == told(True, IAG=locked(0, 1)) == "", "a train is called on over it"
+        assert told(True, IAG=free["IAG"]) == ""
+        assert "do not report" in told(False, IAG=locked(1, 1), IIAG=locked(0, 1)), "inputs were lost"
+        box = told(True)
+        assert "loss of inputs" in box and "released when clear: IAG." in box and "Release what is clear: IIAG." in box
+        assert "IAG" not in told(True, IAG=locked(0, 1)).partition("Release what is clear")[0]
+        assert told(True, **free) == ""
+        steps = """async restart => (await import('/acts.js')).steps({sections: {wsh: {detected: false}, arr: {}}},
+            {'s:wsh': [1, [], 1], 's:arr': [1, [], 1]}, {...SYS, restart}, () => false)"""
+        assert page.evaluate(steps, ["wsh"]) is None, "a section without detection is never released"
+        assert "released when clear: arr." in page.evaluate(steps, ["arr", "wsh"])[3][1]
+        assert wrong == []

@@ -20,10 +20,10 @@ export function acts(still, state, rest, key) {
 
 function section(still, state, rest, name, [occupied, ways, restart, blocked, stale, left, releasing, sick] = [], sys) {
   const one = still.sections[name], lines = [], out = [];
-  lines.push([occupied ? "occupied" : "clear", ways?.length ? "locked" : "not locked", restart ? "not released since the restart" : "",
+  lines.push([one.detected === false ? "without detection: it always counts as occupied" : occupied ? "occupied" : "clear", ways?.length ? "locked" : "not locked", restart ? "not released since the restart" : "",
     blocked ? "blocked" : "", stale ? "release by hand" : "", sick ? "detector out of order" : ""].filter(Boolean).join(", "));
   if (!one.approach) {
-    out.push(act("Release by hand", {do: "release", section: name}, {off: releasing || !(restart || ways?.length)}));
+    out.push(act("Release by hand", {do: "release", section: name}, {off: releasing || one.detected === false || !(restart || ways?.length)}));
     out.push(blocked ? act("Free it again", {do: "block", section: name, on: false}) : act("Block", {do: "block", section: name, on: true}));
   }
   if (still.simulated) {
@@ -81,20 +81,22 @@ function boundary(still, state, rest, name, token) {
   return {lines, acts: out};
 }
 
-// steps after power has come, or inputs were lost; null when there is nothing to do
-export function steps(still, state, sys) {
-  const stale = Object.entries(state).filter(([k, v]) => k[0] === "s" && v[4]).map(([k]) => k.slice(2));
-  if (sys.power && sys.valid && !sys.restart.length && !stale.length) return null;
-  const occupied = sys.restart.filter(s => state[`s:${s}`][0]);
+// steps after power has come, or inputs were lost; null when there is nothing to do.  lost(s): that a locked section is not
+// relied on since inputs were lost, and not because a train was called on over it
+export function steps(still, state, sys, lost) {
+  const seen = s => still.sections[s]?.detected !== false; // what has no detection is never released, and nothing asks for it
+  const restart = sys.restart.filter(seen), clear = s => !state[`s:${s}`][0];
+  const stale = Object.entries(state).filter(([k, v]) => k[0] === "s" && v[4]).map(([k]) => k.slice(2)).filter(seen);
+  if (sys.power && sys.valid && !restart.length && !stale.some(lost)) return null;
   const waiting = sys.delay !== null && sys.delay > 0;
-  const clear = sys.restart.filter(s => !state[`s:${s}`][0]);
+  const occupied = [...restart, ...stale.filter(lost)].filter(s => !clear(s)), ready = [...restart, ...stale].filter(clear);
   return [
     [sys.power, sys.power ? "The controller has power." : "The controller has no power."],
     [sys.power && sys.valid, sys.valid ? "All substations report." : `Substations that do not report: ${sys.lost.map(l => l.split(":")[0]).filter(l => l !== "cycle").join(", ") || "waiting for heartbeats"}.`],
     [sys.power && sys.valid && !waiting, waiting ? `The restart delay runs: ${sys.delay} s.  Trains that still ran come to a stand.${still.simulated ? "  To wait less, let time run faster (above)." : ""}` : "The restart delay is over."],
-    [sys.valid && !occupied.length, occupied.length ? `Reported occupied: ${occupied.join(", ")}.  Ask who stands there; a false report is a fault to mend.` : "No section that waits for its release is reported occupied."],
-    [sys.valid && !clear.length && !stale.length, clear.length || stale.length ? `Release what is clear: ${[...clear, ...stale].join(", ")}.` : "Nothing that is clear is left to be released.",
-      sys.valid && !waiting && !sys.releasing && Boolean(clear.length || stale.length)],
+    [sys.valid && !occupied.length, occupied.length ? `Occupied: released when clear: ${occupied.join(", ")}.  Ask who stands there; a false report is a fault to mend.` : "No section that waits for its release is reported occupied."],
+    [sys.valid && !ready.length, ready.length ? `Release what is clear: ${ready.join(", ")}.` : "Nothing that is clear is left to be released.",
+      sys.valid && !waiting && !sys.releasing && Boolean(ready.length)],
     [false, "Trains that stand inside are called on by their signals, or moved under local rules; then release what they leave."],
   ];
 }
