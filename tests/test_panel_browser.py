@@ -273,6 +273,20 @@ def test_on_small_screens_nothing_lies_over_anything_or_is_cut(chromium: Any, se
             "['#plan', '#said', '#line', 'aside'].map(x => document.querySelector(x).getBoundingClientRect().toJSON())"
         )
         boxes = page.evaluate(parts)
+        everything = "['header > :not([hidden])', '#line label, #line button']"
+        meeting = (
+            everything
+            + """.flatMap(x => [...document.querySelectorAll(x)]).map(e => [e.id, e.getBoundingClientRect()])
+            .flatMap(([n, a], k, all) => all.slice(k + 1).filter(([, b]) => a.x < b.right - 1 && b.x < a.right - 1 &&
+                a.y < b.bottom - 1 && b.y < a.bottom - 1).map(([m]) => `${n} over ${m}`))"""
+        )
+        for width, height, lines, plan in ((1024, 768, 2, 520), (1366, 768, 1, 560), (390, 800, 5, 200)):
+            page.set_viewport_size({"width": width, "height": height})
+            assert page.evaluate(meeting) == [] and page.evaluate("document.documentElement.scrollWidth") <= width
+            assert page.locator("header").bounding_box()["height"] < 8 + 32 * lines, width
+            assert page.locator("#plan").bounding_box()["height"] > plan
+            stop, test = (page.locator(x).bounding_box() for x in ("#stop", "#test"))
+            assert abs(stop["y"] - test["y"]) > 150, "what stops the trains is not beside what tests the lamps"
         assert page.evaluate("document.documentElement.scrollWidth") <= 390 and boxes[0]["width"] > 380
         assert boxes[0]["height"] > 200
         for above, below in pairwise(boxes):

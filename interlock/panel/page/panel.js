@@ -88,7 +88,7 @@ function exits() {
 function offer() {
   plan.mark("chosen", chosen ? [chosen] : []);
   plan.mark("exit", exits());
-  $("hint").textContent = $("hint").title = chosen[0] === "g" && exits().length ? "choose where to: the possible ends are lit" : "";
+  $("hint").textContent = $("hint").title = chosen[0] === "g" && exits().length ? "choose where to: the ends are lit" : "";
   if (chosen !== offered) { offered = chosen; choice.clear(); }
   $("of").textContent = chosen ? plan.keys.get(chosen)?.[0].getAttribute("aria-label").split(":")[0] ?? chosen.slice(2) : "Nothing chosen";
   if (!chosen) { choice.show([["none", {lines: ["Choose a signal, then where the route leads; or a section, points, a boundary."]}]]); return; }
