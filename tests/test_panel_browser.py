@@ -265,6 +265,15 @@ def test_by_keys_alone(chromium: Any, server: Server) -> None:
         assert wrong == []
 
 
+MEETING = """() => {
+    const all = [...document.querySelectorAll('header > :not([hidden]), #line label, #line button')];
+    const boxes = all.map(e => [e.id, e.getBoundingClientRect()]);
+    const meet = (a, b) => a.x < b.right - 1 && b.x < a.right - 1 && a.y < b.bottom - 1 && b.y < a.bottom - 1;
+    return boxes.flatMap(([n, a], k) => boxes.slice(k + 1).filter(([, b]) => meet(a, b)).map(([m]) => n + ' over ' + m));
+}"""
+"""What of the head, and of the line below the plan, lies over something else."""
+
+
 def test_on_small_screens_nothing_lies_over_anything_or_is_cut(chromium: Any, server: Server) -> None:
     with closing_pages(chromium) as b:
         page, wrong = opened(b, server.url)
@@ -273,17 +282,10 @@ def test_on_small_screens_nothing_lies_over_anything_or_is_cut(chromium: Any, se
             "['#plan', '#said', '#line', 'aside'].map(x => document.querySelector(x).getBoundingClientRect().toJSON())"
         )
         boxes = page.evaluate(parts)
-        everything = "['header > :not([hidden])', '#line label, #line button']"
-        meeting = (
-            everything
-            + """.flatMap(x => [...document.querySelectorAll(x)]).map(e => [e.id, e.getBoundingClientRect()])
-            .flatMap(([n, a], k, all) => all.slice(k + 1).filter(([, b]) => a.x < b.right - 1 && b.x < a.right - 1 &&
-                a.y < b.bottom - 1 && b.y < a.bottom - 1).map(([m]) => `${n} over ${m}`))"""
-        )
-        for width, height, lines, plan in ((1024, 768, 2, 520), (1366, 768, 1, 560), (390, 800, 5, 200)):
-            page.set_viewport_size({"width": width, "height": height})
-            assert page.evaluate(meeting) == [] and page.evaluate("document.documentElement.scrollWidth") <= width
-            assert page.locator("header").bounding_box()["height"] < 8 + 32 * lines, width
+        for across, down, lines, plan in ((1024, 768, 2, 520), (1366, 768, 1, 560), (390, 800, 5, 200)):
+            page.set_viewport_size({"width": across, "height": down})
+            assert page.evaluate(MEETING) == [] and page.evaluate("document.documentElement.scrollWidth") <= across
+            assert page.locator("header").bounding_box()["height"] < 8 + 32 * lines, across
             assert page.locator("#plan").bounding_box()["height"] > plan
             stop, test = (page.locator(x).bounding_box() for x in ("#stop", "#test"))
             assert abs(stop["y"] - test["y"]) > 150, "what stops the trains is not beside what tests the lamps"
@@ -696,3 +698,27 @@ def test_the_box_of_the_restart_asks_for_what_can_be_done_and_no_more(chromium: 
         assert page.evaluate(steps, ["wsh"]) is None, "a section without detection is never released"
         assert "released when clear: arr." in page.evaluate(steps, ["arr", "wsh"])[3][1]
         assert wrong == []
+
+
+def test_what_was_asked_and_what_is_said_of_it(chromium: Any, tmp_path: Path) -> None:
+    """One page, whose messages are held back or made up: requests without an answer, reasons that are past."""
+    with serving(unproved(quick(tmp_path).read_text("utf-8"))) as (desk, url), closing_pages(chromium) as b:
+        page, wrong = opened(b, url, TAPPED)
+        press(page, "Release all clear sections")
+        page.wait_for_selector("#restart", state="hidden")
+        fresh(page)
+        page.evaluate("window.mute = true")
+        before = time.time()
+        page.locator("#stop").click()
+        asked = page.evaluate("sent.at(-1)")
+        assert asked["do"] == "stop" and abs(asked["heard"] + asked["after"] / 1000 - before) < 1, "when it was clicked"
+        page.wait_for_selector("#grey:has-text('Sent 1 s ago, no answer yet')")
+        page.evaluate("socket.close()")
+        page.wait_for_selector("#said:has-text('not known whether it was done: look at the plan')")
+        count = page.evaluate("window.mute = false, sent.length")
+        page.evaluate("document.getElementById('stop').click()")
+        page.wait_for_selector("#said:has-text('nothing was sent')")
+        assert page.evaluate("sent.slice(%d).filter(m => m.do)" % count) == []
+        fresh(page)
+        page.wait_for_selector("#grey:empty", state="attached")
+        assert desk.broken == "" and wrong == []

@@ -149,13 +149,14 @@ function button(text, done) {
 // --- asking, and what is said of it ---
 async function ask(command) {
   const answer = await talk.ask(command);
-  if (!answer.ok) say("Refused", answer.why);
+  if (!answer.ok) say(answer.title ?? "Refused", answer.why);
   return answer;
 }
 
 async function why(command) {
   const answer = await talk.ask(command);
-  say("It waits for", answer.why.length ? answer.why : [["nothing: it opens with the next scan", []]]);
+  if (!answer.ok) say(answer.title ?? "Refused", answer.why);
+  else say("It waits for", answer.why.length ? answer.why : [["nothing: it opens with the next scan", []]]);
 }
 
 function say(title, reasons) {
@@ -368,5 +369,6 @@ setInterval(() => {
   document.body.classList.toggle("stale", old);
   $("link").textContent = old ? "NO NEWS" : operates ? "operating" : "looking";
   $("link").className = `pill ${old ? "bad" : "good"}`;
-  if (!talk.refused) $("grey").textContent = old && still ? "What you see is older than a second." : "";
+  const waits = Math.floor(talk.waits / 1000);
+  if (!talk.refused) $("grey").textContent = [old && still ? "What you see is older than a second." : "", waits ? `Sent ${waits} s ago, no answer yet.` : ""].filter(Boolean).join("  ");
 }, 100);
