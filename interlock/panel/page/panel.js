@@ -372,3 +372,4 @@ setInterval(() => {
   const waits = Math.floor(talk.waits / 1000);
   if (!talk.refused) $("grey").textContent = [old && still ? "What you see is older than a second." : "", waits ? `Sent ${waits} s ago, no answer yet.` : ""].filter(Boolean).join("  ");
 }, 100);
+  if (!order) return;
