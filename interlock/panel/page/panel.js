@@ -12,8 +12,18 @@ const plan = new Plan($("plan"), key => choose(key));
 const state = plan.state, rest = {sys: null, alarms: [], reminders: {}, trains: []};
 let still = null, chosen = "", operates = false, metres = 40, called = "";
 $("name").value = kept.get("interlock.name");
+$("name").placeholder = nameless();
+const me = () => $("name").value.trim() || $("name").placeholder; // its answers are told by it
+const talk = new Talk(() => ({name: me(), token: hash.get("token") ?? "", look}), heard);
 
-const talk = new Talk(() => ({name: $("name").value, token: hash.get("token") ?? "", look}), heard);
+// whoever gives no name has one of his own, as long as this window is open
+function nameless() {
+  const made = `operator ${(crypto.getRandomValues(new Uint16Array(1))[0] % 1296).toString(36).padStart(2, "0")}`;
+  try {
+    if (!sessionStorage.getItem("interlock.nameless")) sessionStorage.setItem("interlock.nameless", made);
+    return sessionStorage.getItem("interlock.nameless");
+  } catch { return made; /* a browser may forbid it */ }
+}
 
 function element(tag, text, ...inside) {
   const e = document.createElement(tag);
@@ -176,7 +186,7 @@ function log(e, old) {
   });
   $("log").prepend(line);
   while ($("log").children.length > 200) $("log").lastChild.remove();
-  if (!old && e.kind === "refusal" && e.who === ($("name").value.trim() || "operator") && e.reasons.length) say(e.text, e.reasons);
+  if (!old && ["refusal", "operation"].includes(e.kind) && e.who === me() && e.reasons.length) say(e.text, e.reasons, e.at);
 }
 
 const wrong = new Rows($("alarms"), () => {
