@@ -269,7 +269,7 @@ MEETING = """() => {
     const all = [...document.querySelectorAll('header > :not([hidden]), #line label, #line button')];
     const boxes = all.map(e => [e.id, e.getBoundingClientRect()]);
     const meet = (a, b) => a.x < b.right - 1 && b.x < a.right - 1 && a.y < b.bottom - 1 && b.y < a.bottom - 1;
-    return boxes.flatMap(([n, a], k) => boxes.slice(k + 1).filter(([, b]) => meet(a, b)).map(([m]) => n + ' over ' + m));
+    return boxes.flatMap(([n, a], k) => boxes.slice(k + 1).filter(([, b]) => meet(a, b)).map(([m]) => [n, m]));
 }"""
 """What of the head, and of the line below the plan, lies over something else."""
 
@@ -684,7 +684,7 @@ def test_the_box_of_the_restart_asks_for_what_can_be_done_and_no_more(chromium: 
         page.evaluate("window.deaf = true")
         names = page.eval_on_selector_all("#plan g.section[id]:has(.track[id])", "es => es.map(e => e.id.slice(8))")
         assert {"IAG", "IIAG"} <= set(names)
-        free = {s: [0, [], 0, 0, 0, None, 0, 0] for s in names}
+        free: dict[str, list[Any]] = {s: [0, [], 0, 0, 0, None, 0, 0] for s in names}
         assert told(True, **free) == ""
         assert told(True, IAG=locked(1, 1)) == told(True, IAG=locked(0, 1)) == "", "a train is called on over it"
         assert told(True, IAG=free["IAG"]) == ""
@@ -718,7 +718,36 @@ def test_what_was_asked_and_what_is_said_of_it(chromium: Any, tmp_path: Path) ->
         count = page.evaluate("window.mute = false, sent.length")
         page.evaluate("document.getElementById('stop').click()")
         page.wait_for_selector("#said:has-text('nothing was sent')")
-        assert page.evaluate("sent.slice(%d).filter(m => m.do)" % count) == []
+        assert page.evaluate(f"sent.slice({count}).filter(m => m.do)") == []
         fresh(page)
         page.wait_for_selector("#grey:empty", state="attached")
+        page.wait_for_selector("#said:empty", state="attached")  # what was not sent is past when news come again
+        event = """(e, c = {}) => tell({c, events: [{n: 9, time: "2026-01-31T06:00:00", rules: [], at: [], ...e}]})"""
+        mine = page.evaluate("sent.find(m => 'name' in m).name")
+        assert mine.startswith("operator ") and page.get_attribute("#name", "placeholder") == mine
+        why = [["points P1 cannot move: section s3 is locked", ["s:s3"]]]
+        for kind, who, seen in (("refusal", "operator", False), ("refusal", "x", False), ("refusal", mine, True),
+                                ("operation", mine, True), ("operation", "x", False)):  # fmt: skip
+            page.keyboard.press("Escape")
+            page.evaluate(f"e => ({event})(e)", {"kind": kind, "who": who, "text": "XB-XC1: so", "reasons": why})
+            assert ("P1 cannot move" in page.inner_text("#said")) == seen, "what is said to another is not said here"
+        page.keyboard.press("Escape")
+        page.evaluate(f"e => ({event})(e)", {"kind": "refusal", "who": mine, "text": "XB-XC1: so", "reasons": why})
+        waiting = [0, [], 0, 0, 0, 5, 0, 0]
+        page.evaluate("v => tell({c: {'s:s3': v, 's:s9': [1, [], 0, 0, 0, null, 0, 0]}})", waiting)
+        page.wait_for_timeout(200)
+        assert page.locator("#said.past").count() == 0 and page.locator("#plan .shown").count() > 0
+        page.evaluate("tell({c: {'s:s3': [1, [], 0, 0, 0, null, 0, 0]}})")
+        page.wait_for_selector("#said.past")
+        assert page.locator("#plan .shown").count() == 0
+        page.evaluate("tell({c: {'s:s3': [0, [], 0, 0, 0, null, 0, 0], 's:s9': [0, [], 0, 0, 0, null, 0, 0]}})")
+        desk.power = False
+        is_(page, "#power", "bad")
+        click(page, "#signal-XB .reach")
+        click(page, "#buffer-XC1 .reach")
+        page.wait_for_selector("#said:not(.past):has-text('the controller has no power')")
+        desk.power = True
+        page.wait_for_selector("#said.past")
+        page.fill("#typed", "  ")
+        page.press("#typed", "Enter")
         assert desk.broken == "" and wrong == []

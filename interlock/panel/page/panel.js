@@ -70,8 +70,7 @@ function first(m) {
 
 // --- what is chosen ---
 function choose(key) {
-  $("said").replaceChildren();
-  plan.mark("shown", []);
+  quiet();
   if (chosen[0] === "g" && key && key !== chosen) {
     const found = routesFrom(still, chosen.slice(2)).filter(r => EXIT[r.exit[0]] === at(key)[0] && r.exit[1] === key.slice(2));
     if (found.length) return pick(found);
@@ -85,8 +84,9 @@ const at = key => key[0];
 function pick(found) {
   const main = found.filter(r => r.kind === "main"), best = main.length ? main : found;
   if (best.length === 1) { ask({do: "set", route: best[0].id}); chosen = ""; offer(); return; }
+  quiet();
   $("said").replaceChildren(element("p", "Several routes lead there: "), ...best.map(r => button(`${r.names[0] ?? r.id} over ${r.sections.join(", ")}${r.overlap ? `, ${r.overlap}` : ""}`, () => {
-    $("said").replaceChildren(); ask({do: "set", route: r.id}); chosen = ""; offer();
+    quiet(); ask({do: "set", route: r.id}); chosen = ""; offer();
   })));
 }
 
@@ -159,17 +159,46 @@ function button(text, done) {
 // --- asking, and what is said of it ---
 async function ask(command) {
   const answer = await talk.ask(command);
-  if (!answer.ok) say(answer.title ?? "Refused", answer.why);
+  if (!answer.ok) say(answer.title ?? "Refused", answer.why, about(command));
   return answer;
+}
+
+// the elements that a command is about
+function about(c) {
+  const route = still.routes.find(r => r.id === c.route);
+  return [route && `g:${route.entry}`, c.signal && `g:${c.signal}`, c.section && `s:${c.section}`, c.machine && `m:${c.machine}`, c.boundary && `b:${c.boundary}`].filter(Boolean);
 }
 
 async function why(command) {
   const answer = await talk.ask(command);
-  if (!answer.ok) say(answer.title ?? "Refused", answer.why);
-  else say("It waits for", answer.why.length ? answer.why : [["nothing: it opens with the next scan", []]]);
+  if (!answer.ok) say(answer.title ?? "Refused", answer.why, about(command));
+  else say("It waits for", answer.why.length ? answer.why : [["nothing: it opens with the next scan", []]], about(command));
 }
 
-function say(title, reasons) {
+// what is said below the plan is past when an element that it is about changes, when power or inputs come or go, and after
+// a while: then it is dim
+const PAST_MS = 20000, COUNTS = {g: 2, s: 5}; // where a value counts down
+const stands = keys => JSON.stringify([rest.sys?.power, rest.sys?.valid, ...keys.map(k => state[k]?.filter((_, i) => i !== COUNTS[k[0]]))]);
+let told = null;
+function past() {
+  if (told?.title === "Not sent" && !talk.old) return quiet();
+  if (!told || (performance.now() - told.at < PAST_MS && stands(told.keys) === told.then)) return;
+  told = null;
+  $("said").classList.add("past");
+  plan.mark("shown", []);
+}
+
+function quiet() {
+  told = null;
+  $("said").replaceChildren();
+  $("said").classList.remove("past");
+  plan.mark("shown", []);
+}
+
+function say(title, reasons, of = []) {
+  const keys = [...of, ...reasons.flatMap(([, at]) => at)];
+  told = {title, keys, at: performance.now(), then: stands(keys)};
+  $("said").classList.remove("past");
   $("said").replaceChildren(element("strong", `${title}: `), ...reasons.map(([text]) => element("span", text)));
   plan.mark("shown", reasons.flatMap(([, keys]) => keys));
 }
@@ -344,6 +373,7 @@ $("test").addEventListener("click", async () => {
 $("line").addEventListener("submit", e => {
   e.preventDefault();
   const order = $("typed").value.trim();
+  if (!order) return;
   if (/^[^:>]+:[^:>]+(>[^:>]+)+$/.test(order)) { $("typed").value = ""; ask({do: "voyage", name: order}); return; }
   if (still.voyages.includes(order)) { $("typed").value = ""; ask({do: "voyage", name: order}); return; }
   const stands = /^([^@\s]+)@(.+)$/.exec(order);
@@ -362,7 +392,7 @@ $("line").addEventListener("submit", e => {
   if (end) choose(end); else say("No route", [[`none leads from ${keys[0][0]} to ${keys[1][0]}`, []]]);
 });
 document.addEventListener("keydown", e => {
-  if (e.key === "Escape") { $("typed").blur(); if (chosen) choose(chosen); else { $("said").replaceChildren(); plan.mark("shown", []); } return; }
+  if (e.key === "Escape") { $("typed").blur(); if (chosen) choose(chosen); else quiet(); return; }
   if (e.target.matches("input, select") || e.ctrlKey || e.metaKey || e.altKey || !still) return;
   const move = {ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1]}[e.key];
   if (move) plan.move(...move);
@@ -379,7 +409,7 @@ setInterval(() => {
   document.body.classList.toggle("stale", old);
   $("link").textContent = old ? "NO NEWS" : operates ? "operating" : "looking";
   $("link").className = `pill ${old ? "bad" : "good"}`;
+  if (still) past();
   const waits = Math.floor(talk.waits / 1000);
   if (!talk.refused) $("grey").textContent = [old && still ? "What you see is older than a second." : "", waits ? `Sent ${waits} s ago, no answer yet.` : ""].filter(Boolean).join("  ");
 }, 100);
-  if (!order) return;
