@@ -639,6 +639,11 @@ def style(page: Any, selector: str, what: str) -> str:
     return found
 
 
+SIGNS = """() => [...document.querySelectorAll("#signal-F .sign")].filter(e => getComputedStyle(e).stroke !== "none")
+    .map(e => e.classList[1])"""
+"""What is drawn over the lamps of a signal."""
+
+
 def test_each_state_is_drawn_as_the_table_says(chromium: Any) -> None:
     """What the server says of an element, alone and together with something else: on one page, one after the other."""
     with serving(unproved(FLANK.read_text("utf-8"))) as (desk, url), closing_pages(chromium) as b:
@@ -663,6 +668,19 @@ def test_each_state_is_drawn_as_the_table_says(chromium: Any) -> None:
         page.evaluate("tell({sys: {...SYS, valid: false}, c: {'g:F': ['stop', 0, null, null, 1]}})")
         assert style(page, "#signal-F .sign.cross", "stroke") == "none", "nobody knows: no inputs come"
         page.evaluate("tell({sys: {...SYS, valid: true}})")
+        for aspect, fault, signs in (
+            ("stop", 0, ["bar"]),
+            ("caution", 0, ["slash"]),
+            ("clear", 0, []),
+            ("stop", 1, ["cross"]),
+        ):
+            page.evaluate("v => tell({c: {'g:F': v}})", [aspect, 0, None, None, fault])
+            assert page.evaluate(SIGNS) == signs, "aspects are told from each other without colours"
+        wide = []
+        for occupied, ways in ((0, []), (0, [1]), (1, []), (1, [1])):
+            page.evaluate("v => tell({c: {'s:g4': v}})", [occupied, ways, 0, 0, 0, None, 0, 0])
+            wide.append(float(style(page, "#section-g4 .track", "strokeWidth").removesuffix("px")))
+        assert wide[0] == wide[1] and wide[2] == wide[3] >= 1.6 * wide[0]
         assert desk.broken == "" and wrong == []
 
 

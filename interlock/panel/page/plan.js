@@ -93,9 +93,11 @@ export class Plan {
 
   // what tells the lights of a signal from each other without their colours, drawn over its first lamp
   signs(group) {
-    const lamp = group?.querySelector(".lamp");
-    if (!lamp) return;
-    const [x, y, r] = ["cx", "cy", "r"].map(k => Number(lamp.getAttribute(k))), s = 0.7 * r;
+    const lamp = group?.querySelector(".lamp"), mast = /L(\S+) (\S+)/.exec(group?.querySelector(".mast")?.getAttribute("d"));
+    if (!lamp && !group?.matches(".distant")) return;
+    const [x, y, r] = (lamp ? ["cx", "cy", "r"].map(k => lamp.getAttribute(k)) : [mast[1], mast[2], 5]).map(Number), s = 0.7 * r;
+    make("path", {class: "sign bar", d: `M${x - r} ${y} L${x + r} ${y}`}, group);
+    make("path", {class: "sign slash", d: `M${x - s} ${y + s} L${x + s} ${y - s}`}, group);
     make("path", {class: "sign cross", d: `M${x - s} ${y - s} L${x + s} ${y + s} M${x - s} ${y + s} L${x + s} ${y - s}`}, group);
   }
 
