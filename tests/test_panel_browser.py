@@ -681,6 +681,10 @@ def test_each_state_is_drawn_as_the_table_says(chromium: Any) -> None:
             page.evaluate("v => tell({c: {'s:g4': v}})", [occupied, ways, 0, 0, 0, None, 0, 0])
             wide.append(float(style(page, "#section-g4 .track", "strokeWidth").removesuffix("px")))
         assert wide[0] == wide[1] and wide[2] == wide[3] >= 1.6 * wide[0]
+        for blocked in (0, 1):
+            page.evaluate("v => tell({c: {'s:g4': v}})", [0, [1], 0, blocked, 0, None, 0, 0])
+            assert style(page, "#section-g4 .track", "stroke") == yellow, "blocked, and still seen to be locked"
+            assert (style(page, "#section-g4 .block", "stroke") != "none") == bool(blocked)
         assert desk.broken == "" and wrong == []
 
 

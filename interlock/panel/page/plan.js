@@ -26,6 +26,7 @@ export class Plan {
     for (const id of Object.keys(still.edges)) {
       const path = by(`edge-${id}`);
       if (path) this.edge[id] = {path, metres: still.edges[id][0], forward: still.edges[id][1], length: path.getTotalLength()};
+      if (path) path.after(make("path", {class: "block", d: path.getAttribute("d")})); // over whatever else the track shows
     }
     this.keys = new Map();
     for (const s of Object.keys(still.sections)) this.key(`s:${s}`, by(`section-${s}`), `section ${s}`);
