@@ -685,6 +685,10 @@ def test_each_state_is_drawn_as_the_table_says(chromium: Any) -> None:
             page.evaluate("v => tell({c: {'s:g4': v}})", [0, [1], 0, blocked, 0, None, 0, 0])
             assert style(page, "#section-g4 .track", "stroke") == yellow, "blocked, and still seen to be locked"
             assert (style(page, "#section-g4 .block", "stroke") != "none") == bool(blocked)
+        for on in (1, 0, 1):
+            page.evaluate("on => tell({c: {'a:N8-F': [on], 'a:SA-S1': [on]}})", on)
+            assert page.locator("#plan .automatic circle").count() == 2 * on
+            assert page.evaluate(OVERLAPPING.replace(".note'", ".note, .automatic text'")) == []
         assert desk.broken == "" and wrong == []
 
 

@@ -137,15 +137,17 @@ export class Plan {
 
   show(changes) {
     Object.assign(this.state, changes);
-    const sections = new Set();
+    const sections = new Set(), automatic = new Set();
     for (const [key, value] of Object.entries(changes)) {
       const kind = key[0], name = key.slice(2);
       if (kind === "s") sections.add(name);
       else if (kind === "m") this.showMachine(name, value);
       else if (kind === "g") this.showSignal(name, value);
+      else if (kind === "a") automatic.add(this.still.routes.find(r => r.id === name)?.entry);
       else if (kind === "o") for (const e of this.still.overlaps[name] ?? []) toggle(this.edge[e]?.path, "overlap", value[0]);
     }
     for (const s of sections) this.showSection(s, this.state[`s:${s}`]);
+    for (const g of automatic) this.showAutomatic(g);
   }
 
   showSection(name, [occupied, ways, restart, blocked, stale, left, releasing, sick]) {
@@ -186,6 +188,20 @@ export class Plan {
     toggle(group, "set", active); toggle(group, "cancelling", cancelling); toggle(group, "out", out);
     group.setAttribute("aria-label", `signal ${name}: ${aspect}${active ? `, route ${active[0]}` : ""}`);
     this.note(`g:${name}`, "left", cancelling ? (left === null ? "cancel: waits" : `cancel: ${left} s`) : left === null ? "" : `waits: ${left} s`);
+  }
+
+  // an A in a circle beyond the lamps of a signal, or near by
+  showAutomatic(name) {
+    const id = `automatic-g:${name}`, on = this.still.routes.some(r => r.entry === name && this.state[`a:${r.id}`]?.[0]);
+    by(id)?.remove();
+    const group = by(`signal-${name}`), lamps = [...group?.querySelectorAll(".lamp") ?? []].map(e => e.getBBox()), b = lamps.at(-1) ?? group?.getBBox();
+    if (!on || !b) return;
+    const way = lamps.length && b.x < group.querySelector(".mast").getBBox().x ? -1 : 1, x = b.x + b.width / 2, y = b.y + b.height / 2 + 3;
+    const mark = make("g", {id, class: "automatic"}, this.notes), text = make("text", {}, mark);
+    text.textContent = "A";
+    const places = [12, 14, 17, 20].map(far => ({x: x + way * far, y})).concat([14, -14, 17, -17].flatMap(far => [0, way * 8, -way * 8].map(dx => ({x: x + dx, y: y + far}))));
+    this.place(text, places, this.written(text));
+    make("circle", {cx: text.getAttribute("x"), cy: Number(text.getAttribute("y")) - 3, r: 5.2}, mark);
   }
 
   // a small text beside an element
