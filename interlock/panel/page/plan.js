@@ -99,7 +99,7 @@ export class Plan {
     const [x, y, r] = (lamp ? ["cx", "cy", "r"].map(k => lamp.getAttribute(k)) : [mast[1], mast[2], 5]).map(Number), s = 0.7 * r;
     make("path", {class: "sign bar", d: `M${x - r} ${y} L${x + r} ${y}`}, group);
     make("path", {class: "sign slash", d: `M${x - s} ${y + s} L${x + s} ${y - s}`}, group);
-    make("path", {class: "sign cross", d: `M${x - s} ${y - s} L${x + s} ${y + s} M${x - s} ${y + s} L${x + s} ${y - s}`}, group);
+    make("path", {class: "sign cross", d: `M${x - r} ${y - r} L${x + r} ${y + r} M${x - r} ${y + r} L${x + r} ${y - r}`}, group);
   }
 
   // a bridge is a frame, a road two lines: what is clicked is all of each place at which it lies over a track
