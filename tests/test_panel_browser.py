@@ -534,10 +534,24 @@ def test_bridges_and_roads_are_clicked_where_they_lie(chromium: Any, name: str) 
         assert wrong == []
 
 
-def test_two_alarms_are_read_whole_on_a_small_desktop(chromium: Any, tmp_path: Path) -> None:
-    """Each is as long as alarms are, and the box of trains is there: none is cut."""
+def test_alarms_and_the_author_of_a_reminder_are_read_whole(chromium: Any, tmp_path: Path) -> None:
+    """Two alarms, each as long as they are, and the box of trains is there: none is cut on a small desktop."""
     with worked(chromium, quick(tmp_path)) as (desk, page):
         assert desk.field is not None
+        for at, element in (("s:s2", "#section-s2"), ("g:XI7", "#signal-XI7")):
+            page.locator(element).focus()
+            page.keyboard.press("Enter")
+            desk.ask(
+                Person("somebody with a name", True),
+                {"do": "remind", "at": at, "text": "a"},
+                lambda _: None,
+            )
+            page.wait_for_selector("#acts small:has-text('by somebody with a name')")
+            for high in (900, 720):
+                page.set_viewport_size({"width": 1440, "height": high})
+                box, by = (page.locator(x).bounding_box() for x in ("#acts", "#acts small"))
+                assert by["y"] >= box["y"] and by["y"] + by["height"] <= box["y"] + box["height"], high
+                assert by["x"] + by["width"] <= box["x"] + box["width"]
         page.set_viewport_size({"width": 1280, "height": 760})
         desk.field.stock.stand("s2", desk.browsers.still["stands"]["s2"][0], 50.0, "stands")
         page.wait_for_selector("#trains li")
@@ -649,6 +663,7 @@ def test_each_state_is_drawn_as_the_table_says(chromium: Any) -> None:
     with serving(unproved(FLANK.read_text("utf-8"))) as (desk, url), closing_pages(chromium) as b:
         page, wrong = opened(b, url, TAPPED)
         fresh(page)
+        page.evaluate("window.deaf = true, setInterval(() => tell({}), 200)")
         red, yellow = "rgb(255, 77, 77)", "rgb(255, 210, 74)"
         for late, trailed, colour in ((0, 0, yellow), (1, 0, red), (0, 1, red)):
             for m, mark in (("6", "rect.mark"), ("Gs1", "path.mark")):

@@ -104,9 +104,9 @@ function offer() {
   if (!chosen) { choice.show([["none", {lines: ["Choose a signal, then where the route leads; or a section, points, a boundary."]}]]); return; }
   const found = acts(still, state, rest, chosen), rows = [["lines", {lines: found.lines}]];
   const one = (a, mark) => rows.push([mark, {...a, off: a.off || (!operates && !a.why)}]);
+  if (found.remind) rows.push(["note", {input: "note", label: "reminder", note: rest.reminders[chosen] ?? null}]);
   if (found.acts.some(a => a.train)) rows.push(["train", {input: "train", label: "name"}], ["metres", {input: "metres", label: "m long"}]);
   found.acts.forEach((a, k) => one(a, `act ${k}`));
-  if (found.remind) rows.push(["note", {input: "note", label: "reminder", note: rest.reminders[chosen] ?? null}]);
   for (const a of found.trains) one(a, a.label.replace(/(go|stop)$/, "run"));
   choice.show(rows);
 }
@@ -130,7 +130,8 @@ const choice = new Rows($("acts"), v => {
 function noted(row, note) {
   const field = row.querySelector("input"), by = row.querySelector("small") ?? row.appendChild(element("small", ""));
   if (document.activeElement !== field) field.value = note?.[0] ?? "";
-  by.textContent = note ? ` by ${note[1]}, ${clock(note[2])}` : "";
+  by.textContent = note ? `by ${note[1]}, ${clock(note[2])}` : "";
+  by.title = by.textContent;
 }
 
 async function perform(a) {
