@@ -696,6 +696,10 @@ def test_each_state_is_drawn_as_the_table_says(chromium: Any) -> None:
             page.evaluate("v => tell({c: {'s:g4': v}})", [occupied, ways, 0, 0, 0, None, 0, 0])
             wide.append(float(style(page, "#section-g4 .track", "strokeWidth").removesuffix("px")))
         assert wide[0] == wide[1] and wide[2] == wide[3] >= 1.6 * wide[0]
+        page.evaluate("document.getElementById('section-g8').classList.add('chosen', 'shown', 'exit')")
+        page.evaluate("tell({c: {'s:g8': [0, [], 0, 0, 0, null, 0, 0]}})")
+        assert style(page, "#section-g8 .track", "strokeWidth") == f"{wide[0]:g}px", "pointed at is not occupied"
+        assert style(page, "#section-g8 .hit", "stroke") not in ("none", "rgba(0, 0, 0, 0)")
         for blocked in (0, 1):
             page.evaluate("v => tell({c: {'s:g4': v}})", [0, [1], 0, blocked, 0, None, 0, 0])
             assert style(page, "#section-g4 .track", "stroke") == yellow, "blocked, and still seen to be locked"
