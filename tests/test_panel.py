@@ -9,6 +9,7 @@ import os
 import signal
 import socket
 import threading
+import time
 from collections.abc import Iterator
 from dataclasses import replace
 from datetime import datetime
@@ -130,6 +131,19 @@ def test_all_signals_are_put_to_stop_at_once_and_nothing_opens_by_itself(at_work
         assert b.ask("set", route="XI9-XC4")["ok"], "what is asked for afterwards is asked for"
         b.until(lambda: b.state["g:XI9"][0] == "clear")
         assert b.ask("stop")["ok"]
+        b.until(lambda: not b.state["s:s9"][1])
+
+
+def test_what_was_asked_for_long_ago_is_not_done_any_more(at_work: tuple[Desk, Any]) -> None:
+    """The computer was busy: whoever clicked has seen no answer, and done something else."""
+    _, browser = at_work
+    with browser(name="Jo") as b:
+        late = {"heard": time.time() - 12, "after": 3000}
+        no = b.ask("set", route="XI9-XC4", **late)
+        assert not no["ok"] and no["why"][0][0] == "it was asked for 9 s ago, and is not done now: ask again"
+        assert b.ask("set", route="XI9-XC4", heard=time.time() - 12, after=11_900)["ok"]
+        b.until(lambda: b.state["g:XI9"][0] == "clear")
+        assert b.ask("cancel", signal="XI9", **late)["ok"], "late is better than never"
         b.until(lambda: not b.state["s:s9"][1])
 
 

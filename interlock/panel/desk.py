@@ -262,6 +262,9 @@ class Desk:
             return {"why": [[r.text, list(r.at)] for r in found]}
         if not who.operates:
             raise Refused("this browser may only look")
+        late = age_s(command)
+        if late > LATE_S and what not in NEVER_LATE and not (what == "block" and command.get("on")):
+            raise Refused(f"it was asked for {late:.0f} s ago, and is not done now: ask again")
         if what in SIMULATED:
             if self.field is None:
                 raise Refused("the railway is real: this can only be done where it is simulated")
@@ -308,6 +311,23 @@ class Desk:
                 self.clock.speed = int(c["times"])
                 return f"time runs {self.clock.speed} times as fast"
         raise KeyError(what)
+
+
+LATE_S = 5.0
+"""Seconds after which what a browser has asked for is not done any more (our choice): whoever asked has seen no answer,
+and gone on to something else."""
+
+NEVER_LATE = ("stop", "cancel", "acknowledge", "remind", "lamp test")
+"""Commands that do no harm however late they come; so does to block a section."""
+
+
+def age_s(command: Mapping[str, Any]) -> float:
+    """Seconds since a browser asked: when it had heard from here last, by the clock here, and how long after that the
+    click was, in milliseconds by its own.  0 where it does not say."""
+    heard, after = command.get("heard"), command.get("after")
+    if not isinstance(heard, int | float) or not isinstance(after, int | float):
+        return 0.0
+    return time.time() - heard - after / 1000
 
 
 SIMULATED = ("put", "bring", "drive", "turn train", "divide", "take away", "fail", "power", "speed")
