@@ -139,6 +139,20 @@ class Reasons:
         protection, and the restart."""
         return self._not_free(machine, moment, ("inputs valid", "point section clear"))
 
+    def of_hold_read(self, machine: MachineId) -> frozenset[str]:
+        """All that is remembered of which `of_hold` tells."""
+        found: dict[str, None] = {}
+        waiting: list[str] = [names.MOVABLE(machine)]
+        while waiting:
+            name = waiting.pop()
+            step = self._steps.get(name)
+            if name not in found and isinstance(step, Equation):
+                waiting += variables([t.expr for t in step.terms])
+            found[name] = None
+        over = self.symbols.routes.over
+        ways = [(SectionId(self.locks[n][0]), self.locks[n][1]) for n in found if n in self.locks]
+        return frozenset((*found, *(r.active for way in ways for r in over.get(way, ()))))
+
     def _not_free(self, machine: MachineId, moment: Moment, leave: tuple[str, ...]) -> list[Reason]:
         """Why a machine is not free to move, but for conditions of some kinds."""
         free, look = self._steps[names.MOVABLE(machine)], _Look(self, moment)

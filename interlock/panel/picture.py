@@ -20,7 +20,7 @@ from interlock.field.plc import Cycle
 from interlock.logic.controller import Controller
 from interlock.logic.names import Name
 from interlock.logic.symbols import Symbols
-from interlock.model.elements import BlockKind, Position, SignalId
+from interlock.model.elements import BlockKind, MachineId, Position, SignalId
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
 from interlock.panel.simulated import SimulatedField
@@ -144,19 +144,24 @@ class _Held:
     remembered has changed."""
 
     def __init__(self, layout: Layout, controller: Controller) -> None:
-        self._reasons, self._machines = Reasons(layout, controller), tuple(layout.machines)
+        self._reasons = Reasons(layout, controller)
+        self._of: dict[str, list[MachineId]] = {}
+        for m in layout.machines:
+            for name in self._reasons.of_hold_read(m):
+                self._of.setdefault(name, []).append(m)
         self._state: Mapping[str, bool] = {}
         self.why: dict[str, str] = {}
-        """By machine that is held: by what."""
+        """By machine what holds it; empty where nothing does."""
 
     def after(self, cycle: Cycle) -> None:
         """A cycle has ended."""
-        if cycle.memory.state == self._state:
+        before, self._state = self._state, cycle.memory.state
+        if before == self._state:
             return
-        self._state = dict(cycle.memory.state)
         moment = Moment(cycle.inputs, cycle.memory, 0)
-        found = {str(m): self._reasons.of_hold(m, moment) for m in self._machines}
-        self.why = {m: "; ".join(r.text for r in reasons) for m, reasons in found.items() if reasons}
+        changed = [n for n, is_so in self._state.items() if before.get(n) is not is_so]
+        for m in dict.fromkeys(m for n in changed for m in self._of.get(n, ())):
+            self.why[str(m)] = "; ".join(r.text for r in self._reasons.of_hold(m, moment))
 
 
 def _over(y: Symbols) -> dict[str, list[tuple[str, Name]]]:
@@ -320,7 +325,7 @@ class Picture:
             shown[key] = [
                 lies if cycle.valid else "",
                 wanted,
-                int(key[2:] in self._held.why),
+                int(bool(self._held.why.get(key[2:]))),
                 int(bool(late and outputs.get(late)) or f"idle {key[2:]}" in idle),
                 int(bool(trailed and state.get(trailed))),
                 self._held.why.get(key[2:], ""),
