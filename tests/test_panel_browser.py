@@ -60,7 +60,7 @@ TAPPED = """{
     const Real = WebSocket;
     window.sent = [];
     window.WebSocket = class extends Real {
-        constructor(url) { super(url); window.socket = this; }
+        constructor(url) { super(window.away ? url + '/nowhere' : url); window.socket = this; }
         send(text) { window.sent.push(JSON.parse(text)); if (!window.mute) super.send(text); }
         set onmessage(heard) { super.onmessage = e => { if (!window.deaf) heard(e); }; this.heard = heard; }
     };
@@ -68,8 +68,8 @@ TAPPED = """{
         minutes: 0, failed: [], voyages: [], numbers: []};
     window.tell = m => window.socket.heard({data: JSON.stringify({c: {}, ...m, t: Date.now() / 1000})});
 }"""
-"""Keeps what a page sends (nothing leaves it while `mute`); `tell` is what its server might say to it, who is not heard
-while `deaf`."""
+"""Keeps what a page sends (nothing leaves it while `mute`, none comes back to the server while `away`); `tell` is what
+its server might say to it, who is not heard while `deaf`."""
 
 
 class Server:
@@ -758,12 +758,13 @@ def test_what_was_asked_and_what_is_said_of_it(chromium: Any, tmp_path: Path) ->
         asked = page.evaluate("sent.at(-1)")
         assert asked["do"] == "stop" and abs(asked["heard"] + asked["after"] / 1000 - before) < 1, "when it was clicked"
         page.wait_for_selector("#grey:has-text('Sent 1 s ago, no answer yet')")
-        page.evaluate("socket.close()")
+        page.evaluate("window.away = true, socket.close()")
         page.wait_for_selector("#said:has-text('not known whether it was done: look at the plan')")
         count = page.evaluate("window.mute = false, sent.length")
         page.evaluate("document.getElementById('stop').click()")
         page.wait_for_selector("#said:has-text('nothing was sent')")
         assert page.evaluate(f"sent.slice({count}).filter(m => m.do)") == []
+        page.evaluate("window.away = false")
         fresh(page)
         page.wait_for_selector("#grey:empty", state="attached")
         page.wait_for_selector("#said:empty", state="attached")  # what was not sent is past when news come again
@@ -778,7 +779,7 @@ def test_what_was_asked_and_what_is_said_of_it(chromium: Any, tmp_path: Path) ->
             assert ("P1 cannot move" in page.inner_text("#said")) == seen, "what is said to another is not said here"
         page.keyboard.press("Escape")
         page.evaluate(f"e => ({event})(e)", {"kind": "refusal", "who": mine, "text": "XB-XC1: so", "reasons": why})
-        waiting = [0, [], 0, 0, 0, 5, 0, 0]
+        waiting = [0, [], 0, 0, 0, 5, 0, 0, []]
         page.evaluate("v => tell({c: {'s:s3': v, 's:s9': [1, [], 0, 0, 0, null, 0, 0]}})", waiting)
         page.wait_for_timeout(200)
         assert page.locator("#said.past").count() == 0 and page.locator("#plan .shown").count() > 0

@@ -18,9 +18,9 @@ export function acts(still, state, rest, key) {
   return {...found, trains: stand, remind: key in state};
 }
 
-function section(still, state, rest, name, [occupied, ways, restart, blocked, stale, left, releasing, sick] = [], sys) {
+function section(still, state, rest, name, [occupied, ways, restart, blocked, stale, left, releasing, sick, over = []] = [], sys) {
   const one = still.sections[name], lines = [], out = [];
-  lines.push([one.detected === false ? "without detection: it always counts as occupied" : occupied ? "occupied" : "clear", ways?.length ? "locked" : "not locked", restart ? "not released since the restart" : "",
+  lines.push([one.detected === false ? "without detection: it always counts as occupied" : occupied ? "occupied" : "clear", ways?.length ? "locked" : over.length ? `locked as overlap of ${over.join(", ")}` : "not locked", restart ? "not released since the restart" : "",
     blocked ? "blocked" : "", stale ? "release by hand" : "", sick ? "detector out of order" : ""].filter(Boolean).join(", "));
   if (!one.approach) {
     out.push(act("Release by hand", {do: "release", section: name}, {off: releasing || one.detected === false || !(restart || ways?.length)}));
@@ -42,9 +42,9 @@ export function train([name, , speed, metres, , held]) {
   ];
 }
 
-function machine(still, state, rest, name, [lies, wanted, locked, late, trailed] = [], sys) {
+function machine(still, state, rest, name, [lies, wanted, locked, late, trailed, why = ""] = [], sys) {
   const one = still.machines[name], words = one.device ? {N: "open", R: "closed"} : {N: "normal", R: "reverse"}, out = [];
-  const lines = [[words[lies] ?? (late ? "not detected in time" : "not detected"), wanted && wanted !== lies ? `commanded ${words[wanted]}` : "", locked ? "locked" : "", trailed ? "trailed" : ""].filter(Boolean).join(", ")];
+  const lines = [[words[lies] ?? (late ? "not detected in time" : "not detected"), wanted && wanted !== lies ? `commanded ${words[wanted]}` : "", locked ? why || "locked" : "", trailed ? "trailed" : ""].filter(Boolean).join(", ")];
   if (one.hand) for (const to of ["N", "R"]) out.push(act(`Move ${words[to]}`, {do: "turn", machine: name, to}, {off: to === lies}));
   if (!one.device) out.push(act("It was looked at, and lies well", {do: "looked", machine: name}, {off: !trailed}));
   if (still.simulated) out.push(fault(sys, "machine", name, "detection lost"));
@@ -56,7 +56,8 @@ function signal(still, state, rest, name, [aspect, cancelling, left, active, lam
   const routes = routesFrom(still, name);
   if (routes.length) {
     const stop = active && aspect === "stop";
-    out.push(act(active ? `Cancel ${active[0]}` : "Cancel", {do: "cancel", signal: name}, {off: !active}));
+    const byItself = routes.some(r => r.automatic && state[`a:${r.id}`]?.[0]);
+    out.push(act(active ? `Cancel ${active[0]}` : "Cancel", {do: "cancel", signal: name}, {off: !active && !byItself}));
     out.push(act("Open it again", {do: "set", route: active?.[0]}, {off: !stop}));
     out.push(act("Why is it at stop?", {do: "why", route: active?.[0]}, {why: true, off: !stop}));
   }
@@ -73,8 +74,9 @@ function signal(still, state, rest, name, [aspect, cancelling, left, active, lam
 function boundary(still, state, rest, name, token) {
   const one = still.boundaries[name], out = [], lines = [];
   if (token) {
-    lines.push(`direction: ${token[0] ? "ours" : token[1] ? "being given" : "not ours"}; line ${token[2] ? "clear" : "not clear"}`);
-    if (!token[0] && !token[1]) lines.push("After a restart it may be nobody's: agree by telephone, then change it by hand.");
+    const known = token[0] !== null;
+    lines.push(known ? `direction: ${token[0] ? "ours" : token[1] ? "being given" : "not ours"}; line ${token[2] ? "clear" : "not clear"}` : "direction: not known without power");
+    if (known && !token[0] && !token[1]) lines.push("After a restart it may be nobody's: agree by telephone, then change it by hand.");
     out.push(act("Special manual change: on", {do: "direction", boundary: name, on: true}), act("Special manual change: off", {do: "direction", boundary: name, on: false}));
   }
   if (still.simulated && one.comes) out.push(act("A train comes in here", {do: "bring", boundary: name}, {train: true}));

@@ -334,9 +334,12 @@ function others() {
   const failed = (k, n) => s.failed.some(f => f[0] === k && f[1] === n);
   for (const [c, [text, input]] of Object.entries(still.conditions)) {
     const holds = state[`c:${c}`]?.[0];
-    add(`c ${c}`, `${c}: ${holds ? "holds" : "does not hold"}${text ? ` (${text})` : ""}`, holds ? "Fail" : "Put right", still.simulated && {do: "fail", kind: "condition", name: input, on: Boolean(holds)});
+    add(`c ${c}`, `${c}: ${holds === null ? "not known without power" : holds ? "holds" : "does not hold"}${text ? ` (${text})` : ""}`, holds ? "Fail" : "Put right", still.simulated && {do: "fail", kind: "condition", name: input, on: Boolean(holds)});
   }
-  for (const z of still.zones) add(`z ${z}`, `zone ${z}: ${state[`z:${z}`]?.[0] ? "full" : "has room"}`);
+  for (const z of still.zones) {
+    const full = state[`z:${z}`]?.[0];
+    add(`z ${z}`, `zone ${z}: ${full === null ? "not known without power" : full ? "full" : "has room"}`);
+  }
   if (still.simulated) for (const n of still.stations) {
     const on = !failed("station", n);
     add(`s ${n}`, `substation ${n}: ${on ? "reports" : "cable cut"}`, on ? "Cut its cable" : "Mend its cable", {do: "fail", kind: "station", name: n, on});

@@ -150,7 +150,7 @@ export class Plan {
     for (const g of automatic) this.showAutomatic(g);
   }
 
-  showSection(name, [occupied, ways, restart, blocked, stale, left, releasing, sick]) {
+  showSection(name, [occupied, ways, restart, blocked, stale, left, releasing, sick, over = []]) {
     const one = this.still.sections[name], group = by(`section-${name}`);
     if (!group) return;
     const locked = new Set(ways.flatMap(k => one.ways[k] ?? []));
@@ -163,16 +163,16 @@ export class Plan {
       toggle(path, "unsure", stale && locked.has(e));
     }
     toggle(group, "sick", sick);
-    const words = [occupied ? "occupied" : "clear", locked.size ? "locked" : "", restart ? "not released" : "", blocked ? "blocked" : ""];
+    const words = [occupied ? "occupied" : "clear", locked.size ? "locked" : over.length ? `locked as overlap of ${over.join(", ")}` : "", restart ? "not released" : "", blocked ? "blocked" : ""];
     group.setAttribute("aria-label", `section ${name}: ${words.filter(Boolean).join(", ")}`);
     this.note(`s:${name}`, "left", releasing ? (left === null ? "release: waits" : `release: ${left} s`) : "");
   }
 
-  showMachine(name, [lies, wanted, locked, late, trailed]) {
+  showMachine(name, [lies, wanted, locked, late, trailed, why = ""]) {
     const one = this.still.machines[name];
     for (const g of this.keys.get(`m:${name}`) ?? []) {
       toggle(g, "held", locked); toggle(g, "late", late || trailed); toggle(g, "moving", lies.length !== 1);
-      g.setAttribute("aria-label", `${one.device ? one.kind : "points"} ${name}: ${{N: one.device ? "open" : "normal", R: one.device ? "closed" : "reverse"}[lies] ?? "not detected"}${locked ? ", locked" : ""}`);
+      g.setAttribute("aria-label", `${one.device ? one.kind : "points"} ${name}: ${{N: one.device ? "open" : "normal", R: one.device ? "closed" : "reverse"}[lies] ?? "not detected"}${locked ? `, ${why || "locked"}` : ""}`);
       toggle(g, "closed", one.device && lies === "R");
     }
     for (const p of this.lies[name] ?? []) for (const leg of ["N", "R"]) {
