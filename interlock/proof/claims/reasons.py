@@ -65,8 +65,8 @@ def _ends(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
 
 def _kept(f: Facts, s: SectionId, ended: Expr) -> Iterator[tuple[str, str, Expr]]:
-    """What a section remembers of its train ends with its lock, and not before it; and no lock ends before the one in
-    rear that leads into it, whatever the reason, unless its own signal is cancelled."""
+    """What a section remembers of its train ends with its lock, and a lock once firm stays so; and no lock ends before
+    the one in rear that leads into it, whatever the reason, unless its own signal is cancelled."""
     after, any_lock = f.after, f.locking.any_lock(s)
     held = disj((f.locking.restart(s), any_lock))
     yield "L-REASON", f"{s} remembered", implies(disj((f.seen.used(s), f.seen.passed(s))), held)
