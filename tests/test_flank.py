@@ -37,6 +37,23 @@ SCISSORS = {
 }
 
 
+SCISSORS_BEYOND = """
+interlock: 1
+name: scissors
+principles: {flank_space: yes, overlap_m: 60}
+boundaries: {A: {approach: aa 600}, B: {trains: out}, C: {trains: out}, D: {trains: out}}
+tracks: {a: [A, a1 300]}
+points:
+  1A: {machine: 1, section: T1, toe: a.end, normal: 2B.normal}
+  2B: {machine: 2, section: T1, toe: B}
+  2A: {machine: 2, section: T2, toe: C, normal: 1B.normal}
+  1B: {machine: 1, section: T2, toe: D}
+crossings: {X: {arms: [{section: T1, ends: [1A.reverse, 1B.reverse]}, {section: T2, ends: [2A.reverse, 2B.reverse]}]}}
+signals: {SI: {from: A, into: a1}, SA: {from: a1, into: T1}}
+"""
+"""A signal before a scissors of two sections, with overlaps over it, and flank space."""
+
+
 def derived(path: str, profile: str = "") -> tuple[Layout, InterlockingTable, Sink]:
     """A layout under a profile, its own without one."""
     text = Path(f"{path}.yaml").read_text("utf-8")
@@ -222,21 +239,18 @@ def test_a_derailer_in_a_spur_is_laid_for_the_route_past_it() -> None:
 
 def test_the_flank_space_of_an_overlap_is_kept_where_the_next_section_is_beyond_it() -> None:
     """An overlap may end in a section before the next one: what stands there is beside it, not on it."""
-    made = grown(
-        """
-interlock: 1
-name: scissors
-principles: {flank_space: yes, overlap_m: 60}
-boundaries: {A: {approach: aa 600}, B: {trains: out}, C: {trains: out}, D: {trains: out}}
-tracks: {a: [A, a1 300]}
-points:
-  1A: {machine: 1, section: T1, toe: a.end, normal: 2B.normal}
-  2B: {machine: 2, section: T1, toe: B}
-  2A: {machine: 2, section: T2, toe: C, normal: 1B.normal}
-  1B: {machine: 1, section: T2, toe: D}
-crossings: {X: {arms: [{section: T1, ends: [1A.reverse, 1B.reverse]}, {section: T2, ends: [2A.reverse, 2B.reverse]}]}}
-signals: {SI: {from: A, into: a1}, SA: {from: a1, into: T1}}
-"""
-    )
+    made = grown(SCISSORS_BEYOND)
     assert made is not None and audit(made[0], made[1]) == ()
     assert "T2" in {c.name for c in made[1].route[RouteId("SI-SA.o2")].clear.space}
+
+
+def test_an_overlap_whose_flank_space_is_not_asked_for_is_seen_by_a_claim() -> None:
+    """S-FLANK-SPACE speaks of proceed over the way, not of proceed to the signal before it."""
+    made = grown(SCISSORS_BEYOND)
+    assert made is not None
+    layout, table, _ = made
+    assert prove(System(layout, lower(layout, table)), Limits(search_depth=0)).proved
+    weak = replace(table, locks=tuple(replace(t, space=()) if t.section == "T1" else t for t in table.locks))
+    assert weak != table
+    result = prove(System(layout, lower(layout, weak)), Limits(search_depth=0))
+    assert "S-OVERLAP" in {c.id for c in result.claims if c.verdict is not Verdict.PROVED}

@@ -188,8 +188,10 @@ class Protection(Added):
                 found.append(Flank(d.edges[e], name, d.rule("fouling_m") + margin))
         return found
 
-    def w_unwaived_flanks(self, w: Way) -> list[Flank]:
-        return [x for x in self.w_flanks(w) if not x.waived]
+    def w_spaced_flanks(self, w: Way) -> list[Flank]:
+        """Those not waived, where the principles ask for clear flank space or intact stop lamps."""
+        asked = self.r.drawn.asks("flank_space") or self.r.drawn.asks("flank_lamp")
+        return [x for x in self.w_flanks(w) if asked and not x.waived]
 
     def w_exposed(self, x: Flank) -> Formula:
         """A vehicle could roll over a flank, from beyond the next signal that could hold it, as everything lies."""
@@ -221,11 +223,6 @@ class Protection(Added):
             locked = some(self.w_locked(w) for w in self.w_locked_from(g.into, g.node))
             found.append(every((self.w_for_train(g.into), self.w_firm(g.into), locked)))
         return some(found)
-
-    def w_flank_space_sections(self) -> list[str]:
-        """Everywhere, where the principles ask for clear flank space or intact stop lamps."""
-        d = self.r.drawn
-        return self.r.track.sections if d.asks("flank_space") or d.asks("flank_lamp") else []
 
     def w_quiet(self, own: str, x: Flank) -> Formula:
         """Nothing stands along a flank up to what stops a vehicle, as everything lies; stop lamps there are intact.

@@ -12,6 +12,7 @@ from interlock.model.principles import Caution
 from interlock.model.traversal import Traversal, path_speed
 from interlock.proof.claims.kinds import Facts
 from interlock.proof.claims.paths import SignalPath, exit_of, lie, runs_past
+from interlock.proof.claims.space import quiet_beside
 
 
 def at_speed(f: Facts, signal: SignalId, path: SignalPath, here: Expr) -> Iterator[tuple[str, Expr]]:
@@ -64,7 +65,7 @@ def entry(
 
 def overlap_ready(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
     """An overlap is clear and not blocked, its points lie and are detected, its devices are closed, the conditions over
-    it hold, and nothing can stand foul of it."""
+    it hold, nothing can stand foul of it, and its flank space is clear where the principles ask for that."""
     blocked = f.sym.sections.blocked
     points = [(f.layout.pointwork.point[p].machine, x) for t in ways for p, x in t.points]
     return conj(
@@ -77,6 +78,7 @@ def overlap_ready(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
             *(neg(var(blocked[t.section])) for t in ways if t.section in blocked),
             *(var(f.sym.condition[c.id]) for c in f.layout.signalling.conditions if _over(c, ways)),
             *nothing_foul(f, ways),
+            *(quiet for t in ways for _, quiet in quiet_beside(f, t)),
         ]
     )
 

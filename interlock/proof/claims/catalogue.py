@@ -28,11 +28,12 @@ from interlock.proof.claims.aspects import (
     shows_open,
 )
 from interlock.proof.claims.excluded import excluded
-from interlock.proof.claims.flank import flank, flank_space, scissors
+from interlock.proof.claims.flank import flank, scissors
 from interlock.proof.claims.identifiers import identifiers
 from interlock.proof.claims.kinds import Claim, Facts
 from interlock.proof.claims.paths import Shown, SignalPath, exit_of, ground_of, lie, shown_over, signal_paths
 from interlock.proof.claims.reasons import reasons
+from interlock.proof.claims.space import flank_space
 from interlock.proof.claims.terminals import terminals
 
 CLAIMS: dict[str, str] = {
@@ -66,7 +67,8 @@ CLAIMS: dict[str, str] = {
     "but for sections over which, or from which, another movement may be called meanwhile, and the stop lamps of the "
     "signals that protect it are intact.",
     "S-OVERLAP": "Proceed to a signal with an overlap is shown only when one is steadily clear and not blocked, lies "
-    "and is detected, its devices are closed, the conditions over it hold, and nothing can stand foul of it.",
+    "and is detected, its devices are closed, the conditions over it hold, nothing can stand foul of it, and where the "
+    "principles ask for it its flank space is steadily clear and protecting stop lamps are intact.",
     "S-CONDITION": "Proceed is shown only when every condition of the path holds, the line beyond is steadily "
     "clear, and nothing can stand foul of the path.",
     "S-EXCLUDED": "No proceed is shown over a path that no route may take: that the author excludes, alone or past a "

@@ -279,6 +279,7 @@ class Facts:
         self.locking = LockFacts(self.sym, self.track)
         self.seen = SeenFacts(loop)
         self.paths: dict[tuple[SignalId, bool], list[Any]] = {}
+        self.movements: dict[SectionId, list[frozenset[SectionId]]] = {}
 
 
 __all__ = ["Claim", "Facts", "Invariant", "conj", "neg"]
