@@ -254,3 +254,80 @@ def test_an_overlap_whose_flank_space_is_not_asked_for_is_seen_by_a_claim() -> N
     assert weak != table
     result = prove(System(layout, lower(layout, weak)), Limits(search_depth=0))
     assert "S-OVERLAP" in {c.id for c in result.claims if c.verdict is not Verdict.PROVED}
+
+
+SPUR = """
+interlock: 1
+name: spur
+boundaries: {W: {approach: wa 800, trains: in}, E: {trains: out}, V: {approach: va 800, trains: in}}
+buffers: [B]
+tracks: {main: [W, m1 400, m2 400], east: [m3 400, E], siding: [s1 100, s2 200, B], stub: [V, u1 100, u2 300]}
+points:
+  1A: {section: p1, toe: main.end, normal: east.start, reverse: 1B.reverse}
+  1B: {section: p2, toe: siding.start, normal: stub.end}
+signals:
+  U: {from: V, into: u1}
+  U2: {from: u2, into: p2}
+  X1: {from: W, into: m1}
+  X2: {from: m2, into: p1}
+  H: {from: s1, into: s2}
+"""
+TRAP = (
+    SPUR.replace(", V: {approach: va 800, trains: in}", "")
+    .replace("  U: {from: V, into: u1}\n  U2: {from: u2, into: p2}\n", "")
+    .replace("buffers: [B]", "buffers: [B]\ntraps: [T]")
+    .replace("normal: stub.end", "normal: drag.start")
+    .replace("stub: [V, u1 100, u2 300]", "drag: [d1 60, T]")
+)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [SPUR, SPUR.replace("H: {from: s1, into: s2}", "H: {from: s1, into: s2, kind: board}"), TRAP]
+    + [TRAP.replace("drag: [d1 60, T]", "drag: [p2 60, T]"), TRAP.replace("{section: p2,", "{section: p2, work: hand,")]
+    + [SPUR.replace("name: spur", f"name: spur\nprofile: {p}\nprinciples: {{restart_delay_s: 999}}") for p in PROFILES],
+)
+def test_a_point_turns_away_what_stands_before_the_end_of_the_track_behind_it(text: str) -> None:
+    """The other end of a crossover, and a trap with a track of its own: the end of the siding was preferred to them."""
+    made = grown(text)
+    assert made is not None and audit(made[0], made[1]) == ()
+    row = next(r for r in made[1].routes if r.id == "X2-E")
+    assert ("1B", Position.NORMAL) in {(p.machine, p.position) for p in row.locking.points}
+
+
+@pytest.mark.parametrize("space", ["no", "yes"])
+def test_a_spur_is_told_of_where_another_train_may_be_in_it_as_well(space: str, tmp_path: Path) -> None:
+    """Such a section is no flank space, and whoever asked for flank space was told nothing of the spur."""
+    text = f"""
+interlock: 1
+name: both_ways
+principles: {{flank_space: {space}}}
+boundaries: {{W: {{approach: wa 300}}, E: {{trains: out}}, V: {{approach: va 300}}}}
+buffers: [T]
+tracks:
+  west: [W, m1 200]
+  middle: [m3 100]
+  east: [m5 200, E]
+  side: [s1 200]
+  spur: [b1 100, T]
+  stub: [V, u1 200]
+points:
+  A: {{section: m2, toe: middle.start, normal: west.end, reverse: P.normal}}
+  B: {{section: m4, toe: east.start, normal: middle.end, reverse: P.reverse}}
+  P: {{section: s2, toe: side.end}}
+  3: {{section: s3, toe: side.start, normal: spur.start, reverse: stub.end}}
+signals:
+  X1: {{from: W, into: m1}}
+  X2: {{from: m1, into: m2}}
+  U1: {{from: V, into: u1}}
+  U2: {{from: u1, into: s3}}
+  S: {{from: s1, into: s3}}
+"""
+    tmp_path.joinpath("x.yaml").write_text(text, "utf-8")
+    found = check_file(str(tmp_path / "x.yaml"))
+    assert found.ok and found.table is not None
+    row = next(r for r in found.table.routes if r.id == "X2-E")
+    assert "b1" not in {c.name for c in row.clear.space}
+    told = [d for d in found.diagnostics if d.code == "IL4017"]
+    assert len(told) == 1 and "B.reverse" in told[0].message, found.diagnostics
+    assert ("flank_space" in told[0].fix) == (space == "no")

@@ -6,10 +6,10 @@ From there the search goes outward until something keeps vehicles away:
     toe of another point    both legs must be protected (AND)
     signal at stop          if it stands clear of the fouling point; otherwise the search goes on
     buffer, outgoing boundary, one-way track    nothing can come
-Nothing-can-come is preferred, but a derailer or trap to the end of the track behind it; then a point turned away or a
-signal, as the principle `flank_by` says; a diamond prefers points.  The partner of a scissors crossover lies normal,
-whatever else there is (防护道岔): nothing else is offered there.  Which of the sets is taken is settled for all routes
-together (`derivation/settle.py`).
+Nothing-can-come is preferred, but to the end of a track, where vehicles may stand, a point that is turned away before
+it; then a point turned away or a signal, as the principle `flank_by` says; a diamond prefers points.  The partner of a
+scissors crossover lies normal, whatever else there is (防护道岔): nothing else is offered there.  Which of the sets is
+taken is settled for all routes together (`derivation/settle.py`).
 """
 
 from __future__ import annotations
@@ -21,7 +21,6 @@ from interlock.dataclass import dataclass
 from interlock.diag.called import called
 from interlock.model.elements import (
     BoundaryKind,
-    BufferKind,
     Crossing,
     EdgeId,
     MachineId,
@@ -29,6 +28,7 @@ from interlock.model.elements import (
     Point,
     Position,
     SectionId,
+    SignalId,
 )
 from interlock.model.layout import Layout
 from interlock.model.principles import FlankChoice
@@ -183,9 +183,8 @@ def _outward(
     first = next(beyond, None)
     by_signal = layout.principles.flank_by is FlankChoice.SIGNAL and r.node not in layout.pointwork.crossing_at
     preferred = _BY_SIGNAL if by_signal else _PASSIVE
-    held = turned is not None and _guards(layout, point, position.other)
     ends = first is not None and any(p.kind is ProviderKind.BUFFER for p in first)  # vehicles may stand before it
-    if first is not None and all(p.kind in preferred for p in first) and not (held and ends):
+    if first is not None and all(p.kind in preferred for p in first) and (turned is None or not ends):
         yield first
         first = None
     if turned is not None:
@@ -195,26 +194,32 @@ def _outward(
     yield from beyond
 
 
-def _guards(layout: Layout, point: Point, leg: Position) -> bool:
-    """Whether a point is there for nothing but to turn vehicles away: a derailer, or one with a trap at that leg."""
-    buffer = layout.track.buffer_at.get(layout.track.far(point.leg(leg), point.node))
-    return buffer is not None and buffer.kind is not BufferKind.STOP
-
-
 def space(layout: Layout, r: Requester, providers: Sequence[Provider]) -> dict[tuple[str, bool], str]:
-    """What the principles ask of the flank space: sections to be clear (False), stop lamps to be intact (True).
+    """What the principles ask of the flank space: sections to be clear (False), stop lamps to be intact (True)."""
+    rules = layout.principles
+    between, signals = reached(layout, r, providers)
+    found: dict[tuple[str, bool], str] = {}
+    if rules.flank_space:
+        for s in between:
+            if s != r.section and s not in layout.track.undetected:
+                found[s, False] = f"{s} lies between {r.name} and its protection"
+    if rules.flank_lamp and rules.lamp_proof:
+        for g in signals:
+            found[g, True] = f"{g} protects {r.name} only while its stop lamp is intact"
+    return found
+
+
+def reached(
+    layout: Layout, r: Requester, providers: Sequence[Provider]
+) -> tuple[dict[SectionId, None], dict[SignalId, None]]:
+    """The sections between a requester and what protects it, its own among them, and the signals that protect it.
 
     Walks outward from the requester again and stops at the chosen providers; round a balloon loop it comes back the
-    other way, as a vehicle could.  The section in which a protecting point lies is no flank space between the point and
-    its joint: a train that passes the point on its other leg is there, and does no harm.
+    other way, as a vehicle could.  The section of a protecting point does not lie between the point and its joint: a
+    train that passes the point on its other leg is there, and does no harm.
     """
-    found: dict[tuple[str, bool], str] = {}
-    rules = layout.principles
-
-    def between(section: SectionId) -> None:
-        if rules.flank_space and section != r.section and section not in layout.track.undetected:
-            found.setdefault((section, False), f"{section} lies between {r.name} and its protection")
-
+    between: dict[SectionId, None] = {}
+    signals: dict[SignalId, None] = {}
     todo: list[tuple[EdgeId, NodeId, float]] = [(r.edge, r.node, 0.0)]
     seen: dict[tuple[EdgeId, NodeId], float] = {}  # by the shortest way: there a signal counts least
     while todo:
@@ -228,21 +233,20 @@ def space(layout: Layout, r: Requester, providers: Sequence[Provider]) -> dict[t
         signal = layout.signalling.facing.get((far, edge))
         onward: Sequence[EdgeId] = ()
         if signal is not None and gone >= r.clear_of:
-            between(e.section)
-            if rules.flank_lamp and rules.lamp_proof:
-                found.setdefault((signal.id, True), f"{signal.id} protects {r.name} only while its stop lamp is intact")
+            between[e.section] = None
+            signals[signal.id] = None
         elif far == r.node or far in layout.track.buffer_at or far in layout.track.boundary_at:
-            between(e.section)
+            between[e.section] = None
         elif _turns_away(layout, far, edge, providers):
             if layout.track.section_of(layout.pointwork.point_at[far].toe) != e.section:
-                between(e.section)
+                between[e.section] = None
         else:
             onward = onward_edges(layout, far, edge)
         for x in onward:
             if layout.track.section_of(x) != e.section:
-                between(e.section)
+                between[e.section] = None
             todo.append((x, far, gone))
-    return found
+    return between, signals
 
 
 def _turns_away(layout: Layout, node: NodeId, leg: EdgeId, providers: Sequence[Provider]) -> bool:

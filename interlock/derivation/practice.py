@@ -8,14 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from interlock.derivation.flank import reached, requesters
 from interlock.derivation.locks import Locks
 from interlock.derivation.routes import Path
 from interlock.diag import Element, Sink
 from interlock.diag.called import called
-from interlock.model.elements import BoundaryKind, BufferKind, EdgeId, NodeId, SignalId
+from interlock.model.elements import BoundaryKind, BufferKind, EdgeId, NodeId, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.plain import Plain, Plains, plains
-from interlock.model.traversal import onward_edges
+from interlock.model.traversal import onward_edges, topology
 from interlock.table.cells import ExitKind, ProviderKind, RouteKind
 
 STATION_TRACK_M = 100.0
@@ -226,34 +227,56 @@ def _check_waiting(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
 def _check_spurs(layout: Layout, paths: Sequence[Path], locks: Locks, sink: Sink) -> None:
     """Tracks into which vehicles are brought, and which nothing but their own end keeps from a place that others pass
     (R5): not where they must be clear, as flank space or at a foul joint."""
-    keyed = (p for p in layout.pointwork.points if p.machine in layout.machines.by_hand)
-    by_key = {
-        e.section: f"through {p.id}, by hand"
-        for p in keyed
-        for e in layout.track.edges_at[layout.track.far(p.reverse, p.node)]
-    }
-    open_: dict[NodeId, dict[str, None]] = {}
-    for t in locks.values():
-        clear = {t.section, *(c.section for c in t.foul if c.when is None)}
-        for c in t.flank if not layout.principles.flank_space else ():
-            for node in (NodeId(p.name) for p in c.providers if p.kind is ProviderKind.BUFFER):
-                stop = layout.track.buffer_at[node].kind is BufferKind.STOP
-                if stop and layout.track.edges_at[node][0].section not in clear:
-                    open_.setdefault(node, {})[c.requester] = None
-    for node, places in sorted(open_.items()):
-        section = layout.track.edges_at[node][0].section
-        come = [p.id for p in paths if node == p.exit or section == p.berth]
-        if come or section in by_key:
-            brought = f"by {_listed(come)}" if come else by_key[section]
+    brought: dict[SectionId, list[str]] = {}
+    for p in paths:
+        for s in {p.ways[-1].section} if p.berth is None else {p.berth}:
+            brought.setdefault(s, []).append(p.id)
+    by_hand = _by_hand(layout)
+    open_: dict[NodeId, dict[SectionId, dict[str, None]]] = {}
+    for row in locks.values():
+        clear = {row.section, *(c.section for c in row.foul if c.when is None)}
+        clear |= {SectionId(c.name) for c in row.space if not c.lamp}
+        cells = {c.requester: c.providers for c in row.flank}
+        for r in requesters(layout, topology(layout).traversals[row.section][row.number - 1]):
+            ends = [NodeId(p.name) for p in cells.get(r.name, ()) if p.kind is ProviderKind.BUFFER]
+            ends = [n for n in ends if layout.track.buffer_at[n].kind is BufferKind.STOP]
+            for s in reached(layout, r, cells[r.name])[0] if ends else ():
+                if s not in clear and (s in brought or s in by_hand):
+                    for node in ends:
+                        open_.setdefault(node, {}).setdefault(s, {})[r.name] = None
+    for node, sections in sorted(open_.items()):
+        for s, places in sections.items():
+            come = brought.get(s)
             sink.add(
                 "IL4017",
-                f"vehicles are brought into {section} ({brought}), and nothing but the end of the track, {node}, "
-                f"protects {_listed(places)} from them",
+                f"vehicles are brought into {s} ({f'by {_listed(come)}' if come else by_hand[s]}), and nothing but the "
+                f"end of the track, {node}, protects {_listed(places)} from them",
                 None,
-                "add a signal or a derailer that stands clear of the points, or have the track clear: "
-                "`principles: {flank_space: yes}`",
+                "add a signal or a derailer that stands clear of the points"
+                + ("" if layout.principles.flank_space else f", or have the track clear: {_SPACE}"),
                 about=Element("buffers", str(node)),
             )
+
+
+_SPACE = "`principles: {flank_space: yes}`"
+
+
+def _by_hand(layout: Layout) -> dict[SectionId, str]:
+    """Sections into which hand-worked points lead, one after the other, and through which."""
+    found: dict[SectionId, str] = {}
+    for p in layout.pointwork.points:
+        if p.machine in layout.machines.by_hand:
+            todo, seen = [(p.reverse, p.node)], set[EdgeId]()
+            while todo:
+                edge, node = todo.pop()
+                far = layout.track.far(edge, node)
+                beyond = layout.pointwork.point_at.get(far)
+                if edge in seen or (beyond is not None and beyond.machine not in layout.machines.by_hand):
+                    continue
+                seen.add(edge)
+                found.setdefault(layout.track.section_of(edge), f"through {p.id}, by hand")
+                todo += [(x, far) for x in onward_edges(layout, far, edge)]
+    return found
 
 
 def _listed(names: Iterable[str]) -> str:
