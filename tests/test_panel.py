@@ -262,7 +262,8 @@ def test_the_record_says_what_was_refused_and_which_lamp_failed(lab: tuple[Desk,
 def test_every_command_has_words_for_its_refusal(lab: tuple[Desk, Any]) -> None:
     desk, _ = lab
     for command in every_command(desk.browsers.still):
-        assert command["do"] in {**ASKED, **SWITCHED} and "  " not in in_words(command) and in_words(command)
+        told = in_words(command, desk.picture.layout.machines)
+        assert command["do"] in {**ASKED, **SWITCHED} and "  " not in told and told
 
 
 @pytest.fixture(scope="module")
@@ -291,11 +292,45 @@ def test_a_move_that_flank_protection_forbids_is_refused_and_a_crossing_always_c
         assert b.state["m:LC1"][0] == "N"
         assert b.ask("turn", machine="LC1", to="R")["ok"]
         b.until(lambda: b.state["m:LC1"][0] == "R")
-        assert "move LC1 closed by hand" in kinds(b.events, "operation")
+        assert "close level crossing LC1 by hand" in kinds(b.events, "operation")
+        no = b.ask("turn", machine="LC1", to="R")["why"][0][0]
+        assert no == "level crossing LC1 is closed already"
+        b.events.clear()
         no = b.ask("turn", machine="LC1", to="N")["why"][0][0]
-        assert no == "LC1 cannot be moved: section g4 is occupied"
+        assert no == "level crossing LC1 cannot be opened: section g4 is occupied"
+        told = f"open level crossing LC1: refused: {no}"
+        b.until(lambda: told in kinds(b.events, "refusal"))
         b.ask("fail", kind="section", name="g4", on=False)
         b.until(lambda: b.state["m:LC1"][0] == "N")
+
+
+def test_of_a_crossing_and_of_an_overlap_that_swings_it_is_said_what_is_wrong_with_them(lab: tuple[Desk, Any]) -> None:
+    """A crossing was `not detected reverse`; of the overlap the alternative that nobody holds was told as well."""
+    _, browser = lab
+    with browser() as b:
+        b.ask("set", route="N2-F")
+        b.until(lambda: b.state["g:N2"][0] == "caution")
+        assert b.state["o:F.1"] == [1]
+        said = {
+            "LC1": ["level crossing LC1 is not proved closed", ["m:LC1"]],
+            "6": ["the overlap of F: 6 is not detected normal", ["m:6"]],
+        }
+        for m, why in said.items():
+            b.events.clear()
+            b.ask("fail", kind="machine", name=m, on=True)
+            b.until(lambda: "signal N2 has returned to stop" in kinds(b.events, "alarm"))
+            alarm = next(e for e in b.events if e["text"] == "signal N2 has returned to stop")
+            assert alarm["reasons"] == [why]
+            b.ask("fail", kind="machine", name=m, on=False)
+            b.until(lambda m=m: b.state[f"m:{m}"][0])  # type: ignore[misc]
+            if b.state[f"m:{m}"][4]:
+                b.ask("looked", machine=m)
+                b.until(lambda m=m: not b.state[f"m:{m}"][4])  # type: ignore[misc]
+            b.ask("set", route="N2-F")
+            b.until(lambda: b.state["g:N2"][0] == "caution")
+        b.ask("cancel", signal="N2")
+        b.until(lambda: b.state["g:N2"][3] is None and not b.state["s:g4"][1] and b.state["o:F.1"] == [0])
+        b.ask("acknowledge")
 
 
 def test_faults_are_alarms_until_they_are_gone_and_seen(at_work: tuple[Desk, Any]) -> None:

@@ -30,6 +30,7 @@ from interlock.logic import names
 from interlock.logic.cabinet import allocate
 from interlock.logic.lower import lower
 from interlock.logic.sentences import sentence
+from interlock.model.machines import Machines
 from interlock.model.portable import beside, portable
 from interlock.proof.equivalence.c_text import compare_c
 from interlock.proof.equivalence.cabinet import compare_delivery
@@ -419,8 +420,11 @@ def test_a_name_that_says_its_kind_is_told_without_it(made: tuple[Ready, dict[st
     assert "Signal 1 W: stop" in channels and "signal Signal 1 W: stop" not in channels
     assert "section 22 T reported clear" in channels
     assert "section 22 T is occupied" in said and "section Sperr" not in said
-    assert sentence(names.CLEAR("section4"), False) == "section4 is occupied"
-    assert sentence(names.TRAILED("Points 2"), True) == "Points 2 were trailed: look at them, and confirm it"
+    assert sentence(names.CLEAR("section4"), False, Machines([], [], {})) == "section4 is occupied"
+    assert (
+        sentence(names.TRAILED("Points 2"), True, Machines([], [], {}))
+        == "Points 2 were trailed: look at them, and confirm it"
+    )
     report = files["index.html"].decode()
     assert "found from Signal" in report and "signal Signal" not in report
 

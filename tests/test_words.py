@@ -58,6 +58,28 @@ def test_every_route_has_a_word_and_every_code_a_sentence_and_a_rule(name: str) 
     assert len({r.text for r in c.words.reasons.values()}) > len(c.words.reasons) * 0.9
 
 
+def test_words_say_what_a_railwayman_says() -> None:
+    """A crossing is worked and proved, a bridge too; points move and are detected; of trains one is singular."""
+    told = {name: {r.text for r in built(name)[2].words.reasons.values()} for name in ("flank_lab", "depot", "heishan")}
+    assert {
+        "set, waiting for level crossing LC1",
+        "set, waiting for points Gs1",
+        "level crossing LC1 cannot be worked: section g4 is locked",
+        "section g4 is not released since the restart, and level crossing LC1 is not proved closed",
+        "points 2 cannot move: section w2 is locked",
+        "section w6 is locked, and not for a route onward from its signal",
+    } <= told["flank_lab"]
+    assert {"set, waiting for BRIDGE", "BRIDGE cannot be worked: section brg is locked"} <= told["depot"]
+    full = "the zone is full: no more than 4 trains in INSIDE, counting the one for which this route is set"
+    assert full in told["heishan"]
+    one = Path("layouts/heishan.yaml").read_text("utf-8").replace("trains: 4}", "trains: 1}")
+    layout, _ = load_text("one", one, Sink())
+    assert layout is not None
+    with interning():
+        words = lower(layout, derive(layout, Sink())).words
+    assert full.replace("4 trains", "one train") in {r.text for r in words.reasons.values()}
+
+
 @pytest.mark.parametrize("name", SHIPPED)
 def test_no_case_asks_for_not_of_what_itself_says_not(name: str) -> None:
     """a AND b, not NOT (NOT a OR NOT b): STruC++ makes C++ of the latter that does not compile."""

@@ -53,7 +53,7 @@ def possible(layout: Layout, controller: Controller, allocation: Allocation) -> 
     ]
     for s in allocation.stations:
         found.append(Possible(f"{LOST} {s}", f"ALARM_LOST_{portable(s)}", f"substation {s} is lost"))
-    found += [x for m in layout.machines for x in _of_machine(y, m)]
+    found += [x for m in layout.machines for x in _of_machine(layout, y, m)]
     found += _of_lamps(y)
     for g in y.routes.of_signal:
         text = f"{called('signal', g)} has returned to stop, and has not opened since"
@@ -75,18 +75,27 @@ def listed(alarms: Iterable[Possible]) -> list[tuple[str, str, str]]:
     return [(p.key, p.variable, p.text) for p in alarms]
 
 
-def _of_machine(y: Symbols, m: MachineId) -> Iterator[Possible]:
+def _of_machine(layout: Layout, y: Symbols, m: MachineId) -> Iterator[Possible]:
     """What can be wrong with a machine."""
     late, trailed, at = y.indication.get(f"late {m}"), y.machines.trailed.get(m), (f"m:{m}",)
     if late is not None:
         text = f"{m} is not detected where it is commanded"
+        if m in layout.machines.device:
+            text = f"{layout.machines.named(m)} is not proved as it is commanded"
         yield Possible(f"late {m}", f"ALARM_LATE_{portable(m)}", text, at, lambda c: bool(c.outputs.get(late)))
     if trailed is not None:
         text = f"{m} was trailed: look at it"
         yield Possible(
             f"trailed {m}", f"ALARM_TRAILED_{portable(m)}", text, at, lambda c: bool(c.memory.state.get(trailed))
         )
-    yield Possible(f"idle {m}", f"ALARM_IDLE_{portable(m)}", f"{m} is not detected, and was not commanded", at)
+    yield Possible(f"idle {m}", f"ALARM_IDLE_{portable(m)}", _idle(layout, m), at)
+
+
+def _idle(layout: Layout, m: MachineId) -> str:
+    """What is said of a machine that nobody has commanded."""
+    if m in layout.machines.device:
+        return f"{layout.machines.named(m)} is proved neither open nor closed, and was not commanded"
+    return f"{m} is not detected, and was not commanded"
 
 
 def _of_lamps(y: Symbols) -> Iterator[Possible]:
@@ -187,6 +196,7 @@ class Idle:
         self._machines = [
             (
                 str(m),
+                _idle(layout, m),
                 round(1000 * supervision_s(layout, m)),
                 tuple(y.detected[m, x] for x in Position if (m, x) in y.detected),
                 tuple(y.command[m, x] for x in Position if (m, x) in y.command),
@@ -200,11 +210,11 @@ class Idle:
     def after(self, cycle: Cycle, dt_ms: int) -> None:
         """A cycle has ended, `dt_ms` milliseconds after the one before."""
         self.causes = {}
-        for m, allowed_ms, contacts, commands in self._machines:
+        for m, text, allowed_ms, contacts, commands in self._machines:
             lies = sum(bool(cycle.inputs.get(n)) for n in contacts) == 1
             if not cycle.valid or lies or any(cycle.memory.state.get(n) for n in commands):
                 self._lost_ms.pop(m, None)
                 continue
             self._lost_ms[m] = lost_ms = self._lost_ms.get(m, -dt_ms) + dt_ms
             if lost_ms >= allowed_ms:
-                self.causes[f"idle {m}"] = (f"{m} is not detected, and was not commanded", (f"m:{m}",))
+                self.causes[f"idle {m}"] = (text, (f"m:{m}",))

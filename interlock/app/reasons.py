@@ -212,7 +212,7 @@ class Reasons:
         if known is None:
             return "", ()
         more = self._conditions.get(known, "") if not is_true else ""
-        return sentence(known, is_true) + more, about(known)
+        return sentence(known, is_true, self.layout.machines) + more, about(known)
 
     @cached_property
     def _conditions(self) -> dict[str, str]:
@@ -300,6 +300,8 @@ class _Look:
         step = self.r._steps.get(name)
         if isinstance(step, Timer):
             yield from self._timer(step, wanted)
+        elif isinstance(step, Equation) and wanted and step.name.family is names.OVERLAP_LIES:
+            yield from self._overlap(step)
         elif isinstance(step, Equation):
             self._seen.add((name, wanted))
             for t in step.terms:
@@ -307,6 +309,17 @@ class _Look:
                     yield from self.why(t.expr, wanted)
         else:
             yield from self._leaf(name, not wanted)
+
+    def _overlap(self, step: Equation) -> Iterator[Reason]:
+        """Of an overlap that swings the alternative that is held has to lie and be clear: no other is told of."""
+        g = SignalId(str(step.name.at[0]))
+        held = [n for (of, _), n in self.r.symbols.overlaps.held.items() if of == g and self.value(n)]
+        if not held:
+            yield Reason(f"no overlap of {g} is held", (f"g:{g}",))
+        for t in step.terms:
+            if any(n in held for n in variables((t.expr,))):
+                for reason in self.why(t.expr, True):
+                    yield Reason(f"the overlap of {g}: {reason.text}", reason.at)
 
     def _timer(self, step: Timer, wanted: bool) -> Iterator[Reason]:
         if not wanted:

@@ -24,7 +24,7 @@ UNKNOWN, FREE, SET, OPEN, CANCELLING = range(5)
 KINDS = {UNKNOWN: "unknown", FREE: "free", SET: "set", OPEN: "open", CANCELLING: "cancelling"}
 WAITING, REFUSED, MANY = 1000, 10_000, 32_767
 """Where the codes of machines begin, and those of conditions; the one that conditions without a number share."""
-MOVE, ROUTES = " cannot move: ", " for route "
+MOVE, ROUTES = re.compile("(.+ cannot (?:move|be worked)): (.+)"), " for route "
 
 
 class _Contradiction(Exception):
@@ -322,8 +322,8 @@ def _sentences(
     for code, those in sorted(used.items()):
         need(code in table.codes, f"nothing is published of the code {code}")
         text = table.codes[code]
-        who, _, why = text.rpartition(MOVE)
-        said = [f"{who}{MOVE[:-2]}", why] if who else [why]
+        moved = MOVE.fullmatch(text)
+        said = [*moved.groups()] if moved else [text]
         parts = [_of(meant, x) for x in said]
         if not all(parts):
             (unread if text.startswith(tuple(spec.unread)) else unknown).append(code)

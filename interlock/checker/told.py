@@ -25,6 +25,13 @@ class Telling(World):
         """The routes that lead over a way themselves, in the order of their numbers."""
         return [r for r in self.w_routes() if w in self.run_of(r)[1].ways]
 
+    def w_level_crossings(self) -> list[str]:
+        """Devices that the layout lists as such; the others are bridges, doors, hoists."""
+        return [str(m) for m in self.r.body.get("level_crossings") or ()]
+
+    def w_other_devices(self) -> list[str]:
+        return [str(m) for m in self.r.body.get("interlocks") or ()]
+
     def w_movable(self, m: str) -> Formula:
         """The machine may be commanded elsewhere."""
         return leaf(f"MOV_{safe(m)}")

@@ -180,7 +180,8 @@ def derive_zones(layout: Layout, path: Path) -> tuple[ZoneCell, ...]:
     for z in layout.declared.zones:
         entries = sum(b in z.sections and a not in z.sections for a, b in pairwise(over))
         if entries:
-            why = f"no more than {z.trains} trains in {z.id}: fewer when this route is set"
+            most = "one train" if z.trains == 1 else f"{z.trains} trains"
+            why = f"no more than {most} in {z.id}, counting the one for which this route is set"
             out.append(ZoneCell(z.id, entries, Because("R17", why)))
     return tuple(out)
 

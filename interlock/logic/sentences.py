@@ -1,7 +1,7 @@
 """What is said of a variable while it is false, and while it is true: one sentence a family, with the rule behind it.
 
 A person at the panel reads these, in refusals and in the list of codes of a controller.  `{0}`, `{1}`: what the
-variable stands at; `{0:section}`: with its kind.
+variable stands at; `{0:section}`: with its kind; `{lies}`: how the machine is reported (`Machines.lies`).
 """
 
 from __future__ import annotations
@@ -10,7 +10,8 @@ from interlock.dataclass import dataclass
 from interlock.diag.called import called
 from interlock.logic import names, rules
 from interlock.logic.names import Family, Kind, Name
-from interlock.model.elements import Position
+from interlock.model.elements import MachineId, Position
+from interlock.model.machines import Machines
 
 SIGN = {
     Kind.SECTION: "s",
@@ -21,7 +22,6 @@ SIGN = {
     Kind.ZONE: "z",
     Kind.LINE: "b",
 }
-LIES = {Position.NORMAL: "normal", Position.REVERSE: "reverse"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,8 +54,8 @@ SENTENCES: dict[Family, Sentence] = {
     names.USED: Sentence("no train has come into {0:section}", "a train is in {0:section}", rules.SECTIONAL_RELEASE),
     names.TRAIN_LOCK: Sentence("", "{0:section} is locked for a train", rules.KINDS_OF_ROUTES),
     names.TRAILED: Sentence("", "{0:points} were trailed: look at them, and confirm it", rules.POINTS),
-    names.CONTACT: Sentence("{0} is not detected {1}", "{0} is detected {1}", rules.POINTS),
-    names.DETECTED: Sentence("{0} is not detected {1}", "{0} is detected {1}", rules.POINTS),
+    names.CONTACT: Sentence("{lies}", "{lies}", rules.POINTS),
+    names.DETECTED: Sentence("{lies}", "{lies}", rules.POINTS),
     names.CONDITION: Sentence("{0:condition} does not hold", "", rules.EXTERNAL_CONDITIONS),
     names.STOP_LAMP: Sentence("the stop lamp of {0} is out", "", rules.SIGNALS),
     names.CLEAR_LAMP: Sentence("the clear lamp of {0} is out", "", rules.SIGNALS),
@@ -90,14 +90,14 @@ class _Element(str):
         return called(kind, str(self)) if kind else str(self)
 
 
-def sentence(name: Name, is_true: bool) -> str:
+def sentence(name: Name, is_true: bool, machines: Machines) -> str:
     """What is said of a variable; empty where nothing is known to say."""
     found = SENTENCES.get(name.family)
     if found is None:
         return ""
-    return (found.when_true if is_true else found.when_false).format(
-        *(LIES[x] if isinstance(x, Position) else _Element(x) for x in name.at)
-    )
+    said = found.when_true if is_true else found.when_false
+    lies = [machines.lies(MachineId(str(name.at[0])), x, is_true) for x in name.at[1:] if isinstance(x, Position)]
+    return said.format(*(_Element(x) for x in name.at), lies="".join(lies))
 
 
 def about(name: Name) -> tuple[str, ...]:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from typing import TypeVar
 
-from interlock.model.elements import Device, MachineId, Point, PointId, Position, SectionId, Work
+from interlock.diag.called import called
+from interlock.model.elements import Device, DeviceKind, MachineId, Point, PointId, Position, SectionId, Work
 
 K = TypeVar("K")
 V = TypeVar("V")
@@ -47,6 +48,27 @@ class Machines(Collection[MachineId]):
     def is_derailer(self, machine: MachineId) -> bool:
         """Whether a machine works a derailer alone; one that works points, too, is told as points."""
         return all(p.derailer for p in self.ends.get(machine, ())) and machine in self.ends
+
+    def named(self, machine: MachineId) -> str:
+        """A machine in a sentence: with its kind, but that a bridge, door or hoist is told by its name alone."""
+        device = self.device.get(machine)
+        if device is not None:
+            crossing = device.kind is DeviceKind.LEVEL_CROSSING
+            return called(str(device.kind), machine) if crossing else str(machine)
+        return called("points", machine)
+
+    def lies(self, machine: MachineId, position: Position, is_so: bool) -> str:
+        """That a machine is reported in a position, or is not: points are detected, what a road crosses is proved."""
+        no = "" if is_so else "not "
+        if machine in self.device:
+            return f"{self.named(machine)} is {no}proved {self.word(machine, position)}"
+        return f"{machine} is {no}detected {'normal' if position is Position.NORMAL else 'reverse'}"
+
+    def to_move(self, machine: MachineId, position: Position) -> str:
+        """What whoever works a machine by hand wants: `move P1 reverse`, `close level crossing LC`."""
+        if machine in self.device:
+            return f"{'open' if position is Position.NORMAL else 'close'} {self.named(machine)}"
+        return f"move {machine} {self.word(machine, position)}"
 
     def word(self, machine: MachineId, position: Position) -> str:
         """The position in the engineer's words."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from interlock.model.elements import MachineId, Position
+from interlock.model.machines import Machines
 from interlock.panel.commands import TEXT
 
 ASKED = {
@@ -15,7 +17,7 @@ ASKED = {
     "stop": "all signals to stop",
     "release": "release section {section}",
     "release all": "release all clear sections",
-    "turn": "move {machine} {to}",
+    "turn": "{to}",
     "looked": "{machine} was looked at",
     "direction": "special manual change of direction at {boundary}",
     "voyage": "voyage {name}",
@@ -47,13 +49,15 @@ class _Fields(dict[str, str]):
         return ""
 
 
-def in_words(command: Mapping[str, Any]) -> str:
+def in_words(command: Mapping[str, Any], machines: Machines) -> str:
     """What somebody asks for."""
     what = str(command.get("do", ""))[:TEXT]
     on = bool(command.get("on", command.get("go")))
     found = SWITCHED[what][on] if what in SWITCHED else ASKED.get(what, what)
     fields = _Fields({str(k): str(v)[:TEXT] for k, v in command.items()})
-    fields["to"] = {"N": "normal", "R": "reverse"}.get(fields["to"], "")
+    x = {"N": Position.NORMAL, "R": Position.REVERSE}.get(fields["to"])
+    m = MachineId(fields["machine"])
+    fields["to"] = f"move {m}" if x is None else machines.to_move(m, x)
     if what == "remind":
         fields["at"] = fields["at"].partition(":")[2]
     return " ".join(found.format_map(fields).split())

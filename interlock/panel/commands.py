@@ -183,20 +183,23 @@ class Buttons:
         self._typed(f"{name}={int(on)}")
 
     def turn(self, machine: str, to: str, last: Cycle) -> str:
-        """Move points or a device by hand: held until it is detected there; where it is moved to, in words.  What is
-        locked now is not moved later."""
+        """Move points or a device by hand: held until it is detected there; what is done, in words.  What is locked
+        now is not moved later."""
         x = Position.NORMAL if to == "N" else Position.REVERSE
         key = (MachineId(machine), x)
         name, command = self._symbols.machines.by_hand.get(key), self._symbols.machines.command.get(key)
         if name is None or command is None:
             raise Refused(f"{machine} is not moved by hand")
         there = self._symbols.machines.detected[key]
+        machines = self._layout.machines
+        word, device = machines.word(*key), key[0] in machines.device
+        it, moved = (machines.named(key[0]), "opened" if to == "N" else "closed") if device else (machine, "moved")
         if last.inputs.get(there):
-            raise Refused(f"{machine} lies there already", f"m:{machine}")
-        word = self._layout.machines.word(*key)
+            raise Refused(f"{it} {f'is {word}' if device else 'lies there'} already", f"m:{machine}")
         if found := self._reasons.of_move(*key, Moment(last.inputs, last.memory, 0)):
             at = (f"m:{machine}", *(x for reason in found for x in reason.at))
-            raise Refused(f"{machine} cannot be moved: {'; '.join(reason.text for reason in found)}", *at)
+            raise Refused(f"{it} cannot be {moved}: {'; '.join(reason.text for reason in found)}", *at)
+        moved, lies = (moved, f"proved {word}") if device else (f"moved {word}", "detected there")
         for y in Position:
             self.holds.drop(self._symbols.machines.by_hand[key[0], y])
         seconds = max(TURN_S, supervision_s(self._layout, key[0]))
@@ -205,13 +208,11 @@ class Buttons:
             Hold(
                 lambda c: bool(c.inputs.get(there)),
                 seconds * 1000,
-                lambda c: (
-                    "" if c.memory.state.get(command) else f"{machine} is not moved {word}: it is not free any more"
-                ),
-                f"{machine} was to be moved {word} by hand, and is not detected there after {seconds:.0f} s",
+                lambda c: "" if c.memory.state.get(command) else f"{it} is not {moved}: it is not free any more",
+                f"{it} was to be {moved} by hand, and is not {lies} after {seconds:.0f} s",
             ),
         )
-        return word
+        return machines.to_move(*key)
 
     def looked(self, machine: str, last: Cycle) -> None:
         """Confirm that trailed points were looked at."""

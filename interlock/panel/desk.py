@@ -250,7 +250,8 @@ class Desk:
                 reply({"ok": True, **(self._do(who, command) or {})})
             except (Refused, Impossible) as no:
                 at = getattr(no, "at", ())
-                self._note(Event("refusal", f"{in_words(command)}: refused: {no}", who.name, tuple(at)))
+                asked = in_words(command, self.picture.layout.machines)
+                self._note(Event("refusal", f"{asked}: refused: {no}", who.name, tuple(at)))
                 reply({"ok": False, "why": [[str(no), list(at)]]})
             except (LookupError, TypeError, ValueError, AttributeError):
                 reply({"ok": False, "why": [["this panel does not know such a command", []]]})

@@ -115,7 +115,7 @@ class Operating:
                 b.block(str(c["section"]), bool(c["on"]))
                 return f"{BLOCK if c['on'] else FREE}{c['section']}"
             case "turn":
-                return f"move {c['machine']} {b.turn(str(c['machine']), str(c['to']), last)} by hand"
+                return f"{b.turn(str(c['machine']), str(c['to']), last)} by hand"
             case "looked":
                 b.looked(str(c["machine"]), last)
                 return f"{c['machine']} was looked at after it was trailed"

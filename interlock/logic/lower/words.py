@@ -106,9 +106,7 @@ class _Writer:
             return self._code(x, said, self._rule(x, t), self._at(x))
         if x.op is VAR and self._name(x).family is names.LONG_CLEAR:
             said = f"{called('section', str(self._name(x).at[0]))} is occupied, or not clear for long enough"
-        return self._code(
-            x, f"{self._called(held)} cannot move: {said}", rules.POINTS, (f"m:{held}", *self._at(x)), held
-        )
+        return self._code(x, f"{self._cannot_move(held)}: {said}", rules.POINTS, (f"m:{held}", *self._at(x)), held)
 
     def _word(self, name: Name, e: Equation, cases: Iterator[Case]) -> Name:
         """A word for a place, made once: which of its conditions does not hold; UNKNOWN while all do."""
@@ -124,7 +122,7 @@ class _Writer:
             return word
         e = self.equations[names.OCCUPIED(s)]
         wanted = [Term(neg(t.expr), t.kind, t.note, t.rule) for t in e.terms if t.expr is not neg(var(names.VALID))]
-        late = self._code(var(name), sentence(name, False), SENTENCES[names.LONG_CLEAR].rule, about(name))
+        late = self._code(var(name), self._sentence(name, False), SENTENCES[names.LONG_CLEAR].rule, about(name))
         return self._word(word, e, chain(self._cases(wanted), (Case(neg(var(name)), late),)))
 
     def _held(self, m: MachineId) -> Value:
@@ -133,9 +131,14 @@ class _Writer:
         wanted = [*(t for t in e.terms if t.expr is not var(names.VALID)), *ways.unblocked(self.d, m)]
         return self._word(names.WHY_HELD(m), e, self._cases(wanted, m))
 
-    def _called(self, m: MachineId) -> str:
-        """A machine in a sentence: points, or a crossing or bridge by its name alone."""
-        return str(m) if m in self.d.layout.machines.device else called("points", m)
+    def _cannot_move(self, m: MachineId) -> str:
+        """A machine in a sentence that may not move: points move, a crossing or bridge is worked."""
+        machines = self.d.layout.machines
+        return f"{machines.named(m)} cannot {'be worked' if m in machines.device else 'move'}"
+
+    def _sentence(self, name: Name, is_true: bool) -> str:
+        """What is said of a variable."""
+        return sentence(name, is_true, self.d.layout.machines)
 
     def _text(self, x: Expr, t: Term) -> str:
         """What is said of a condition that does not hold."""
@@ -143,7 +146,7 @@ class _Writer:
         said = ""
         if inner.op is VAR:
             name = self._name(inner)
-            said = sentence(name, x.op is NOT)
+            said = self._sentence(name, x.op is NOT)
             if name.family is names.LOCK:
                 return said + self._way(name)
             if name.family is names.HOLDS_ADDED:
@@ -151,7 +154,18 @@ class _Writer:
                 return f"route {row.id}, declared hostile, is set or not yet cleared"
         if t.kind == "zone not full":
             return f"the zone is full: {t.note}"
-        return said or f"it needs: {t.note or t.kind}"
+        return said or self._of_several(x, t) or f"it needs: {t.note or t.kind}"
+
+    def _of_several(self, x: Expr, t: Term) -> str:
+        """What is said of an overlap that is not free, and of a crossing that is open: one of several would do."""
+        parts = {y.args[0] if y.op is NOT else y: y.op is NOT for y in x.args}
+        named = [(self._name(y), is_true) for y, is_true in parts.items() if y.op is VAR]
+        lock = next((n for n, _ in named if n.family is names.LOCK), None)
+        if t.kind == "overlap free" and lock is not None:
+            return f"{self._sentence(lock, True)}, and not for a route onward from its signal"
+        if t.kind == "rear device closed":
+            return ", and ".join(self._sentence(n, is_true) for n, is_true in named)
+        return ""
 
     def _way(self, lock: Name) -> str:
         """Between which neighbours a section is locked, and for which routes that may be."""
@@ -194,7 +208,7 @@ class _Writer:
     def _waiting(self, m: MachineId) -> int:
         code = WAITING + 1 + self.number[m]
         self.reasons.setdefault(
-            code, Reason(code, None, f"set, waiting for {self._called(m)}", rules.POINTS, (f"m:{m}",))
+            code, Reason(code, None, f"set, waiting for {self.d.layout.machines.named(m)}", rules.POINTS, (f"m:{m}",))
         )
         return code
 

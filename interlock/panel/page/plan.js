@@ -172,7 +172,7 @@ export class Plan {
     const one = this.still.machines[name];
     for (const g of this.keys.get(`m:${name}`) ?? []) {
       toggle(g, "held", locked); toggle(g, "late", late || trailed); toggle(g, "moving", lies.length !== 1);
-      g.setAttribute("aria-label", `${one.device ? one.kind : "points"} ${name}: ${{N: one.device ? "open" : "normal", R: one.device ? "closed" : "reverse"}[lies] ?? "not detected"}${locked ? `, ${why || "locked"}` : ""}`);
+      g.setAttribute("aria-label", `${one.device ? one.kind : "points"} ${name}: ${{N: one.device ? "open" : "normal", R: one.device ? "closed" : "reverse"}[lies] ?? (one.device ? "not proved open or closed" : "not detected")}${locked ? `, ${why || "locked"}` : ""}`);
       toggle(g, "closed", one.device && lies === "R");
     }
     for (const p of this.lies[name] ?? []) for (const leg of ["N", "R"]) {
