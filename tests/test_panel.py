@@ -226,9 +226,17 @@ def test_a_section_without_detection_needs_no_release(tmp_path: Path) -> None:
         assert b.ask("release all")["ok"]
         b.until(lambda: not b.rest["sys"]["restart"])
         b.until(lambda: "start" not in published[-1])
-        r = next(r["id"] for r in b.rest["still"]["routes"] if r["exit"][1] in ("wsh", "WASH"))
-        b.ask("set", route=r)
-        b.until(lambda: f"route {r} is set" in kinds(b.events, "operation"))
+        routes = b.rest["still"]["routes"]
+        into = next(r for r in routes if r["exit"][1] in ("wsh", "WASH"))
+        out = next(r for r in routes if r["entry"] == "W")
+        for r in (into, out):
+            b.ask("set", route=r["id"])
+            b.until(lambda r=r: f"route {r['id']} is set" in kinds(b.events, "operation"))  # type: ignore[misc]
+            b.ask("cancel", signal=r["entry"])
+            b.until(lambda r=r: b.state[f"g:{r['entry']}"][3] is None)  # type: ignore[misc]
+            b.until(lambda: not b.state["s:p1"][1])
+        restart = desk.picture.symbols.sections.restart
+        assert desk._last.memory.state[restart["wsh"]], "it is locked all the time"  # type: ignore[index]
 
 
 def test_the_record_says_what_was_refused_and_which_lamp_failed(lab: tuple[Desk, Any]) -> None:
