@@ -23,6 +23,7 @@ from click.testing import CliRunner
 from starlette.testclient import TestClient
 from starlette.websockets import WebSocketDisconnect
 
+from interlock.app.reasons import Moment
 from interlock.app.run import Ready, run
 from interlock.cli.main import cli
 from interlock.cli.panel import opened
@@ -647,6 +648,43 @@ def test_a_lost_substation_is_an_alarm_and_closes_everything(at_work: tuple[Desk
         if any(b.state[f"s:{s}"][1] for s in ("s2", "s3", "s6")):
             b.ask("release all")
             b.until(lambda: not any(b.state[f"s:{s}"][1] for s in ("s2", "s3", "s6")))
+
+
+def test_of_what_lost_inputs_would_tell_nothing_is_said_but_that_they_are_lost(lab: tuple[Desk, Any]) -> None:
+    """Stop lamps were out, and conditions did not hold: of neither was anything known."""
+    desk, browser = lab
+    with browser() as b:
+        b.ask("acknowledge")
+        b.ask("set", route="N2-F")
+        b.until(lambda: b.state["g:N2"][0] == "caution")
+        assert b.state["g:N8"][4] == 0
+        b.events.clear()
+        stations = b.rest["still"]["stations"]
+        for n in stations:
+            b.ask("fail", kind="station", name=n, on=True)
+        b.until(lambda: not b.rest["sys"]["valid"] and b.state["g:N2"][0] == "stop" and kinds(b.events, "alarm"))
+        lost = ["inputs are not valid: a substation is lost", []]
+        alarm = next(e for e in b.events if e["text"] == "signal N2 has returned to stop")
+        assert alarm["reasons"] == [lost]
+        why = b.ask("why", route="N2-F")["why"]
+        stale = (
+            "section w2: inputs were lost, or a train was called on; cancel the route, or release the section by hand"
+        )
+        again = ["it has closed once, and opens only when it is asked for again", []]
+        assert why == [lost, [stale, ["s:w2"]], again]
+        assert [b.state[f"g:{g}"][4] for g in ("N2", "N8", "S1", "F")] == [None] * 4
+        moment = Moment(desk._last.inputs, desk._last.memory, 0)
+        number = desk.operating.buttons.routes["S1-N8"].number
+        told = desk.operating.reasons.of_request(number, moment, desk._last.words()[number])
+        assert [r.text for r in told] == lost[:1]
+        for n in stations:
+            b.ask("fail", kind="station", name=n, on=False)
+        b.until(lambda: b.rest["sys"]["valid"])
+        assert b.state["g:N8"][4] == 0
+        b.ask("cancel", signal="N2")
+        b.until(lambda: b.state["g:N2"][3] is None)
+        b.until(lambda: not any(b.state[f"s:{s}"][1] for s in ("w2", "g4")) or b.ask("release all"))
+        b.until(lambda: not any(b.state[f"s:{s}"][1] for s in ("w2", "g4")) and b.state["o:F.1"] == [0])
 
 
 @pytest.mark.parametrize(

@@ -44,6 +44,15 @@ class Moment:
     dt_ms: int
 
 
+FROM_OUTSIDE = frozenset(
+    (
+        *(names.CLEAR, names.HEALTHY, names.CONTACT, names.CONDITION, names.LINE_CLEAR),
+        *(names.STOP_LAMP, names.CLEAR_LAMP, names.CAUTION_LAMP, names.IDENTIFIER_LAMP),
+    )
+)
+"""Inputs that tell of the railway: while inputs are not valid nothing is known of what they stand for."""
+
+
 class Reasons:
     """Tells reasons for one controller."""
 
@@ -70,7 +79,8 @@ class Reasons:
         if code <= REFUSED:
             return [Reason(f"the route is {self.controller.words.said(code)}", (f"g:{r.entry}",))]
         look = _Look(self, moment)
-        others = self.controller.words.failing(self.controller.words.routes[number], look.true)
+        lost = not look.value(self.symbols.valid)  # then nothing else is known
+        others = [] if lost else self.controller.words.failing(self.controller.words.routes[number], look.true)
         codes = dict.fromkeys((code, *(k for k in others if k > REFUSED)))
         found: dict[str, Reason] = {}
         for reason in map(self._of_code, codes, [moment] * len(codes)):
@@ -310,6 +320,10 @@ class _Look:
         else:
             yield from self._leaf(name, not wanted)
 
+    @property
+    def _valid(self) -> bool:
+        return bool(self.value(self.r.symbols.valid))
+
     def _overlap(self, step: Equation) -> Iterator[Reason]:
         """Of an overlap that swings the alternative that is held has to lie and be clear: no other is told of."""
         g = SignalId(str(step.name.at[0]))
@@ -319,7 +333,7 @@ class _Look:
         for t in step.terms:
             if any(n in held for n in variables((t.expr,))):
                 for reason in self.why(t.expr, True):
-                    yield Reason(f"the overlap of {g}: {reason.text}", reason.at)
+                    yield Reason(f"the overlap of {g}: {reason.text}", reason.at) if self._valid else reason
 
     def _timer(self, step: Timer, wanted: bool) -> Iterator[Reason]:
         if not wanted:
@@ -331,6 +345,10 @@ class _Look:
         yield Reason(f"{step.note.split(' (')[0]}: {left:.0f} s to go", about(step.name))
 
     def _leaf(self, name: str, is_true: bool) -> Iterator[Reason]:
+        known = self.r._names.get(name)
+        if known is not None and known.family in FROM_OUTSIDE and not self._valid:
+            yield Reason(sentence(names.VALID, False, self.r.layout.machines))
+            return
         if is_true and name in self.r.locks:
             yield Reason(self.r.locked(name, self.moment), (f"s:{self.r.locks[name][0]}",))
             return

@@ -57,6 +57,7 @@ SENTENCES: dict[Family, Sentence] = {
     names.CONTACT: Sentence("{lies}", "{lies}", rules.POINTS),
     names.DETECTED: Sentence("{lies}", "{lies}", rules.POINTS),
     names.CONDITION: Sentence("{0:condition} does not hold", "", rules.EXTERNAL_CONDITIONS),
+    names.SHOWING: Sentence("", "its signal shows proceed", rules.SIGNALS),
     names.STOP_LAMP: Sentence("the stop lamp of {0} is out", "", rules.SIGNALS),
     names.CLEAR_LAMP: Sentence("the clear lamp of {0} is out", "", rules.SIGNALS),
     names.IDENTIFIER_LAMP: Sentence("the identifier lamp of {0} is out", "", rules.SIGNALS),

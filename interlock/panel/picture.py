@@ -279,7 +279,8 @@ class Picture:
         return max((n for t in timers if (n := self.left(cycle, t)) is not None), default=None)
 
     def of(self, cycle: Cycle, idle: Container[str] = ()) -> Shown:
-        """Every element after a cycle; `idle M` stands in `idle` where machine M is not detected in time, though nobody
+        """Every element after a cycle; of a lamp, a condition and a line nothing is known while inputs are not valid
+        (None).  `idle M` stands in `idle` where machine M is not detected in time, though nobody
         has commanded it."""
         shown: Shown = {}
         self._of_sections(cycle, shown)
@@ -289,11 +290,12 @@ class Picture:
         for key, name in self._overlaps:
             shown[key] = [int(state.get(name, False))]
         for c, name in y.condition.items():
-            shown[f"c:{c}"] = [inputs.get(name, 0)]
+            shown[f"c:{c}"] = [inputs.get(name, 0) if cycle.valid else None]
         for z, name in y.zone_full.items():
             shown[f"z:{z}"] = [int(state.get(name, True))]
         for b, x in y.token.items():
-            shown[f"b:{b}"] = [int(state.get(x.have, False)), int(state.get(x.give, False)), inputs.get(x.clear, 0)]
+            clear = inputs.get(x.clear, 0) if cycle.valid else None
+            shown[f"b:{b}"] = [int(state.get(x.have, False)), int(state.get(x.give, False)), clear]
         for k, name in y.requests.automatic.items():
             shown[f"a:{self._routes[k]}"] = [inputs.get(name, 0)]
         return shown
@@ -312,7 +314,7 @@ class Picture:
                 int(bool(stale and ways and state.get(stale))),
                 self._longest(cycle, timers) if releasing and not occupied else None,
                 int(releasing),
-                int(healthy is not None and not inputs.get(healthy, 0)),
+                int(valid and healthy is not None and not inputs.get(healthy, 0)),
                 list(dict.fromkeys(g for g, n in over if state.get(n))),
             ]
 
@@ -338,7 +340,8 @@ class Picture:
             going = bool(cancelling and state.get(cancelling))
             left = self.left(cycle, timer)
             active = next(([r, int(bool(state.get(b)))] for r, a, b in routes if state.get(a)), None)
-            shown[key] = [aspect, int(going), left, active, int(lamp is not None and not inputs.get(lamp, 0))]
+            out = None if lamp is not None and not cycle.valid else int(lamp is not None and not inputs.get(lamp, 0))
+            shown[key] = [aspect, int(going), left, active, out]
         for key, clear, caution in self._distants:
             aspect = "clear" if outputs.get(clear or "") else "caution" if outputs.get(caution or "") else "dark"
             shown[key] = [aspect, 0, None, None, 0]

@@ -53,7 +53,7 @@ function machine(still, state, rest, name, [lies, wanted, locked, late, trailed,
 }
 
 function signal(still, state, rest, name, [aspect, cancelling, left, active, lamp] = [], sys) {
-  const out = [], lines = [[aspect, active ? `route ${active[0]} is set` : "", cancelling ? "cancelling" : "", lamp ? "stop lamp out" : ""].filter(Boolean).join(", ")];
+  const out = [], lines = [[aspect, active ? `route ${active[0]} is set` : "", cancelling ? "cancelling" : "", lamp === null ? "inputs are lost: not known whether its stop lamp is lit" : lamp ? "stop lamp out" : ""].filter(Boolean).join(", ")];
   const routes = routesFrom(still, name);
   if (routes.length) {
     const stop = active && aspect === "stop";
@@ -76,7 +76,7 @@ function boundary(still, state, rest, name, token) {
   const one = still.boundaries[name], out = [], lines = [];
   if (token) {
     const known = token[0] !== null;
-    lines.push(known ? `direction: ${token[0] ? "ours" : token[1] ? "being given" : "not ours"}; line ${token[2] ? "clear" : "not clear"}` : "direction: not known without power");
+    lines.push(known ? `direction: ${token[0] ? "ours" : token[1] ? "being given" : "not ours"}; line ${token[2] === null ? "not known: inputs are lost" : token[2] ? "clear" : "not clear"}` : "direction: not known without power");
     if (known && !token[0] && !token[1]) lines.push("After a restart it may be nobody's: agree by telephone, then change it by hand.");
     out.push(act("Special manual change: on", {do: "direction", boundary: name, on: true}), act("Special manual change: off", {do: "direction", boundary: name, on: false}));
   }

@@ -334,7 +334,8 @@ function others() {
   const failed = (k, n) => s.failed.some(f => f[0] === k && f[1] === n);
   for (const [c, [text, input]] of Object.entries(still.conditions)) {
     const holds = state[`c:${c}`]?.[0];
-    add(`c ${c}`, `${c}: ${holds === null ? "not known without power" : holds ? "holds" : "does not hold"}${text ? ` (${text})` : ""}`, holds ? "Fail" : "Put right", still.simulated && {do: "fail", kind: "condition", name: input, on: Boolean(holds)});
+    const unknown = s.power ? "not known: inputs are lost" : "not known without power", on = !failed("condition", input);
+    add(`c ${c}`, `${c}: ${holds === null ? unknown : holds ? "holds" : "does not hold"}${text ? ` (${text})` : ""}`, on ? "Fail" : "Put right", still.simulated && {do: "fail", kind: "condition", name: input, on});
   }
   for (const z of still.zones) {
     const full = state[`z:${z}`]?.[0];
