@@ -650,6 +650,48 @@ def test_a_lost_substation_is_an_alarm_and_closes_everything(at_work: tuple[Desk
             b.until(lambda: not any(b.state[f"s:{s}"][1] for s in ("s2", "s3", "s6")))
 
 
+@pytest.fixture(scope="module")
+def single_line() -> Iterator[tuple[Desk, Any]]:
+    """A passing loop with call-on signals and a direction token; each test leaves it without routes and trains."""
+    with panel(unproved(Path("layouts/passing_loop.yaml").read_text("utf-8") + QUICK)) as (desk, browser):
+        with browser() as b:
+            b.ask("speed", times=10)
+            b.released()
+        yield desk, browser
+
+
+def all_released(b: Any, *signals: str) -> None:
+    """Routes are cancelled, and what they have locked is released, by hand where it must be."""
+    for g in signals:
+        b.ask("cancel", signal=g)
+        b.until(lambda g=g: b.state[f"g:{g}"][3] is None)
+    for _ in range(20):
+        b.hear()
+    if any(v[1] for k, v in b.state.items() if k[0] == "s"):
+        assert b.ask("release all")["ok"]
+        b.until(lambda: not any(v[1] for k, v in b.state.items() if k[0] == "s"))
+
+
+def test_the_server_says_why_the_detection_of_a_section_is_not_relied_on(single_line: tuple[Desk, Any]) -> None:
+    """A page guessed it from what it had seen; one that came later took lost inputs for a train that is called on."""
+    _, browser = single_line
+    with browser() as b:
+        b.ask("set", route="S-S1.c")
+        b.until(lambda: b.state["g:S"][0] == "call")
+        ways = ("s:IIAG", "s:2DG", "s:IG")
+        assert [b.state[s][4] for s in ways] == [2, 2, 2]
+        for n in b.rest["still"]["stations"]:
+            b.ask("fail", kind="station", name=n, on=True)
+        b.until(lambda: not b.rest["sys"]["valid"] and b.state["s:IG"][4] == 1)
+        for n in b.rest["still"]["stations"]:
+            b.ask("fail", kind="station", name=n, on=False)
+        b.until(lambda: b.rest["sys"]["valid"])
+        with browser(name="later") as late:
+            assert [late.state[s][4] for s in ways] == [1, 1, 1]
+        all_released(b, "S")
+        assert [b.state[s][4] for s in ways] == [0, 0, 0]
+
+
 def test_of_what_lost_inputs_would_tell_nothing_is_said_but_that_they_are_lost(lab: tuple[Desk, Any]) -> None:
     """Stop lamps were out, and conditions did not hold: of neither was anything known."""
     desk, browser = lab

@@ -731,7 +731,9 @@ def test_the_box_of_the_restart_asks_for_what_can_be_done_and_no_more(chromium: 
         assert {"IAG", "IIAG"} <= set(names)
         free: dict[str, list[Any]] = {s: [0, [], 0, 0, 0, None, 0, 0] for s in names}
         assert told(True, **free) == ""
-        assert told(True, IAG=locked(1, 1)) == told(True, IAG=locked(0, 1)) == "", "a train is called on over it"
+        assert told(True, IAG=locked(1, 2)) == told(True, IAG=locked(0, 2)) == "", "a train is called on over it"
+        assert told(True, IAG=free["IAG"]) == ""
+        assert "released when clear: IAG." in told(True, IAG=locked(1, 1)), "to a page that came later, too"
         assert told(True, IAG=free["IAG"]) == ""
         assert "do not report" in told(False, IAG=locked(1, 1), IIAG=locked(0, 1)), "inputs were lost"
         box = told(True)
@@ -739,7 +741,7 @@ def test_the_box_of_the_restart_asks_for_what_can_be_done_and_no_more(chromium: 
         assert "IAG" not in told(True, IAG=locked(0, 1)).partition("Release what is clear")[0]
         assert told(True, **free) == ""
         steps = """async restart => (await import('/acts.js')).steps({sections: {wsh: {detected: false}, arr: {}}},
-            {'s:wsh': [1, [], 1], 's:arr': [1, [], 1]}, {...SYS, restart}, () => false)"""
+            {'s:wsh': [1, [], 1], 's:arr': [1, [], 1]}, {...SYS, restart})"""
         assert page.evaluate(steps, ["wsh"]) is None, "a section without detection is never released"
         assert "released when clear: arr." in page.evaluate(steps, ["arr", "wsh"])[3][1]
         assert wrong == []

@@ -164,6 +164,37 @@ class _Held:
             self.why[str(m)] = "; ".join(r.text for r in self._reasons.of_hold(m, moment))
 
 
+LOST, CALLED = 1, 2
+"""Why a locked section's detection is not relied on: inputs were lost while it was locked, or a train is called on."""
+
+
+class _NotReliedOn:
+    """Why of each section its detection is not relied on; the controller has one bit for both."""
+
+    def __init__(self, y: Symbols) -> None:
+        self._stale = y.sections.stale
+        self._called: dict[str, list[Name]] = {}
+        for r in y.routes:
+            for s, _ in r.path.ways if r.call_on else ():
+                self._called.setdefault(str(s), []).append(r.active)
+        self._before: Mapping[str, bool] = {}
+        self.why: dict[str, int] = {}
+        """By section."""
+
+    def after(self, cycle: Cycle) -> None:
+        """A cycle has ended."""
+        before, now = self._before, cycle.memory.state
+        self._before = now
+        for s, name in self._stale.items():
+            if not now.get(name):
+                self.why.pop(str(s), None)
+            elif not cycle.valid:
+                self.why[str(s)] = LOST
+            elif s not in self.why:
+                is_called = any(now.get(n) and not before.get(n) for n in self._called.get(str(s), ()))
+                self.why[str(s)] = CALLED if is_called else LOST
+
+
 def _over(y: Symbols) -> dict[str, list[tuple[str, Name]]]:
     """By section the overlaps over it: the signal, and what tells that it is held."""
     over: dict[str, list[tuple[str, Name]]] = {}
@@ -235,7 +266,6 @@ class Picture:
                 y.sections.clear.get(s),
                 self.to_release.get(s),
                 y.sections.blocked.get(s),
-                y.sections.stale.get(s),
                 tuple(t for t in (y.sections.release_timer.get(s), *before.get(s, [])) if t is not None),
                 y.sections.release.get(s),
                 tuple(y.sections.locks_of.get(s, [])),
@@ -245,6 +275,7 @@ class Picture:
             for s in dict.fromkeys((*y.sections.clear, *y.sections.restart))
         ]
         self._held = _Held(ready.layout, ready.controller)
+        self._not_relied_on = _NotReliedOn(y)
         self._machines = [
             (
                 f"m:{m}",
@@ -302,7 +333,8 @@ class Picture:
 
     def _of_sections(self, cycle: Cycle, shown: Shown) -> None:
         state, inputs, valid = cycle.memory.state, cycle.inputs, cycle.valid
-        for key, clear, restart, blocked, stale, timers, release, locks, healthy, over in self._sections:
+        self._not_relied_on.after(cycle)
+        for key, clear, restart, blocked, timers, release, locks, healthy, over in self._sections:
             occupied = 1 if clear is None or not valid else 1 - inputs.get(clear, 0)
             ways = [k for k, n in locks if state.get(n)]
             releasing = bool(release and inputs.get(release))
@@ -311,7 +343,7 @@ class Picture:
                 ways,
                 int(bool(restart and state.get(restart))),
                 int(bool(blocked and inputs.get(blocked))),
-                int(bool(stale and ways and state.get(stale))),
+                self._not_relied_on.why.get(key[2:], 0) if ways else 0,
                 self._longest(cycle, timers) if releasing and not occupied else None,
                 int(releasing),
                 int(valid and healthy is not None and not inputs.get(healthy, 0)),

@@ -21,7 +21,7 @@ export function acts(still, state, rest, key) {
 function section(still, state, rest, name, [occupied, ways, restart, blocked, stale, left, releasing, sick, over = []] = [], sys) {
   const one = still.sections[name], lines = [], out = [];
   lines.push([one.detected === false ? "without detection: it always counts as occupied" : occupied ? "occupied" : "clear", ways?.length ? "locked" : over.length ? `locked as overlap of ${over.join(", ")}` : "not locked", restart ? "not released since the restart" : "",
-    blocked ? "blocked" : "", stale ? "release by hand" : "", sick ? "detector out of order" : ""].filter(Boolean).join(", "));
+    blocked ? "blocked" : "", ["", "inputs were lost while it was locked: release it by hand", "a train is called on over it: release it by hand when it has gone"][stale ?? 0], sick ? "detector out of order" : ""].filter(Boolean).join(", "));
   if (!one.approach) {
     out.push(act("Release by hand", {do: "release", section: name}, {off: releasing || one.detected === false || !(restart || ways?.length)}));
     out.push(blocked ? act("Free it again", {do: "block", section: name, on: false}) : act("Block", {do: "block", section: name, on: true}));
@@ -84,9 +84,9 @@ function boundary(still, state, rest, name, token) {
   return {lines, acts: out};
 }
 
-// steps after power has come, or inputs were lost; null when there is nothing to do.  lost(s): that a locked section is not
-// relied on since inputs were lost, and not because a train was called on over it
-export function steps(still, state, sys, lost) {
+// steps after power has come, or inputs were lost; null when there is nothing to do
+export function steps(still, state, sys) {
+  const lost = s => state[`s:${s}`][4] === 1; // and not because a train is called on over it
   const seen = s => still.sections[s]?.detected !== false; // what has no detection is never released, and nothing asks for it
   const restart = sys.restart.filter(seen), clear = s => !state[`s:${s}`][0];
   const stale = Object.entries(state).filter(([k, v]) => k[0] === "s" && v[4]).map(([k]) => k.slice(2)).filter(seen);

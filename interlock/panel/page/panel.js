@@ -37,7 +37,6 @@ function heard(m) {
   if (m.still) first(m);
   plan.show(m.c);
   for (const part of Object.keys(rest)) if (part in m) rest[part] = m[part];
-  losses(m.c);
   if ("alarms" in m) alarms();
   if ("reminders" in m) plan.reminders(rest.reminders);
   if ("trains" in m) { plan.trains(rest.trains); trains(); }
@@ -57,7 +56,6 @@ function first(m) {
   $("log").replaceChildren();
   for (const rows of [choice, wrong, running, more]) rows.clear();
   for (const k of Object.keys(state)) delete state[k];
-  lost.clear();
   if (!same) plan.draw(still);
   $("title").textContent = $("title").title = still.title;
   document.title = still.name;
@@ -267,22 +265,9 @@ function system() {
   select.disabled = !operates;
 }
 
-// sections that are locked, and not relied on since inputs were lost: those that became so while inputs were not valid, and
-// those over which nobody is called on.  A page that comes later cannot know it of the others
-const lost = new Set();
-function losses(changes) {
-  const called = new Set(still.routes.filter(r => r.kind === "call-on").flatMap(r => r.sections));
-  for (const [k, v] of Object.entries(changes)) {
-    const s = k.slice(2);
-    if (k[0] !== "s") continue;
-    if (!v[4]) lost.delete(s);
-    else if (!rest.sys.valid || !called.has(s)) lost.add(s);
-  }
-}
-
 let stepped = "";
 function restart() {
-  const found = rest.sys && steps(still, state, rest.sys, s => lost.has(s)), told = JSON.stringify([found, operates]);
+  const found = rest.sys && steps(still, state, rest.sys), told = JSON.stringify([found, operates]);
   if (told === stepped) return;
   stepped = told;
   $("restart").hidden = !found;
