@@ -692,6 +692,38 @@ def test_the_server_says_why_the_detection_of_a_section_is_not_relied_on(single_
         assert [b.state[s][4] for s in ways] == [0, 0, 0]
 
 
+def test_a_train_that_is_called_on_passes_its_signal_without_an_alarm(single_line: tuple[Desk, Any]) -> None:
+    """`signal S has returned to stop: section IIAG is occupied`; of what else closes it there is an alarm."""
+    desk, browser = single_line
+    fallen = "signal S has returned to stop"
+    with browser() as b:
+        b.ask("acknowledge")
+        b.events.clear()
+        b.ask("set", route="S-S1.c")
+        b.until(lambda: b.state["g:S"][0] == "call")
+        b.ask("bring", boundary="E", train="A", metres=40)
+        b.until(lambda: b.state["g:S"][0] == "stop")
+        b.until(lambda: b.state["s:IG"][0] == 1 and b.state["s:2DG"][0] == 0 and b.rest["trains"][0][1] != [])
+        assert fallen not in kinds(b.events, "alarm") and "fallen S" not in desk._watch.past
+        b.ask("take away", train="A")
+        b.until(lambda: b.state["s:IG"][0] == 0)
+        all_released(b, "S")
+        for what, name in (("section", "IIAG"), ("machine", "2")):  # nobody comes; points that are lost
+            b.ask("set", route="S-S1.c")
+            b.until(lambda: b.state["g:S"][0] == "call")
+            b.events.clear()
+            b.ask("fail", kind=what, name=name, on=True)
+            b.until(lambda: fallen in kinds(b.events, "alarm"))
+            assert b.state["g:S"][0] == "stop" and "fallen S" in desk._watch.past
+            b.ask("fail", kind=what, name=name, on=False)
+            b.until(lambda: b.state["m:2"][0] and not b.state["s:IIAG"][0])
+            if b.state["m:2"][4]:
+                b.ask("looked", machine="2")
+                b.until(lambda: not b.state["m:2"][4])
+            all_released(b, "S")
+        b.ask("acknowledge")
+
+
 def test_of_what_lost_inputs_would_tell_nothing_is_said_but_that_they_are_lost(lab: tuple[Desk, Any]) -> None:
     """Stop lamps were out, and conditions did not hold: of neither was anything known."""
     desk, browser = lab

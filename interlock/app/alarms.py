@@ -139,6 +139,7 @@ class Watch:
         self._idle = Idle(layout, controller.symbols)
         self._fallen: dict[SignalId, Fallen] = {}
         self._before: Mapping[str, bool] = {}
+        self._read: Mapping[str, int] = {}
         self._ran_ms = 0
         self.settled = False
         """The controller runs long enough that a missing heartbeat means something."""
@@ -165,7 +166,7 @@ class Watch:
         self.past = {f"{FALLEN} {g}": (x.text, x.at) for g, x in self._fallen.items()}
         if any(state.get(n) for n in self._restart.values()):
             self.past[START] = (self._start.text, ())
-        self._before = state
+        self._before, self._read = state, cycle.inputs
         return fallen
 
     def _lost(self, cycle: Cycle) -> Causes:
@@ -182,9 +183,21 @@ class Watch:
             if now.get(r.proceed):
                 self._fallen.pop(r.entry, None)
             elif was.get(r.proceed) and now.get(r.active) and not now.get(cancelling[r.entry]):
+                if self._passed(r, cycle):
+                    continue
                 found = Fallen(r, f"{called('signal', r.entry)} has returned to stop", (f"g:{r.entry}",))
                 self._fallen[r.entry] = found
                 yield found
+
+    def _passed(self, r: RouteSymbols, cycle: Cycle) -> bool:
+        """The train that a signal has called on passes it: its first section becomes occupied, while what lies before
+        the signal is.  Nothing in the controller tells it, since there is no detection that is relied on (R2)."""
+        if not r.call_on or not cycle.valid:
+            return False
+        clear = self._symbols.sections.clear
+        first, rear = r.path.ways[0][0], self._symbols.cancellation.approach_of.get(r.entry)
+        comes = first in clear and bool(self._read.get(clear[first])) and not cycle.inputs.get(clear[first])
+        return comes and (rear is None or rear not in clear or not cycle.inputs.get(clear[rear]))
 
 
 class Idle:
