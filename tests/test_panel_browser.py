@@ -23,7 +23,7 @@ from interlock.panel.desk import Desk
 from interlock.panel.operating import Person
 from interlock.panel.server import Access, listening, serve
 from tests.layouts import SLIPS
-from tests.panels import large, quick, unproved
+from tests.panels import QUICK, large, quick, unproved
 
 pytestmark = pytest.mark.external
 
@@ -744,6 +744,33 @@ def test_the_box_of_the_restart_asks_for_what_can_be_done_and_no_more(chromium: 
             {'s:wsh': [1, [], 1], 's:arr': [1, [], 1]}, {...SYS, restart})"""
         assert page.evaluate(steps, ["wsh"]) is None, "a section without detection is never released"
         assert "released when clear: arr." in page.evaluate(steps, ["arr", "wsh"])[3][1]
+        assert wrong == []
+
+
+def test_between_two_signals_each_kind_of_route_is_offered(chromium: Any) -> None:
+    """The train route was set without a question, and a call-on route only by its name in the list."""
+    ready = unproved(Path("layouts/passing_loop.yaml").read_text("utf-8") + QUICK)
+    with serving(ready) as (_, url), closing_pages(chromium) as b:
+        page, wrong = opened(b, url)
+        press(page, "Release all clear sections")
+        page.wait_for_selector("#restart", state="hidden")
+        offered = ["train route S-S1 over IIAG, 2DG, IG", "call-on route S-S1.c over IIAG, 2DG, IG"]
+        for again, route in enumerate(offered):
+            click(page, "#signal-S .reach")
+            click(page, "#signal-S1 .reach")
+            page.wait_for_selector("#said button")
+            assert page.locator("#said button").all_inner_texts() == offered
+            press(page, route)
+            is_(page, "#signal-S", "call" if again else "set")
+            click(page, "#signal-S .reach")
+            press(page, "Cancel")
+            is_(page, "#signal-S", "set", False)
+            page.wait_for_selector("#plan:not(:has(.locked))")
+            page.keyboard.press("Escape")
+        click(page, "#signal-S1 .reach")
+        click(page, "#boundary-W .reach")
+        is_(page, "#signal-S1", "set")
+        assert page.locator("#said button").count() == 0, "one route needs no choice"
         assert wrong == []
 
 

@@ -79,11 +79,11 @@ function choose(key) {
 }
 const at = key => key[0];
 
+const KINDS = {main: "train route", shunt: "shunting route", "call-on": "call-on route"};
 function pick(found) {
-  const main = found.filter(r => r.kind === "main"), best = main.length ? main : found;
-  if (best.length === 1) { ask({do: "set", route: best[0].id}); chosen = ""; offer(); return; }
+  if (found.length === 1) { ask({do: "set", route: found[0].id}); chosen = ""; offer(); return; }
   quiet();
-  $("said").replaceChildren(element("p", "Several routes lead there: "), ...best.map(r => button(`${r.names[0] ?? r.id} over ${r.sections.join(", ")}${r.overlap ? `, ${r.overlap}` : ""}`, () => {
+  $("said").replaceChildren(element("p", "Several routes lead there: "), ...found.map(r => button(`${KINDS[r.kind] ?? r.kind} ${r.names[0] ?? r.id} over ${r.sections.join(", ")}${r.overlap ? `, ${r.overlap}` : ""}`, () => {
     quiet(); ask({do: "set", route: r.id}); chosen = ""; offer();
   })));
 }
