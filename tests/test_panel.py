@@ -692,6 +692,44 @@ def test_the_server_says_why_the_detection_of_a_section_is_not_relied_on(single_
         assert [b.state[s][4] for s in ways] == [0, 0, 0]
 
 
+def test_the_special_manual_change_of_direction_is_shown_and_ends(single_line: tuple[Desk, Any]) -> None:
+    """Once it was done it was held for ever, unseen: a direction that was lost later was taken back by itself."""
+    desk, browser = single_line
+    name, held = "the special manual change of direction at W", desk.operating.operator.held
+    manual = desk.picture.symbols.token["W"].manual  # type: ignore[index]
+    with browser() as b:
+        b.events.clear()
+        assert b.state["b:W"] == [0, 0, 1, 0, None]
+        no = b.ask("direction", boundary="W", on=False)
+        assert no["why"] == [[f"{name} is not on", ["b:W"]]]
+        assert b.ask("direction", boundary="W", on=True)["ok"]
+        b.until(lambda: b.state["b:W"][3] == 1 and 0 < (b.state["b:W"][4] or 0) < 60)
+        assert b.ask("direction", boundary="W", on=True)["why"] == [[f"{name} is on already", ["b:W"]]]
+        assert b.ask("direction", boundary="W", on=False)["ok"]
+        b.until(lambda: b.state["b:W"] == [0, 0, 1, 0, None])
+        assert b.ask("direction", boundary="W", on=True)["ok"]
+        for on in (True, False):
+            b.ask("fail", kind="station", name=b.rest["still"]["stations"][0], on=on)
+            b.until(lambda on=on: b.rest["sys"]["valid"] is not on)  # type: ignore[misc]
+        lost = f"{name} is given up: inputs are not valid: a substation is lost"
+        b.until(lambda: lost in kinds(b.events, "note"))
+        assert b.state["b:W"] == [0, 0, 1, 0, None] and manual not in held
+        assert b.ask("direction", boundary="W", on=True)["ok"]
+        b.until(lambda: b.state["b:W"] == [1, 0, 1, 0, None])
+        assert f"{name} is complete, and no longer on: the direction is ours" in kinds(b.events, "note")
+        assert manual not in held
+        assert b.ask("direction", boundary="W", on=True)["why"] == [["the direction at W is ours", ["b:W"]]]
+        b.ask("bring", boundary="W", train="A", metres=40)
+        b.until(lambda: b.state["b:W"][0] == 0 and b.state["s:XJG"][0] == 1)
+        no = b.ask("direction", boundary="W", on=True)
+        assert no["why"] == [["the neighbour at W has the direction", ["b:W"]]]
+        b.ask("take away", train="A")
+        b.until(lambda: b.state["s:XJG"][0] == 0)
+        told = [text for text in kinds(b.events, "operation") if text.startswith("special")]
+        told = [text.removeprefix("special manual change of direction at W: ") for text in told]
+        assert told == ["on, complete in 60 s", "taken off", "on, complete in 60 s", "on, complete in 60 s"]
+
+
 def test_a_train_that_is_called_on_passes_its_signal_without_an_alarm(single_line: tuple[Desk, Any]) -> None:
     """`signal S has returned to stop: section IIAG is occupied`; of what else closes it there is an alarm."""
     desk, browser = single_line

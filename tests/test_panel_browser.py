@@ -747,6 +747,25 @@ def test_the_box_of_the_restart_asks_for_what_can_be_done_and_no_more(chromium: 
         assert wrong == []
 
 
+def test_a_manual_change_of_direction_stands_on_the_plan(chromium: Any) -> None:
+    """Nothing on the page said that it was on."""
+    ready = unproved(Path("layouts/passing_loop.yaml").read_text("utf-8") + QUICK)
+    with serving(ready) as (_, url), closing_pages(chromium) as b:
+        page, wrong = opened(b, url)
+        press(page, "Release all clear sections")
+        page.wait_for_selector("#restart", state="hidden")
+        click(page, "#boundary-W .reach")
+        on, off = (page.get_by_role("button", name=f"Special manual change: {x}") for x in ("on", "off"))
+        assert off.is_disabled()
+        press(page, "Special manual change: on")
+        page.wait_for_selector(".note.left:text-matches('^manual change: [1-6][0-9] s$')")
+        assert on.is_disabled() and "Special manual change of direction: on, complete in " in page.inner_text("#acts")
+        press(page, "Special manual change: off")
+        page.wait_for_selector(".note.left", state="detached")
+        assert off.is_disabled() and "complete in" not in page.inner_text("#acts")
+        assert wrong == []
+
+
 def test_between_two_signals_each_kind_of_route_is_offered(chromium: Any) -> None:
     """The train route was set without a question, and a call-on route only by its name in the list."""
     ready = unproved(Path("layouts/passing_loop.yaml").read_text("utf-8") + QUICK)

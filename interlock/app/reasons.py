@@ -21,7 +21,7 @@ from interlock.logic.names import Name, computed
 from interlock.logic.sentences import about, sentence
 from interlock.logic.symbols import RouteSymbols, Symbols
 from interlock.logic.words import REFUSED
-from interlock.model.elements import MachineId, Position, SectionId, SignalId
+from interlock.model.elements import MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
 
 
@@ -46,7 +46,8 @@ class Moment:
 
 FROM_OUTSIDE = frozenset(
     (
-        *(names.CLEAR, names.HEALTHY, names.CONTACT, names.CONDITION, names.LINE_CLEAR),
+        *(names.CLEAR, names.HEALTHY, names.CONTACT, names.CONDITION),
+        *(names.LINE_CLEAR, names.NEIGHBOUR_GIVES, names.NEIGHBOUR_HAS),
         *(names.STOP_LAMP, names.CLEAR_LAMP, names.CAUTION_LAMP, names.IDENTIFIER_LAMP),
     )
 )
@@ -57,7 +58,7 @@ class Reasons:
     """Tells reasons for one controller."""
 
     def __init__(self, layout: Layout, controller: Controller) -> None:
-        self.layout, self.controller = layout, controller
+        self._layout, self._controller = layout, controller
         self.symbols: Symbols = controller.symbols
         self._steps: dict[str, Step] = {s.name: s for s in controller.steps}
         self._inputs: dict[str, Input] = {i.name: i for i in controller.inputs}
@@ -77,10 +78,10 @@ class Reasons:
         if moment.before.state.get(r.shown) and any(moment.before.state.get(n) for n in r.open_while):
             return [Reason("the route is set, and its signal open", (f"g:{r.entry}",))]
         if code <= REFUSED:
-            return [Reason(f"the route is {self.controller.words.said(code)}", (f"g:{r.entry}",))]
+            return [Reason(f"the route is {self._controller.words.said(code)}", (f"g:{r.entry}",))]
         look = _Look(self, moment)
         lost = not look.value(self.symbols.valid)  # then nothing else is known
-        others = [] if lost else self.controller.words.failing(self.controller.words.routes[number], look.true)
+        others = [] if lost else self._controller.words.failing(self._controller.words.routes[number], look.true)
         codes = dict.fromkeys((code, *(k for k in others if k > REFUSED)))
         found: dict[str, Reason] = {}
         for reason in map(self._of_code, codes, [moment] * len(codes)):
@@ -105,7 +106,7 @@ class Reasons:
 
     def _of_code(self, code: int, moment: Moment) -> Reason:
         """What a code says; of a lock, by whom it is held in this moment."""
-        said = self.controller.words.reasons[code]
+        said = self._controller.words.reasons[code]
         x = said.condition
         if x is not None and x.op is NOT and x.args[0].op is VAR and x.args[0].name in self.locks:
             return Reason(self.locked(x.args[0].name, moment), said.at, said.rule)
@@ -174,6 +175,10 @@ class Reasons:
                 found.setdefault(flank + reason.text, Reason(flank + reason.text, reason.at))
         return list(found.values())
 
+    def of_direction(self, boundary: NodeId, moment: Moment) -> list[Reason]:
+        """Why the special manual change of direction does not run while it is asked for (R12)."""
+        return self._told(names.MANUAL_RUNS(boundary), moment, {"operator"})
+
     def of_release(self, section: SectionId, moment: Moment) -> list[Reason]:
         """Why a section is not released by hand, however long that is asked for: a route is set over it, or what lies
         in rear is locked towards it."""
@@ -222,11 +227,11 @@ class Reasons:
         if known is None:
             return "", ()
         more = self._conditions.get(known, "") if not is_true else ""
-        return sentence(known, is_true, self.layout.machines) + more, about(known)
+        return sentence(known, is_true, self._layout.machines) + more, about(known)
 
     @cached_property
     def _conditions(self) -> dict[str, str]:
-        texts = {c.id: c.text for c in self.layout.signalling.conditions if c.text}
+        texts = {c.id: c.text for c in self._layout.signalling.conditions if c.text}
         return {n: f": {texts[c]}" for c, n in self.symbols.condition.items() if c in texts}
 
     def locked(self, lock: str, moment: Moment) -> str:
@@ -347,7 +352,7 @@ class _Look:
     def _leaf(self, name: str, is_true: bool) -> Iterator[Reason]:
         known = self.r._names.get(name)
         if known is not None and known.family in FROM_OUTSIDE and not self._valid:
-            yield Reason(sentence(names.VALID, False, self.r.layout.machines))
+            yield Reason(sentence(names.VALID, False, self.r._layout.machines))
             return
         if is_true and name in self.r.locks:
             yield Reason(self.r.locked(name, self.moment), (f"s:{self.r.locks[name][0]}",))

@@ -64,7 +64,10 @@ SENTENCES: dict[Family, Sentence] = {
     names.CAUTION_LAMP: Sentence("the caution lamp of {0} is out", "", rules.SIGNALS),
     names.CANCELLING: Sentence("", "the route from {0} is being cancelled", rules.APPROACH_LOCKING),
     names.OVERLAP: Sentence("overlap {1} of {0} is not held", "overlap {1} of {0} is held there", rules.OVERLAPS),
-    names.TOKEN_HERE: Sentence("the direction at {0} is not ours", "", rules.LINE_BEYOND),
+    names.TOKEN_HERE: Sentence("the direction at {0} is not ours", "the direction at {0} is ours", rules.LINE_BEYOND),
+    names.TOKEN_GIVEN: Sentence("", "the direction at {0} is being given to the neighbour", rules.LINE_BEYOND),
+    names.NEIGHBOUR_GIVES: Sentence("", "the neighbour at {0} gives the direction himself", rules.LINE_BEYOND),
+    names.NEIGHBOUR_HAS: Sentence("", "the neighbour at {0} has the direction", rules.LINE_BEYOND),
     names.LINE_CLEAR: Sentence("the line at {0} is not clear", "", rules.LINE_BEYOND),
 }
 

@@ -15,7 +15,7 @@ from interlock.dataclass import dataclass
 from interlock.diag.called import called
 from interlock.dispatch.arbiter import Full
 from interlock.field.plc import Cycle
-from interlock.model.elements import MachineId, Position, SectionId, SignalId
+from interlock.model.elements import MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.times import supervision_s
 
 Done = Callable[[Cycle], bool]
@@ -41,12 +41,13 @@ class Refused(Exception):
 @dataclass
 class Hold:
     """An input that is held: until something is so, for so many milliseconds at most.  `fails`: why it is let go of
-    before that, empty while it is not; `late`: what is said when its time is over."""
+    before that, empty while it is not; `late`: what is said when its time is over, `over`: when it is so."""
 
     done: Done
     left_ms: float
     fails: Callable[[Cycle], str] = lambda c: ""
     late: str = ""
+    over: str = ""
 
 
 class Holds:
@@ -71,8 +72,12 @@ class Holds:
             why = "" if done else hold.fails(cycle)
             if done or why or hold.left_ms <= 0:
                 self.drop(name)
-                told.append("" if done else why or hold.late)
+                told.append(hold.over if done else why or hold.late)
         return [text for text in told if text]
+
+    def holds(self, name: str) -> bool:
+        """Whether somebody holds an input."""
+        return name in self._held
 
     def drop(self, name: str) -> None:
         """Let go of an input."""
@@ -230,12 +235,38 @@ class Buttons:
             raise Refused(f"route {route} does not work automatically")
         self._typed(f"{name}={int(on)}")
 
-    def direction(self, boundary: str, on: bool) -> None:
-        """The special manual change of direction, as agreed with the neighbour by telephone (R12)."""
-        token = self._symbols.token.get(boundary)  # type: ignore[call-overload]
+    def direction(self, boundary: str, on: bool, last: Cycle) -> float:
+        """The special manual change of direction, as agreed with the neighbour by telephone (R12): held until the
+        direction is ours, and given up as soon as it cannot become so; the seconds that it takes."""
+        b = NodeId(boundary)
+        token, change = self._symbols.token.get(b), f"the special manual change of direction at {boundary}"
         if token is None:
             raise Refused(f"no direction changes at {boundary}")
-        self._typed(f"{token.manual}={int(on)}")
+        at, seconds = f"b:{boundary}", self._layout.principles.token_delay_s
+        if not on:
+            if not self.holds.holds(token.manual):
+                raise Refused(f"{change} is not on", at)
+            self.holds.drop(token.manual)
+            return seconds
+        if self.holds.holds(token.manual):
+            raise Refused(f"{change} is on already", at)
+
+        def fails(c: Cycle) -> str:
+            return "; ".join(r.text for r in self._reasons.of_direction(b, Moment(c.inputs, c.memory, 0)))
+
+        if why := fails(last):
+            raise Refused(why, at)
+        self.holds.hold(
+            token.manual,
+            Hold(
+                lambda c: bool(c.memory.state.get(token.have)),
+                (seconds + TURN_S) * 1000,
+                lambda c: f"{change} is given up: {why}" if (why := fails(c)) else "",
+                f"{change} has not come to its end, and is given up",
+                f"{change} is complete, and no longer on: the direction is ours",
+            ),
+        )
+        return seconds
 
     def voyage(self, name: str, end: bool) -> None:
         """Carry out a voyage, or give it up."""

@@ -123,8 +123,9 @@ class Operating:
                 b.automatic(str(c["route"]), bool(c["on"]))
                 return f"route {c['route']} {'works' if c['on'] else 'does not work'} automatically"
             case "direction":
-                b.direction(str(c["boundary"]), bool(c["on"]))
-                return f"special manual change of direction at {c['boundary']}: {'on' if c['on'] else 'off'}"
+                seconds = b.direction(str(c["boundary"]), bool(c["on"]), last)
+                what = f"on, complete in {seconds:.0f} s" if c["on"] else "taken off"
+                return f"special manual change of direction at {c['boundary']}: {what}"
             case "voyage":
                 b.voyage(str(c["name"]), bool(c.get("end")))
                 return f"{'give up' if c.get('end') else 'begin'} voyage {c['name']}"

@@ -326,7 +326,8 @@ class Picture:
             shown[f"z:{z}"] = [int(state.get(name, True))]
         for b, x in y.token.items():
             clear = inputs.get(x.clear, 0) if cycle.valid else None
-            shown[f"b:{b}"] = [int(state.get(x.have, False)), int(state.get(x.give, False)), clear]
+            by_hand = [inputs.get(x.manual, 0), self.left(cycle, x.timer)]
+            shown[f"b:{b}"] = [int(state.get(x.have, False)), int(state.get(x.give, False)), clear, *by_hand]
         for k, name in y.requests.automatic.items():
             shown[f"a:{self._routes[k]}"] = [inputs.get(name, 0)]
         return shown
@@ -390,7 +391,7 @@ class Picture:
         unknown = [f"c:{c}" for c in y.condition] + [f"z:{z}" for z in y.zone_full]
         unknown += [f"a:{self._routes[k]}" for k in y.requests.automatic]
         shown |= {key: [None] for key in unknown}
-        shown |= {f"b:{b}": [None, None, None] for b in y.token}
+        shown |= {f"b:{b}": [None] * 5 for b in y.token}
         return shown
 
 

@@ -78,7 +78,8 @@ function boundary(still, state, rest, name, token) {
     const known = token[0] !== null;
     lines.push(known ? `direction: ${token[0] ? "ours" : token[1] ? "being given" : "not ours"}; line ${token[2] === null ? "not known: inputs are lost" : token[2] ? "clear" : "not clear"}` : "direction: not known without power");
     if (known && !token[0] && !token[1]) lines.push("After a restart it may be nobody's: agree by telephone, then change it by hand.");
-    out.push(act("Special manual change: on", {do: "direction", boundary: name, on: true}), act("Special manual change: off", {do: "direction", boundary: name, on: false}));
+    if (token[3]) lines.push(`Special manual change of direction: on${token[4] === null ? "" : `, complete in ${token[4]} s`}.`);
+    out.push(act("Special manual change: on", {do: "direction", boundary: name, on: true}, {off: Boolean(token[3] || token[0])}), act("Special manual change: off", {do: "direction", boundary: name, on: false}, {off: !token[3]}));
   }
   if (still.simulated && one.comes) out.push(act("A train comes in here", {do: "bring", boundary: name}, {train: true}));
   return {lines, acts: out};

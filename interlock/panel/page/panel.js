@@ -176,7 +176,7 @@ async function why(command) {
 
 // what is said below the plan is past when an element that it is about changes, when power or inputs come or go, and after
 // a while: then it is dim
-const PAST_MS = 20000, COUNTS = {g: 2, s: 5}; // where a value counts down
+const PAST_MS = 20000, COUNTS = {g: 2, s: 5, b: 4}; // where a value counts down
 const stands = keys => JSON.stringify([rest.sys?.power, rest.sys?.valid, ...keys.map(k => state[k]?.filter((_, i) => i !== COUNTS[k[0]]))]);
 let told = null;
 function past() {

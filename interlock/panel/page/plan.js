@@ -143,6 +143,7 @@ export class Plan {
       if (kind === "s") sections.add(name);
       else if (kind === "m") this.showMachine(name, value);
       else if (kind === "g") this.showSignal(name, value);
+      else if (kind === "b") this.note(key, "left", value[3] ? `manual change: ${value[4] === null ? "waits" : `${value[4]} s`}` : "");
       else if (kind === "a") automatic.add(this.still.routes.find(r => r.id === name)?.entry);
       else if (kind === "o") for (const e of this.still.overlaps[name] ?? []) toggle(this.edge[e]?.path, "overlap", value[0]);
     }
