@@ -432,6 +432,30 @@ def test_trains_are_put_driven_turned_and_divided(at_work: tuple[Desk, Any]) -> 
         b.until(lambda: not b.state["s:s9"][1])
 
 
+def test_a_train_that_a_zone_does_not_count_is_told_of(at_work: tuple[Desk, Any]) -> None:
+    """Where nothing is locked nothing is counted: one that was put there by hand could be one too many, unsaid."""
+    _, browser = at_work
+    with browser() as b:
+        b.events.clear()
+        assert b.state["z:INSIDE"] == [0, []]
+        b.ask("put", section="s10_xc4", towards="XL4", train="A", metres=80)
+        told = "train A stands in s10_xc4; the limit of zone INSIDE does not count it: nothing is locked there"
+        b.until(lambda: told in kinds(b.events, "operation"))
+        b.until(lambda: b.state["z:INSIDE"] == [0, ["s10_xc4"]])
+        b.ask("put", section="s2_out", towards="XO", train="B", metres=40)
+        b.until(lambda: "train B stands in s2_out" in kinds(b.events, "operation"))
+        b.ask("set", route="XB-XI7")
+        b.until(lambda: b.state["g:XB"][0] == "clear")
+        b.ask("put", section="s6", towards="XI7", train="C", metres=40)
+        b.until(lambda: "train C stands in s6" in kinds(b.events, "operation") and b.state["s:s6"][0] == 1)
+        assert b.state["z:INSIDE"] == [0, ["s10_xc4"]], "what is locked is counted"
+        for train in "ABC":
+            b.ask("take away", train=train)
+        b.until(lambda: b.state["z:INSIDE"] == [0, []])
+        all_released(b, "XB")
+        b.ask("acknowledge")
+
+
 def test_two_browsers_see_the_same_and_one_may_only_look(at_work: tuple[Desk, Any]) -> None:
     _, browser = at_work
     with browser(name="one") as a, browser(name="two", look=True) as b:

@@ -285,7 +285,7 @@ class Desk:
         match what:
             case "put":
                 made = f.stock.stand(str(c["section"]), str(c["towards"]), _metres(c), name)
-                return f"train {made} stands in {c['section']}"
+                return f"train {made} stands in {c['section']}{self.picture.not_counted(str(c['section']), self._last)}"
             case "bring":
                 return f"train {f.stock.bring(str(c['boundary']), _metres(c), name)} comes to {c['boundary']}"
             case "drive":

@@ -164,6 +164,34 @@ class _Held:
             self.why[str(m)] = "; ".join(r.text for r in self._reasons.of_hold(m, moment))
 
 
+class _Uncounted:
+    """Sections of zones in which somebody stands whom the limit does not count: the controller counts locks (R17), and
+    there is none where a train was put on the track, or came into it, without a route."""
+
+    def __init__(self, layout: Layout, y: Symbols) -> None:
+        self._clear, over = y.sections.clear, _over(y)
+        self._zones: dict[str, dict[str, list[Name]]] = {}
+        for z in layout.declared.zones:
+            self._zones[z.id] = {
+                str(s): [
+                    *([y.sections.restart[s]] if s in y.sections.restart else []),
+                    *(n for _, n in y.sections.locks_of.get(s, [])),
+                    *(n for _, n in over.get(str(s), ())),
+                ]
+                for s in z.sections
+            }
+
+    def unlocked(self, section: str, state: Mapping[str, bool]) -> list[str]:
+        """The zones of a section in which nothing is locked."""
+        those = [(z, held[section]) for z, held in self._zones.items() if section in held]
+        return [z for z, held in those if not any(state.get(n) for n in held)]
+
+    def of(self, zone: str, cycle: Cycle) -> list[str]:
+        """Sections of a zone that are reported occupied, and not locked."""
+        occupied = [s for s in self._zones[zone] if cycle.valid and not cycle.inputs.get(self._clear.get(s, ""), 1)]  # type: ignore[call-overload]
+        return [s for s in occupied if zone in self.unlocked(s, cycle.memory.state)]
+
+
 LOST, CALLED = 1, 2
 """Why a locked section's detection is not relied on: inputs were lost while it was locked, or a train is called on."""
 
@@ -276,6 +304,7 @@ class Picture:
         ]
         self._held = _Held(ready.layout, ready.controller)
         self._not_relied_on = _NotReliedOn(y)
+        self._uncounted = _Uncounted(ready.layout, y)
         self._machines = [
             (
                 f"m:{m}",
@@ -323,7 +352,7 @@ class Picture:
         for c, name in y.condition.items():
             shown[f"c:{c}"] = [inputs.get(name, 0) if cycle.valid else None]
         for z, name in y.zone_full.items():
-            shown[f"z:{z}"] = [int(state.get(name, True))]
+            shown[f"z:{z}"] = [int(state.get(name, True)), self._uncounted.of(z, cycle)]
         for b, x in y.token.items():
             clear = inputs.get(x.clear, 0) if cycle.valid else None
             by_hand = [inputs.get(x.manual, 0), self.left(cycle, x.timer)]
@@ -379,6 +408,11 @@ class Picture:
             aspect = "clear" if outputs.get(clear or "") else "caution" if outputs.get(caution or "") else "dark"
             shown[key] = [aspect, 0, None, None, 0]
 
+    def not_counted(self, section: str, cycle: Cycle) -> str:
+        """What is to be said of a train that is put on a section of a zone by hand; empty where it is counted."""
+        zones = " and ".join(f"zone {z}" for z in self._uncounted.unlocked(section, cycle.memory.state))
+        return f"; the limit of {zones} does not count it: nothing is locked there" if zones else ""
+
     def dark(self, blocks: Container[str] = ()) -> Shown:
         """Without power nothing is known: sections count as occupied, lamps are dark; of
         conditions, zones, directions and automatic working the value is None.  `blocks`: the sections that are
@@ -388,10 +422,10 @@ class Picture:
         shown |= {key: ["dark", 0, None, None, 0] for key in self._lamps}
         shown |= {key: [0] for key, _ in self._overlaps}
         y = self.symbols
-        unknown = [f"c:{c}" for c in y.condition] + [f"z:{z}" for z in y.zone_full]
+        unknown = [f"c:{c}" for c in y.condition]
         unknown += [f"a:{self._routes[k]}" for k in y.requests.automatic]
         shown |= {key: [None] for key in unknown}
-        shown |= {f"b:{b}": [None] * 5 for b in y.token}
+        shown |= {f"z:{z}": [None, None] for z in y.zone_full} | {f"b:{b}": [None] * 5 for b in y.token}
         return shown
 
 

@@ -331,6 +331,10 @@ function others() {
     add(`s ${n}`, `substation ${n}: ${on ? "reports" : "cable cut"}`, on ? "Cut its cable" : "Mend its cable", {do: "fail", kind: "station", name: n, on});
   }
   for (const v of still.voyages) add(`v ${v}`, `voyage ${v}`, "Begin", {do: "voyage", name: v});
+  for (const z of still.zones) {
+    const uncounted = state[`z:${z}`]?.[1] ?? [];
+    if (uncounted.length) add(`y ${z}`, `zone ${z} does not count who stands in ${uncounted.join(", ")}: nothing is locked there`, "", null, true);
+  }
   for (const [name, reason] of s.voyages) add(`u ${name}`, `${name} is under way${reason ? `: ${reason}` : ""}`, "End", {do: "voyage", name, end: true}, true);
   for (const [number, under] of s.numbers) add(`n ${number}`, `train ${number} is in ${under.join(", ")}`);
   more.show(rows);
