@@ -58,8 +58,9 @@ class Terminals(Lamps):
         return leaf(f"E_{safe(c)}")
 
     def w_blocked(self, s: str) -> Formula:
-        """The input that bars a section; one that is never locked has none."""
-        return leaf(f"BLK_{safe(s)}") if self.w_lockable(s) else FALSE
+        """The input that bars a section; one that is never locked, and has no point, has none."""
+        pointed = any(s in self.w_sections_of(m) for m in self.w_point_machines())
+        return leaf(f"BLK_{safe(s)}") if pointed or self.w_lockable(s) else FALSE
 
     def w_cancel(self, g: Signal) -> Formula:
         return leaf(f"CAN_{g.safe}")
@@ -179,6 +180,14 @@ class Terminals(Lamps):
     def w_turn_has_come(self, m: str) -> Formula:
         """The machine may run: where machines start one after the other, its turn has come."""
         return leaf(f"Z_{safe(m)}") if self.r.drawn.rule("point_start_gap_s") and m in self.w_powered() else TRUE
+
+    def w_kept_off(self, m: str) -> Formula:
+        """The drive of a point is kept off."""
+        return leaf(f"ZO_{safe(m)}") if m in self.w_powered() else FALSE
+
+    def w_swinging_over(self, m: str) -> list[Signal]:
+        """The signals with an overlap over a machine that may swing."""
+        return [g for g in self.w_swinging() if m in self.lengths.of_overlap(g)]
 
     def w_full(self, z: str) -> Formula:
         return leaf(f"ZF_{safe(z)}")

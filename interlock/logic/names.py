@@ -159,6 +159,8 @@ TRAILED_SHOWN = _machine("YT_{}", "alarm: was trailed")
 STARTS = _machine("ZT_{}", "starts")
 WAITS = _machine("ZW_{}", "it or one before it waits for its start")
 MAY_RUN = _machine("Z_{}", "may run")
+MAY_START = _machine("ZS_{}", "could start now")
+KEPT_OFF = _machine("ZO_{}", "its drive is kept off")
 
 # --- the controller: routes ----------------------------------------------------------------------
 

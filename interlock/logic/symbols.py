@@ -82,6 +82,8 @@ class MachineSymbols:
     late_timer: Mapping[MachineId, Name]
     turn: Mapping[MachineId, Name]
     """Where machines start one after the other: it may run."""
+    kept_off: Mapping[MachineId, Name]
+    """The drive of a point is kept off."""
     started: Name | None
     start_timer: Name | None
 

@@ -58,6 +58,7 @@ PASSES = (
     points.commands,
     points.supervision,
     points.trailing,
+    points.keep_off,
     points.starting,
     routes.keep,
     added.keep,
@@ -147,7 +148,7 @@ def _sections(d: Draft) -> SectionSymbols:
     return SectionSymbols(
         clear={s.id: names.CLEAR(s.id) for s in d.layout.track.sections if s.detected},
         healthy=d.sections.healthy,
-        blocked={s: names.BLOCKED(s) for s in d.sections.lockable},
+        blocked={s: names.BLOCKED(s) for s in d.sections.blockable},
         release={s: names.RELEASE_BY_HAND(s) for s in d.sections.all},
         release_all=names.RELEASE_ALL,
         release_timer={s: names.LONG_CLEAR(s) for s in (*d.sections.all, *sections.detected(d))},
@@ -189,6 +190,7 @@ def _machines(d: Draft) -> MachineSymbols:
         looked_at=powered(names.LOOKED_AT),
         late_timer={m: names.LATE(m) for m in d.machines.all},
         turn={m: names.MAY_RUN(m) for m in d.machines.all if d.machines.started(m) is not TRUE},
+        kept_off=powered(names.KEPT_OFF),
         started=names.STARTED if sequence else None,
         start_timer=names.GAP_OVER if sequence else None,
     )

@@ -243,6 +243,13 @@ class SectionIndex:
         """Sections that some route or overlap locks."""
         return tuple(s for s in self.all if self.locks_of[s])
 
+    @cached_property
+    def blockable(self) -> tuple[SectionId, ...]:
+        """Sections that an operator may block: those that some route or overlap locks, and those of points."""
+        machines = self._layout.machines
+        those = {s for m in machines if m not in machines.device for s in machines.sections[m]}
+        return tuple(s for s in self.all if self.locks_of[s] or s in those)
+
     def rear(self, section: SectionId, node: NodeId) -> SectionId | None:
         """The section that a train comes from: the neighbour, or the approach section of a boundary."""
         boundary = self._layout.track.boundary_at.get(node)
@@ -309,6 +316,10 @@ class MachineIndex:
         """The machine may run: its turn has come, where machines start one after the other."""
         sequence = self._layout.principles.point_start_gap_s and machine in self.powered
         return var(names.MAY_RUN(machine)) if sequence else TRUE
+
+    def kept_off(self, machine: MachineId) -> Expr:
+        """The drive of a point is kept off, since a section of it is blocked, or was and is not clear since."""
+        return var(names.KEPT_OFF(machine)) if machine in self.powered else FALSE
 
     @staticmethod
     def detected(machine: MachineId, position: Position) -> Expr:

@@ -163,8 +163,8 @@ def _keep_command(d: Draft, m: MachineId, x: Position) -> None:
         ),
         f"point {m}",
     )
-    started = conj((d.machines.command(m, x), d.machines.started(m)))
-    d.outputs.append(Output(names.DRIVE(m, x), started, False, f"machine {m}: {d.layout.machines.word(m, x)}"))
+    runs = conj((d.machines.command(m, x), d.machines.started(m), neg(d.machines.kept_off(m))))
+    d.outputs.append(Output(names.DRIVE(m, x), runs, False, f"machine {m}: {d.layout.machines.word(m, x)}"))
 
 
 def _driving(d: Draft) -> dict[tuple[MachineId, Position], Expr]:
@@ -258,13 +258,29 @@ def trailing(d: Draft) -> None:
 def starting(d: Draft) -> None:
     """Machines start one after the other, so that their currents do not add up (R10).
 
-    Z: the machine may run.  The first that waits starts when the gap since the last start is over.
+    Z: the machine may run.  The first that waits starts when the gap since the last start is over.  It starts only
+    while its sections are reported clear and not blocked: since it was commanded a vehicle may have come, or somebody
+    to work there.
     """
     gap = d.layout.principles.point_start_gap_s
     if not gap:
         return
     machines = d.machines.powered
-    waits = {m: conj((var(names.SUPERVISED(m)), neg(var(names.MAY_RUN(m))))) for m in machines}
+    for m in machines:
+        free = conj(t.expr for t in ways.unblocked(d, m))
+        d.wire(
+            names.MAY_START(m),
+            Join.ALL,
+            (
+                Term(var(names.VALID), "inputs valid"),
+                *(Term(d.sections.clear(s), "point section clear", f"{s} clear") for s in d.machines.sections_of(m)),
+                Term(disj((free, _moves_by_hand(m))), "not blocked", "not blocked, or moved by hand"),
+                Term(neg(var(names.TRAILED(m))), "not trailed", f"{m} was not trailed"),
+            ),
+            "starts",
+            f"machine {m} could start now ({rules.POINTS})",
+        )
+    waits = {m: conj((var(names.SUPERVISED(m)), neg(var(names.MAY_RUN(m))), var(names.MAY_START(m)))) for m in machines}
     d.wire(
         names.GAP_RUNS,
         Join.ALL,
@@ -297,6 +313,37 @@ def starting(d: Draft) -> None:
         )
     starts = disj(var(names.STARTS(m)) for m in machines)
     d.kept(names.STARTED, False, "a machine started in the last scan", Join.ANY, (Term(starts, "started"),), "starts")
+
+
+def _moves_by_hand(m: MachineId) -> Expr:
+    return disj(var(names.MOVED_BY_HAND(m, x)) for x in Position)
+
+
+def keep_off(d: Draft) -> None:
+    """No drive runs in a blocked section, but as long as the operator moves the point by hand; afterwards it stays off
+    until the sections are reported clear (R10).  What turns as an overlap swings comes to lie first (R4)."""
+    swings: dict[MachineId, list[Expr]] = {}
+    for g in d.overlaps.swinging:
+        over = (key for o, keys in d.overlaps.ways.items() if o[0] == g for key in keys)
+        under = (p.machine for key in over for p in d.table.lock[key].points if p.role is Role.PATH)
+        for m in dict.fromkeys(under):
+            swings.setdefault(m, []).append(var(names.OVERLAP_SWINGS(g)))
+    for m in d.machines.powered:
+        free = conj(t.expr for t in ways.unblocked(d, m))
+        clear = conj((var(names.VALID), *(d.sections.clear(s) for s in d.machines.sections_of(m))))
+        blocked = conj((neg(free), *(neg(x) for x in swings.get(m, ()))))
+        off = disj((blocked, conj((var(names.KEPT_OFF(m)), neg(conj((free, clear)))))))
+        d.kept(
+            names.KEPT_OFF(m),
+            False,
+            f"machine {m}: its drive is kept off",
+            Join.ALL,
+            (
+                Term(off, "blocked", "a section of it is blocked, or was and is not reported clear since"),
+                Term(neg(_moves_by_hand(m)), "not moved by hand"),
+            ),
+            f"point {m}",
+        )
 
 
 def _terms(before: list[Expr]) -> list[Term]:

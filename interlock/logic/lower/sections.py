@@ -30,7 +30,7 @@ def inputs(d: Draft) -> None:
     for s_ in d.sections.all:
         said = f"operator: release {called('section', s_)} (hold until released)"
         d.inputs.append(Input(names.RELEASE_BY_HAND(s_), said))
-    for s_ in d.sections.lockable:
+    for s_ in d.sections.blockable:
         d.inputs.append(Input(names.BLOCKED(s_), f"operator: {called('section', s_)} is blocked", restrictive=1))
     d.inputs.append(
         Input(names.RELEASE_ALL, "operator: release all clear sections after a restart or a loss of inputs")

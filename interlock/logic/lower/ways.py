@@ -100,7 +100,7 @@ def unblocked(d: Draft, m: MachineId) -> list[Term]:
     """Nobody has blocked a section of a point: whoever works there is not to have it move for a route elsewhere."""
     if m in d.layout.machines.device:
         return []
-    return [t for s in d.machines.sections_of(m) if s in d.sections.lockable for t in not_blocked(s)]
+    return [t for s in d.machines.sections_of(m) if s in d.sections.blockable for t in not_blocked(s)]
 
 
 def _trailed(d: Draft, t: TraversalRow) -> list[Term]:
@@ -365,7 +365,10 @@ def swing_terms(d: Draft, g: SignalId, key: TraversalKey) -> list[Term]:
         there = conj(
             (d.machines.detected(p.machine, p.position), *(neg(d.machines.command(p.machine, y)) for y in Position))
         )
-        free = disj((d.machines.command(p.machine, p.position), _may_swing(d, g, p.machine), there))
+        runs = [*(t.expr for t in unblocked(d, p.machine)), neg(d.machines.kept_off(p.machine))]
+        lies = d.machines.detected(p.machine, p.position)
+        turns = conj((d.machines.command(p.machine, p.position), disj((lies, conj(runs)))))
+        free = disj((turns, _may_swing(d, g, p.machine), there))
         terms.append(
             Term(free, f"{p.role} point available", f"{p.machine} {p.position}: {p.because.text}", p.because.rule)
         )

@@ -10,8 +10,8 @@ from itertools import chain, starmap
 
 from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, eq, iff, implies, neg, var
-from interlock.logic.plant import accepted, came, has_token, lies, o, rests, shunting
-from interlock.model.elements import MachineId, Position, SectionId, SignalId
+from interlock.logic.plant import accepted, came, has_token, o, rests, shunting
+from interlock.model.elements import SignalId
 from interlock.model.principles import Caution
 from interlock.model.traversal import zone_joints
 from interlock.proof.claims.added import declared, demanded, held
@@ -32,6 +32,7 @@ from interlock.proof.claims.flank import flank, scissors
 from interlock.proof.claims.identifiers import identifiers
 from interlock.proof.claims.kinds import Claim, Facts
 from interlock.proof.claims.paths import Shown, SignalPath, exit_of, ground_of, lie, shown_over, signal_paths
+from interlock.proof.claims.points import points
 from interlock.proof.claims.reasons import reasons
 from interlock.proof.claims.space import flank_space
 from interlock.proof.claims.terminals import terminals
@@ -123,13 +124,15 @@ CLAIMS: dict[str, str] = {
     "L-RELEASE": "No section is released while a train stands in it, comes into it, or has been called into it.",
     "L-HELD": "A section in which a train moves is locked.",
     "P-LOCKED": "A point is commanded to move only when the sections of all its ends are steadily clear and unlocked, "
-    "or held by nothing but an overlap that may swing, with the section before its signal steadily clear.  (The "
-    "command is the controller's own bit; P-DRIVEN ties the drives to it.)  A level crossing or bridge may "
-    "always be closed.",
-    "P-BLOCKED": "A point, a section of which is blocked, is commanded to move only by hand: whoever works there is "
-    "not to have it move for a route.",
+    "or held by nothing but an overlap that may swing, with the section before its signal steadily clear; its drive "
+    "begins to run only while they are steadily clear.  (The command is the controller's own bit; P-DRIVEN ties the "
+    "drives to it.)  A level crossing or bridge may always be closed.",
+    "P-BLOCKED": "A point, a section of which is blocked, is commanded to move only by hand, and driven only as long "
+    "as it is moved by hand, or until it has turned where an overlap swings: whoever works there is not to have it "
+    "move for a route.",
     "P-DRIVEN": "A machine is driven to where it is commanded, and never both ways: at once, or where machines start "
-    "one after the other, when its turn has come; nor is it commanded both ways.",
+    "one after the other, when its turn has come; but not while its drive is kept off for a blocked section; nor is it "
+    "commanded both ways.",
     "I-TOLD": "Every indication and alarm tells what is: a section is locked, a detector is faulty, a machine is not "
     "where it was commanded or was trailed, a zone is full.",
     "D-PRESET": "No delay is shorter than the principles order, nor than the world needs: by speeds, braking, reaction "
@@ -164,7 +167,7 @@ def claims(f: Facts) -> tuple[Claim, ...]:
         identifiers(f),
         reasons(f),
         _locks(f),
-        _points(f),
+        points(f),
     )
     order = {id_: n for n, id_ in enumerate(CLAIMS)}
     return tuple(sorted(filter(_says, starmap(Claim, found)), key=lambda c: (order[c.id], c.place)))
@@ -467,46 +470,3 @@ def _locks(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             s,
             implies(neg(valid), conj((implies(held, after(held)), implies(neg(held), after(neg(held)))))),
         )
-
-
-def _held_fast(f: Facts, s: SectionId) -> Expr:
-    """Held otherwise than by an overlap that swings away in this step, with the section before its signal clear."""
-    held = [f.locking.locked(s)]
-    for (g, _), name in f.locking.options(s).items():
-        before = f.topo.beyond(
-            f.layout.track.section_of(f.layout.signalling.signal[g].into), f.layout.signalling.signal[g].node
-        )
-        close = neg(f.seen.steadily_clear(before)) if g in f.sym.overlaps.swings and before is not None else TRUE
-        held.append(conj((var(name), disj((close, f.after(var(name)))))))
-    return disj(held)
-
-
-def _points(f: Facts) -> Iterator[tuple[str, str, Expr]]:
-    after = f.after
-
-    def stays(m: MachineId, x: Position) -> Expr:
-        """It lies there already and was never commanded elsewhere: nothing will move."""
-        never = conj(neg(var(f.sym.machines.command[m, y])) for y in Position)
-        return conj((var(f.sym.machines.detected[m, x]), after(lies(m, x)), never))
-
-    for m in f.layout.machines:
-        secs = f.layout.machines.sections[m]
-        moves = {
-            x: conj(
-                (neg(var(f.sym.machines.command[m, x])), after(var(f.sym.machines.command[m, x])), neg(stays(m, x)))
-            )
-            for x in Position
-            if m not in f.layout.machines.device or x is Position.NORMAL
-        }
-        blocked = [n for s in secs if (n := f.sym.sections.blocked.get(s)) is not None]
-        by_hand = [implies(moved, var(f.sym.machines.by_hand[m, x])) for x, moved in moves.items()]
-        free = conj(
-            [
-                *(neg(_held_fast(f, s)) for s in secs),
-                *(f.seen.steadily_clear(s) for s in secs),
-                var(f.sym.valid),
-            ]
-        )
-        yield "P-LOCKED", m, implies(disj(moves.values()), free)
-        if m not in f.layout.machines.device:
-            yield "P-BLOCKED", m, implies(disj(map(var, blocked)), conj(by_hand))

@@ -134,6 +134,13 @@ def _under(f: Facts, option: tuple[SignalId, int]) -> list[tuple[MachineId, Posi
     return known or wanted
 
 
+def _driven(f: Facts, option: tuple[SignalId, int]) -> Iterator[tuple[MachineId, Expr]]:
+    """Of every point of an alternative to which an overlap swings: it lies, or its drive is not kept off."""
+    for m, p in _under(f, option):
+        if m in f.sym.machines.kept_off:
+            yield m, disj((f.seen.settled(m, p), neg(var(f.sym.machines.kept_off[m]))))
+
+
 def turned(f: Facts, option: tuple[SignalId, int]) -> Expr:
     """Every machine of an alternative to which an overlap swings lies, or still turns to it since before a train was
     reported before the signal."""
@@ -192,6 +199,10 @@ def _signal(f: Facts, g: SignalId) -> list[Invariant]:
         if option[0] == g:
             close = conj((swings, var(name), o(b), neg(rests(b)), image(b), running(b)))
             out.append(Invariant(f"O-TURNS:{option[1]}", g, implies(close, turned(f, option))))
+            out += [
+                Invariant(f"O-DRIVEN:{m}", f"{g}:{option[1]}", implies(conj((swings, var(name))), x))
+                for m, x in _driven(f, option)
+            ]
     for n, _ in f.locking.of(b):
         if f.track.way(b, n)[1] != node:
             continue

@@ -84,8 +84,11 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
                 ),
             )
         )
-        same = implies if m in f.sym.machines.turn else iff
-        driven = conj(same(var(f.sym.machines.drive[m, x]), var(f.sym.machines.command[m, x])) for x in Position)
+        turn, off = f.sym.machines.turn.get(m), f.sym.machines.kept_off.get(m)
+        runs = [*([] if turn is None else [var(turn)]), *([] if off is None else [neg(var(off))])]
+        driven = conj(
+            iff(var(f.sym.machines.drive[m, x]), conj((var(f.sym.machines.command[m, x]), *runs))) for x in Position
+        )
         out.append(Invariant("P-DRIVEN", m, driven))
     return tuple(out)
 

@@ -55,7 +55,8 @@ def _drives(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         for x in Position:
             turn = f.sym.machines.turn.get(m)
             commanded = var(f.sym.machines.command[m, x])
-            due = commanded if turn is None else conj((commanded, var(turn)))
+            off = f.sym.machines.kept_off.get(m)
+            due = conj([commanded, *([] if turn is None else [var(turn)]), *([] if off is None else [neg(var(off))])])
             both.append(iff(var(f.sym.machines.drive[m, x]), due))
         never = neg(conj(var(f.sym.machines.command[m, x]) for x in Position))
         yield "P-DRIVEN", m, f.after(conj((*both, never)))

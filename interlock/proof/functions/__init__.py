@@ -57,8 +57,11 @@ FUNCTIONS: dict[str, str] = {
     "at (R10).",
     "F-POINT": "A machine is commanded exactly by a route, by hand where R10 permits it, or by what opens or closes by "
     "itself; a command stays until the other is given.",
-    "F-TURN": "Where machines start one after the other: one starts exactly when it waits, none before it waits, and "
-    "the gap since the last start is over; and runs until it is there or commanded anew (R10).",
+    "F-OFF": "The drive of a point is kept off exactly from when a section of it is blocked until none is and all are "
+    "clear; not while it is moved by hand, nor before it has come to lie where an overlap swings over it (R10).",
+    "F-TURN": "Where machines start one after the other: one starts exactly when it waits and could start (valid "
+    "inputs, its sections clear and not blocked, not trailed), none before it does, and the gap since the last start "
+    "is over; and runs until it is there or commanded anew (R10).",
     "F-OVERLAP": "An overlap is held exactly until no route leads to its signal or the train before it stands, and it "
     "is clear (R4).",
     "F-SWING": "An overlap swings to another alternative when that is asked for and R4 permits it.",

@@ -68,8 +68,13 @@ def _swings_to(w: Words, g: SignalId, s: SectionId, n: int) -> Iterator[Expr]:
         ]
         holding = (r.added for r in w.sym.routes if any(m == k for k, _ in r.path.demands))
         free += [w.points.unblocked(m), *(neg(var(name)) for name in holding if name is not None)]
+        off = w.sym.machines.kept_off.get(m)
+        runs = conj((w.points.unblocked(m), *([] if off is None else [neg(var(off))])))
         yield disj(
-            (w.points.commanded(m, x), conj((*free, *(neg(w.points.holding(way)) for way in w.points.flanks(m)))))
+            (
+                conj((w.points.commanded(m, x), disj((w.points.detected(m, x), runs)))),
+                conj((*free, *(neg(w.points.holding(way)) for way in w.points.flanks(m)))),
+            )
         )
 
 

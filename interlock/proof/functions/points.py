@@ -11,7 +11,7 @@ from interlock.proof.functions.words import Way, Words
 
 
 def points(w: Words) -> Iterator[tuple[str, str, Expr]]:
-    """F-TRAILED, F-POINT and F-TURN."""
+    """F-TRAILED, F-POINT, F-OFF and F-TURN."""
     for m, name in w.sym.machines.trailed.items():
         there = disj(conj((w.points.commanded(m, x), w.points.detected(m, x))) for x in Position)
         lost = disj(conj((w.points.commanded(m, x), neg(w.points.detected(m, x)))) for x in Position)
@@ -24,6 +24,11 @@ def points(w: Words) -> Iterator[tuple[str, str, Expr]]:
         yield "F-TRAILED", m, iff(w.after(trailed), disj((new, conj((trailed, neg(seen))))))
     for m in w.layout.machines:
         yield from _commands(w, m)
+    for m, name in w.sym.machines.kept_off.items():
+        free, off = w.points.unblocked(m), var(name)
+        blocked = conj((neg(free), neg(w.points.swings(m))))
+        stays = conj((off, neg(conj((free, _clear(w, m))))))
+        yield "F-OFF", m, iff(w.after(off), conj((disj((blocked, stays)), neg(_by_hand(w, m)))))
     if w.sym.machines.started is not None and w.sym.machines.start_timer is not None:
         yield from _starts(w, var(w.sym.machines.started), var(w.sym.machines.start_timer))
 
@@ -35,7 +40,8 @@ def _starts(w: Words, last: Expr, gap: Expr) -> Iterator[tuple[str, str, Expr]]:
     for m, name in w.sym.machines.turn.items():
         runs = var(name)
         missing = disj(conj((w.points.commanded(m, x), neg(w.points.detected(m, x)))) for x in Position)
-        waits = conj((missing, neg(runs)))
+        trailed, free = var(w.sym.machines.trailed[m]), disj((w.points.unblocked(m), _by_hand(w, m)))
+        waits = conj((missing, neg(runs), _clear(w, m), free, neg(trailed)))
         begins = conj((waits, gap, neg(disj(before))))
         yield "F-TURN", m, iff(w.after(runs), conj((disj((runs, begins)), missing, neg(w.points.anew(m)))))
         before.append(waits)
@@ -43,20 +49,36 @@ def _starts(w: Words, last: Expr, gap: Expr) -> Iterator[tuple[str, str, Expr]]:
     yield "F-TURN", "last", iff(w.after(last), disj(starting))
 
 
+def _clear(w: Words, m: MachineId) -> Expr:
+    """Inputs are valid, and the sections of a machine are steadily clear."""
+    return conj((w.valid, *(w.sections.long(s) for s in w.layout.machines.sections[m])))
+
+
+def _by_hand(w: Words, m: MachineId) -> Expr:
+    """An operator moves a machine in this scan, one way alone, and it is free to move."""
+    n, r = (var(w.sym.machines.by_hand[m, x]) for x in Position)
+    return conj((disj((n, r)), neg(conj((n, r))), w.points.movable(m), _untouched(w, m)))
+
+
+def _untouched(w: Words, m: MachineId) -> Expr:
+    """No route and no overlap over a machine, or one that demands it, is set or held in this scan."""
+    held = (w.rises(var(w.sym.overlaps.held[o])) for o in _overlaps_touching(w, m))
+    return conj((*(neg(w.signals.set_now(r)) for r in _touching(w, m)), *map(neg, held)))
+
+
 def _commands(w: Words, m: MachineId) -> Iterator[tuple[str, str, Expr]]:
-    nothing_set = conj(neg(w.signals.set_now(r)) for r in _touching(w, m))
-    no_overlap = conj(neg(w.rises(var(w.sym.overlaps.held[o]))) for o in _overlaps_touching(w, m))
-    both = conj((nothing_set, no_overlap, *(var(w.sym.machines.by_hand[m, x]) for x in Position)))
+    untouched = _untouched(w, m)
+    both = conj((untouched, *(var(w.sym.machines.by_hand[m, x]) for x in Position)))
     yield "F-POINT", f"{m} both by hand", implies(both, neg(w.points.anew(m)))
     for x in Position:
         command, other = w.points.commanded(m, x), w.points.commanded(m, x.other)
         key, opposite = var(w.sym.machines.by_hand[m, x]), var(w.sym.machines.by_hand[m, x.other])
-        permitted = conj(()) if w.points.closing(m, x) else conj((w.points.movable(m), nothing_set, no_overlap))
+        permitted = conj(()) if w.points.closing(m, x) else conj((w.points.movable(m), untouched))
         turned = conj((key, neg(opposite), permitted))
         yield "F-POINT", f"{m} {x} by hand", implies(turned, w.after(command))
         yield "F-POINT", f"{m} {x} stays", implies(w.ends(command), w.after(other))
         if m in w.layout.machines.device and x is Position.NORMAL:
-            back = conj((w.points.movable(m), nothing_set, no_overlap, neg(opposite)))
+            back = conj((w.points.movable(m), untouched, neg(opposite)))
             yield "F-POINT", f"{m} returns", implies(back, w.after(command))
         demanded = [
             w.signals.set_now(r)

@@ -266,6 +266,16 @@ class PointWords:
         lies = conj((self.detected(m, x), *(neg(self.commanded(m, y)) for y in Position)))
         return disj((self.commanded(m, x), conj((self.movable(m), self.unblocked(m))), lies))
 
+    def swings(self, m: MachineId) -> Expr:
+        """An overlap over the machine swings from one alternative to another."""
+        sym, found = self._w.sym, []
+        for g, name in sym.overlaps.swings.items():
+            over = [way for o, ways in sym.overlaps.ways.items() if o[0] == g for way in ways]
+            those = (p for s, n in over for p, _ in self._w.topo.traversals[s][n - 1].points)
+            if any(self._w.layout.pointwork.point[p].machine == m for p in those):
+                found.append(var(name))
+        return disj(found)
+
     def unblocked(self, m: MachineId) -> Expr:
         """Nobody has blocked a section of a point, so that it may move for a route; crossings always may."""
         if m in self._w.layout.machines.device:

@@ -427,6 +427,8 @@ KINDS: tuple[Kind, ...] = (
     Kind("opens-under-train", "a level crossing opens by itself while locked or occupied", _unguarded("returns")),
     Kind("driven-while-locked", "a driven point moves while it is locked", _unguarded("driven along")),
     Kind("blocked-point-moves", "a point of a blocked section moves for a route", blocked.point_moves),
+    Kind("blocked-drive-runs", "the drive of a point runs on in a blocked section", blocked.drive_runs),
+    Kind("starts-under-train", "a point starts over a train that came since", without("ZS", "point section clear")),
     Kind("foul-not-checked", "proceed although a foul section is occupied", without("WD", "foul section clear")),
     Kind(
         "flank-space-not-checked",
