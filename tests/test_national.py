@@ -249,7 +249,9 @@ def test_german_flank_protection_tells_transfer_and_space() -> None:
     assert (derailer["Points or derailer"], derailer["Position"]) == ("Gs1", "aufgelegt")
     signal = only(rows, Requester="2", Position_passed="L")
     assert signal["Signal"] == "N2" and signal["Handed on to"] == ""
-    handed = only(rows, Requester="1", Position_passed="L")
+    turned = only(rows, Requester="1", Position_passed="L")
+    assert (turned["Points or derailer"], turned["Position"], turned["End of track or line"]) == ("5", "L", "")
+    handed = only(rows, Requester="1", Position_passed="R")
     # behind the loop the request meets point 6 at its toe, so both of its legs are looked at
     assert (handed["Handed on to"], handed["As for"], handed["End of track or line"]) == ("6", "L+R", "B, C")
 

@@ -245,17 +245,18 @@ def _check_spurs(layout: Layout, paths: Sequence[Path], locks: Locks, sink: Sink
                     for node in ends:
                         open_.setdefault(node, {}).setdefault(s, {})[r.name] = None
     for node, sections in sorted(open_.items()):
-        for s, places in sections.items():
-            come = brought.get(s)
-            sink.add(
-                "IL4017",
-                f"vehicles are brought into {s} ({f'by {_listed(come)}' if come else by_hand[s]}), and nothing but the "
-                f"end of the track, {node}, protects {_listed(places)} from them",
-                None,
-                "add a signal or a derailer that stands clear of the points"
-                + ("" if layout.principles.flank_space else f", or have the track clear: {_SPACE}"),
-                about=Element("buffers", str(node)),
-            )
+        come = list(dict.fromkeys(p for s in sections for p in brought.get(s, ())))
+        places = dict.fromkeys(p for those in sections.values() for p in those)
+        by = f"by {_listed(come)}" if come else by_hand[next(iter(sections))]
+        sink.add(
+            "IL4017",
+            f"vehicles are brought into {' and '.join(sections)} ({by}), and nothing but the end of the track, {node}, "
+            f"protects {_listed(places)} from them",
+            None,
+            "add a signal or a derailer that stands clear of the points"
+            + ("" if layout.principles.flank_space else f", or have the track clear: {_SPACE}"),
+            about=Element("buffers", str(node)),
+        )
 
 
 _SPACE = "`principles: {flank_space: yes}`"
