@@ -44,7 +44,7 @@ HARM = {
     "delay from setting": ("mine11", 4),
     "delay always running": ("pit_bottom", 0),
     "presets of a millisecond": ("junction", 8),
-    "one clear reading": ("flank_lab", 12),
+    "one clear reading": ("junction", 6),
     "restart without delay": ("terminus_slip", 3),
     "overlap ignored": ("slip_junction", 0),
     "points not detected": ("mine11", 14),
@@ -53,7 +53,7 @@ HARM = {
     "conditions ignored": ("incline_hoist", 10),
     "lost inputs ignored": ("depot", 1),
     "health ignored": ("pit_bottom", 2),
-    "devices count as closed": ("flank_lab", 0),
+    "devices count as closed": ("flank_lab", 2),
     "zone never full": ("heishan", 7),
     "direction always given": ("passing_loop", 0),
 }
