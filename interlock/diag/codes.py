@@ -75,7 +75,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3007": (_E, "two signals in one place, same direction"),
     "IL3009": (_E, "a section is split into separate pieces"),
     "IL3010": (_E, "a section that no train can reach"),
-    "IL3011": (_E, "trains can come in where no signal stands"),
+    "IL3011": (_E, "trains can come in where no signal stops them"),
     "IL3012": (_W, "a section that no route uses"),
     "IL3013": (_E, "an approach section is also inside the layout"),
     "IL3014": (_E, "a machine with more than two ends"),

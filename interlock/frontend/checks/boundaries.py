@@ -1,23 +1,29 @@
-"""Where trains can come in, a signal stands.  IL3011."""
+"""Where trains can come in, a signal stands that they obey.  IL3011."""
 
 from __future__ import annotations
 
 from interlock.frontend.context import Context
-from interlock.model.elements import Boundary, BoundaryKind, Edge
+from interlock.model.elements import Boundary, BoundaryKind, Edge, Signal
 from interlock.model.layout import Layout
 
 
 def check_boundaries(ctx: Context, layout: Layout) -> None:
-    """Report boundaries over which trains could come in without a signal."""
-    guarded = {g.node for g in layout.signalling.signals}
+    """Report boundaries over which trains could come in without a signal, or past one that says nothing to them."""
+    guards = {g.node: g for g in layout.signalling.signals}
     for b in layout.track.boundaries:
-        if b.kind is not BoundaryKind.OUT and b.node not in guarded:
-            ctx.add(
-                "IL3011",
-                f"trains can come in at {b.node}, and no signal stands there",
-                ctx.at_key("boundaries", b.node),
-                _fix(layout, b),
-            )
+        g = guards.get(b.node)
+        if b.kind is BoundaryKind.OUT or (g is not None and g.main):
+            continue
+        why, fix = ("no signal stands there", _fix(layout, b)) if g is None else _unheeded(layout, g)
+        ctx.add("IL3011", f"trains can come in at {b.node}, and {why}", ctx.at_key("boundaries", b.node), fix)
+
+
+def _unheeded(layout: Layout, g: Signal) -> tuple[str, str]:
+    """What stands there, and what must: trains pass a shunt signal, too, only where they are called or end."""
+    if g.id in layout.signalling.boards:
+        return f"trains pass the limit-of-shunt board {g.id} whatever it shows", f"let {g.id} be of `kind: main`"
+    alone = "where shunting movements alone come in, `stops_trains: yes`"
+    return f"trains pass the shunt signal {g.id} whatever it shows", f"let {g.id} be of `kind: combined`; {alone}"
 
 
 def _fix(layout: Layout, b: Boundary) -> str:

@@ -1,0 +1,61 @@
+"""What the front end asks of a layout because safety hangs on it, the second checker asks once more, with nothing in
+common: a layout that the front end lets pass by mistake is not VERIFIED."""
+
+from __future__ import annotations
+
+import pytest
+
+from interlock.diag import Sink
+from interlock.frontend import load_text
+
+STATION = """interlock: 1
+name: passing
+boundaries: {W: {approach: wa 1200}, E: {approach: ea 1200}}
+tracks:
+  west: [W, w1 150]
+  main: [m 850]
+  loop: [l 850]
+  east: [e1 150, E]
+points:
+  1: {section: p1, toe: west.end, normal: main.start, reverse: loop.start}
+  2: {section: p2, toe: east.start, normal: main.end, reverse: loop.end}
+signals:
+  X: {from: W, into: w1}
+  S: {from: E, into: e1}
+  S1: {from: m, into: p1, kind: combined}
+  S3: {from: l, into: p1, kind: combined}
+  X1: {from: m, into: p2, kind: combined}
+  X3: {from: l, into: p2, kind: combined}
+  D1: {from: e1, into: p2, kind: shunt}
+"""
+X = "  X: {from: W, into: w1}\n"
+ENTRANCES = {
+    "none": ("", "no signal stands there"),
+    "shunt": ("  X: {from: W, into: w1, kind: shunt}\n", "trains pass the shunt signal X whatever it shows"),
+    "limit": ("  X: {from: W, into: w1, kind: limit}\n", "trains pass the limit-of-shunt board X whatever it shows"),
+    "main": ("  X: {from: W, into: w1}\n", ""),
+    "combined": ("  X: {from: W, into: w1, kind: combined}\n", ""),
+    "board": ("  X: {from: W, into: w1, kind: board}\n", ""),
+    "where trains end": ("  X: {from: W, into: w1, kind: shunt, stops_trains: yes}\n", ""),
+}
+"""What stands where trains come in, and what is said of it."""
+
+
+def guarded_by(entry: str) -> str:
+    """A layout with that at its boundary."""
+    assert X in STATION
+    return STATION.replace(X, entry)
+
+
+def found(text: str) -> list[str]:
+    """What the front end finds wrong."""
+    sink = Sink()
+    load_text("layout.yaml", text, sink)
+    return [f"{d.code} {d.message}" for d in sink.diagnostics if d.severity == "error"]
+
+
+@pytest.mark.parametrize("which", ENTRANCES)
+def test_where_trains_come_in_stands_a_signal_that_they_obey(which: str) -> None:
+    entry, why = ENTRANCES[which]
+    errors = found(guarded_by(entry))
+    assert errors == ([f"IL3011 trains can come in at W, and {why}"] if why else [])
