@@ -3,10 +3,19 @@ common: a layout that the front end lets pass by mistake is not VERIFIED."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import pytest
 
+from interlock.checker import specification
+from interlock.checker.check import Checked, agree
 from interlock.diag import Sink
 from interlock.frontend import load_text
+from interlock.verify import Rejected
+from tests.written import told
+
+Unasked = Callable[[str, str], Checked]
 
 STATION = """interlock: 1
 name: passing
@@ -59,3 +68,30 @@ def test_where_trains_come_in_stands_a_signal_that_they_obey(which: str) -> None
     entry, why = ENTRANCES[which]
     errors = found(guarded_by(entry))
     assert errors == ([f"IL3011 trains can come in at W, and {why}"] if why else [])
+
+
+@pytest.fixture
+def unasked(monkeypatch: pytest.MonkeyPatch) -> Unasked:
+    """What the second checker says of a layout where the front end has forgotten one of its codes."""
+
+    def checked(text: str, code: str) -> Checked:
+        add = Sink.add
+
+        def others(self: Sink, this: str, *args: Any, **more: Any) -> None:
+            if this != code:
+                add(self, this, *args, **more)
+
+        monkeypatch.setattr(Sink, "add", others)
+        return agree(*told(text), specification.shipped())
+
+    return checked
+
+
+@pytest.mark.parametrize("which", ENTRANCES)
+def test_the_second_checker_asks_for_that_signal_too(which: str, unasked: Unasked) -> None:
+    entry, why = ENTRANCES[which]
+    if why:
+        with pytest.raises(Rejected, match="trains come in at W, and no signal stands there that they obey"):
+            unasked(guarded_by(entry), "IL3011")
+    else:
+        assert unasked(guarded_by(entry), "IL3011").left == ()

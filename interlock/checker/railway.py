@@ -149,6 +149,7 @@ class Railway:
             for k, v in (body.get(part) or {}).items()
         }
         self._distinct()
+        self._guarded()
         self._limits()
         self.paths = Paths(self)
 
@@ -157,6 +158,16 @@ class Railway:
         machines = {p.machine for p in self.drawn.points.values()} | set(self.devices)
         for kind, those in {**elements(self.body), "machine": machines}.items():
             need(len({safe(n).upper() for n in those}) == len(those), f"two names of a {kind} are one name in the text")
+
+    def _guarded(self) -> None:
+        """Where trains come in stands a signal that they obey: past another they come whatever it shows, and nothing is
+        asked of a train that no signal has let in."""
+        for b, v in self.drawn.boundaries.items():
+            guarded = (b, self.drawn.at[b][0].section) in self.main_into
+            need(
+                v.get("trains", "both") == "out" or guarded,
+                f"trains come in at {b}, and no signal stands there that they obey",
+            )
 
     def _limits(self) -> None:
         """What is read but could mean more than this reader knows."""

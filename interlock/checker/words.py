@@ -151,13 +151,12 @@ class Topology:
 
     @cached_property
     def entrances(self) -> list[Entrance]:
-        """The boundaries over which trains come in, on a signal."""
+        """The boundaries over which trains come in, on a signal that they obey."""
         found = []
         for b, v in self.r.drawn.boundaries.items():
             inside = self.r.drawn.at[b][0].section
-            g = self.r.signal_into.get((b, inside))
-            if v.get("trains", "both") != "out" and g is not None:
-                found.append(Entrance(b, self.outside(b), inside, g))
+            if v.get("trains", "both") != "out":
+                found.append(Entrance(b, self.outside(b), inside, self.r.main_into[b, inside]))
         return found
 
     def w_entrances(self) -> list[Entrance]:
