@@ -10,6 +10,7 @@ import pytest
 
 from interlock.checker import specification
 from interlock.checker.check import Checked, agree
+from interlock.checker.reading import loaded
 from interlock.diag import Sink
 from interlock.frontend import load_text
 from interlock.verify import Rejected
@@ -95,3 +96,21 @@ def test_the_second_checker_asks_for_that_signal_too(which: str, unasked: Unaske
             unasked(guarded_by(entry), "IL3011")
     else:
         assert unasked(guarded_by(entry), "IL3011").left == ()
+
+
+NO_OVERLAP = "overlaps: {X1: {length: 50, not_over: [p2]}}\n"
+"""An overlap is asked for, and every way that there is for it is barred."""
+
+
+@pytest.mark.parametrize(("more", "why"), [("", "no way beyond X1 is an overlap"), (", to: X1", "")])
+def test_an_overlap_for_which_there_is_no_way_is_not_taken_for_none(more: str, why: str) -> None:
+    """A controller that holds none is of a layout that asks for none; where no route leads there, none is missed."""
+    assert "IL1014" in found(STATION + NO_OVERLAP)[0]
+    chosen = f"exclude: [{{from: X{more}, kind: main, reason: no}}]\n" if more else ""
+    _, system, text = told(STATION + chosen)
+    body = loaded(STATION + chosen + NO_OVERLAP)
+    if why:
+        with pytest.raises(Rejected, match=why):
+            agree(body, system, text, specification.shipped())
+    else:
+        assert agree(body, system, text, specification.shipped()).left == ()

@@ -8,7 +8,7 @@ from functools import cached_property
 from itertools import pairwise
 
 from interlock.checker.drawing import Unread
-from interlock.checker.railway import Path, Railway, Signal
+from interlock.checker.railway import Calling, Path, Railway, Run, Signal
 from interlock.checker.track import Way
 from interlock.verify import need
 
@@ -35,6 +35,7 @@ class Overlaps:
         for g in self.r.signals.values():
             wanted = self._wanted(g)
             if not g.main or g.node in self.r.drawn.boundaries or wanted[-1].metres <= 0:
+                need(len(wanted) == 1, f"overlaps of {g.name} are stated, and it has none")
                 continue
             plain = self._those(g, wanted)
             # where a shorter alternative joins a longer one, it goes on as far: nobody knows how a train came there;
@@ -42,9 +43,35 @@ class Overlaps:
             steps = frozenset((a.section, a.exit, b.section) for ways in plain for a, b in pairwise(ways))
             those = self._those(g, wanted, steps, self._short(g, plain))
             those.sort(key=lambda ws: (_reversed(ws), [(w.section, w.number) for w in ws]))
+            counts = [self._counts(wanted, ways) for ways in those]
+            for x in wanted[:-1]:
+                over = ", ".join(sorted(x.over))
+                need(x in counts, f"what is stated of the overlap of {g.name} over {over} is said of no way")
+            missing = f"routes lead to {g.name}, and no way beyond {g.name} is an overlap"
+            need(those != [] or not self._led_to(g), missing)
             if those:
                 found[g.name] = [Path(ways) for ways in those]
         return found
+
+    def _led_to(self, g: Signal) -> bool:
+        """A route of trains may end at a signal: the author does not exclude all that could."""
+        told, paths = self.r.body.get("exclude") or (), self.r.paths
+        for c in (Calling(x, False) for x in self.r.signals.values() if x.main):
+            every = [x for x in told if "kind" not in x or (x["kind"] == "main" and not c.signal.call_on)]
+            runs = (u for p in paths.of(c) for u in (Run((p,), ()), *paths.runs(p)))
+            for p in (u.whole for u in runs if self._ends_at(u.last, g)):
+                if paths.can_be(c, p) and not any(paths.chosen(x, c, p) for x in every):
+                    return True
+        return False
+
+    def _ends_at(self, p: Path, g: Signal) -> bool:
+        return p.last.exit == g.node and self.r.track.beyond(p.last.section, p.last.exit) == g.into
+
+    @staticmethod
+    def _counts(wanted: list[Wanted], ways: tuple[Way, ...]) -> Wanted:
+        """What is asked of an alternative: the first that fits it."""
+        passed = {w.section for w in ways}
+        return next(x for x in wanted if x.over <= passed)
 
     def short(self, g: Signal) -> dict[Path, float]:
         """The alternatives of a signal's overlap that lie inside longer ones and count by themselves: the speed."""
@@ -80,8 +107,7 @@ class Overlaps:
 
     def entry_kmh(self, g: Signal, overlap: Path) -> float | None:
         """The speed for which an alternative of a signal's overlap is made."""
-        passed = {w.section for w in overlap.ways}
-        return next(x.kmh for x in self._wanted(g) if x.over <= passed)
+        return self._counts(self._wanted(g), overlap.ways).kmh
 
     def _those(
         self,
@@ -91,15 +117,11 @@ class Overlaps:
         short: Mapping[tuple[Way, ...], float] | None = None,
     ) -> list[tuple[Way, ...]]:
         """The alternatives, each as long as the entry says that is the first to fit it."""
-
-        def counts(ways: tuple[Way, ...]) -> Wanted:
-            passed = {w.section for w in ways}
-            return next(y for y in wanted if y.over <= passed)
-
         found = []
         for x in wanted:
-            ends = frozenset(a for a in short or () if counts(a) is x)
-            found += [ways for ways in self._reach(g, x.metres, steps, ends) if _agrees(ways) and counts(ways) is x]
+            ends = frozenset(a for a in short or () if self._counts(wanted, a) is x)
+            reached = self._reach(g, x.metres, steps, ends)
+            found += [ways for ways in reached if _agrees(ways) and self._counts(wanted, ways) is x]
         return found
 
     def _metres(self, told: dict[str, str] | None) -> float:
