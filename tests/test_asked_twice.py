@@ -98,6 +98,38 @@ def test_the_second_checker_asks_for_that_signal_too(which: str, unasked: Unaske
         assert unasked(guarded_by(entry), "IL3011").left == ()
 
 
+SPEEDS = {
+    "of a section above the line's": (
+        "sections: {w1: {speed: 80}}",
+        "X may show 80 km/h over [ml], p1, where none is stated",
+    ),
+    "of all sections": ("sections: {w1: {speed: 80}, p1: {speed: 80}, m: {speed: 80}, l: {speed: 80}}", ""),
+    "of a section below the line's": ("sections: {w1: {speed: 30}}", ""),
+    "with an overlap for less": (
+        "sections: {w1: {speed: 80}}\noverlaps: {X1: {length: 50, entry_speed: 40}, X3: {length: 50, entry_speed: 40}}",
+        "",
+    ),
+    "of an overlap above the line's": (
+        "overlaps: {X1: {length: 50, entry_speed: 80}}",
+        "X may show 80 km/h over m, p1, w1, where none",
+    ),
+}
+"""What is stated of a line for 40 km/h, and how the second checker refuses it."""
+
+
+@pytest.mark.parametrize("which", SPEEDS)
+def test_no_speed_above_the_lines_is_shown_over_sections_that_state_none(which: str, unasked: Unasked) -> None:
+    stated, why = SPEEDS[which]
+    line = "principles: {line_speed_kmh: 40, restart_delay_s: 600, overlap_release_s: 300, slow_below_kmh: 20}\n"
+    left = ", ".join(f"{{from: {g}, kind: main, reason: one way}}" for g in ("S", "S1", "S3"))
+    text = f"{STATION}{stated}\n{line}exclude: [{left}]\n"
+    if why:
+        with pytest.raises(Rejected, match=why):
+            unasked(text, "IL4021")
+    else:
+        assert unasked(text, "IL4021").left == ()
+
+
 NO_OVERLAP = "overlaps: {X1: {length: 50, not_over: [p2]}}\n"
 """An overlap is asked for, and every way that there is for it is barred."""
 

@@ -9,6 +9,7 @@ controller       whether the certificate's written system says the same
 reading          YAML, without what has two meanings
 language         whether the layout file is one
 railway          what it says
+speeds           whether delays are made for the speeds that may be shown
 words, moves     what the words of the specification mean for it
 schema           what its sentences say
 claims           whether the system assumes and claims what the specification asks for this layout

@@ -116,17 +116,17 @@ class Ahead(Topology):
         g = self.r.main_into.get((p.last.exit, self.r.track.beyond(p.last.section, p.last.exit) or ""))
         return [] if g is None else self.lengths.overlaps.get(g.name, [])
 
-    def _entry(self, p: Path, o: Path) -> float | None:
+    def entry(self, p: Path, o: Path) -> float | None:
         g = self.r.main_into.get((p.last.exit, self.r.track.beyond(p.last.section, p.last.exit) or ""))
         return None if g is None else self.lengths.entry_kmh(g, o)
 
     def w_entry_overlaps(self, p: Path) -> list[Path]:
         """The alternatives of the overlap beyond a path that are made for a speed."""
-        return [o for o in self.w_overlaps_beyond(p) if self._entry(p, o) is not None]
+        return [o for o in self.w_overlaps_beyond(p) if self.entry(p, o) is not None]
 
     def w_too_slow_for_clear(self, p: Path, o: Path) -> Formula:
         """An overlap is made for a speed at which no signal shows clear (R11)."""
-        kmh = self._entry(p, o)
+        kmh = self.entry(p, o)
         return fact(kmh is not None and kmh < self.r.drawn.rule("slow_below_kmh"))
 
     # --- foul joints ---

@@ -16,6 +16,7 @@ from interlock.checker.railway import Railway, safe
 from interlock.checker.reading import loaded
 from interlock.checker.scan import execute
 from interlock.checker.specification import Specification, shipped
+from interlock.checker.speeds import stated_throughout
 from interlock.checker.told import Telling
 from interlock.checker.written import written
 from interlock.verify import ERRORS, Rejected, check_files, need, verify, why
@@ -65,6 +66,7 @@ def agree(
         world = Telling(Railway(body), w)
     except Unread as unread:
         return Checked((same,), (f"plant, assumptions and claims (the checker does not read {unread})",))
+    stated_throughout(world)
     defined = plant.define(world, spec)
     claimed = claims.asked(spec.claims, world)
     told, silent = claims.compare(world, spec, claimed, w)

@@ -112,12 +112,12 @@ class Lamps(Ahead):
 
     def w_slow_lamps(self, g: Signal, p: Path, o: Path) -> list[str]:
         """Indicators of no more than an overlap beyond a path is made for."""
-        kmh = self._entry(p, o)
+        kmh = self.entry(p, o)
         return [n for n, v in self._speeds[g.name].items() if kmh is not None and v <= kmh]
 
     def w_too_fast_lamps(self, g: Signal, p: Path, o: Path) -> list[str]:
         """Indicators of more than that."""
-        kmh = self._entry(p, o)
+        kmh = self.entry(p, o)
         return [n for n, v in self._speeds[g.name].items() if kmh is not None and v > kmh]
 
     def w_lamps_up_to(self, c: Calling, kmh: int) -> list[str]:

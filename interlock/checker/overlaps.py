@@ -55,12 +55,11 @@ class Overlaps:
 
     def _led_to(self, g: Signal) -> bool:
         """A route of trains may end at a signal: the author does not exclude all that could."""
-        told, paths = self.r.body.get("exclude") or (), self.r.paths
+        paths = self.r.paths
         for c in (Calling(x, False) for x in self.r.signals.values() if x.main):
-            every = [x for x in told if "kind" not in x or (x["kind"] == "main" and not c.signal.call_on)]
             runs = (u for p in paths.of(c) for u in (Run((p,), ()), *paths.runs(p)))
             for p in (u.whole for u in runs if self._ends_at(u.last, g)):
-                if paths.can_be(c, p) and not any(paths.chosen(x, c, p) for x in every):
+                if paths.can_be(c, p) and not paths.barred(c, p, c.signal.call_on):
                     return True
         return False
 

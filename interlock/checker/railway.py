@@ -291,6 +291,12 @@ class Paths:
         """The author excludes a route over this path."""
         return any(self.chosen(x, c, p) for x in self._r.body.get("exclude") or ())
 
+    def barred(self, c: Calling, p: Path, called_on: bool) -> bool:
+        """The author excludes every route of trains over this path; `called_on`: those that call a train on, too."""
+        told = self._r.body.get("exclude") or ()
+        every = [x for x in told if "kind" not in x or (x["kind"] == "main" and not called_on)]
+        return any(self.chosen(x, c, p) for x in every)
+
     def can_be_run(self, p: Path) -> bool:
         """Every machine is needed in one position, as its key permits; a diamond is passed once; all is detected."""
         demands = {d for w in p.ways for _, d in w.points}
