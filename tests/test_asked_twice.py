@@ -3,6 +3,7 @@ common: a layout that the front end lets pass by mistake is not VERIFIED."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -10,6 +11,7 @@ import pytest
 
 from interlock.checker import specification
 from interlock.checker.check import Checked, agree
+from interlock.checker.railway import Railway
 from interlock.checker.reading import loaded
 from interlock.diag import Sink
 from interlock.frontend import load_text
@@ -146,3 +148,26 @@ def test_an_overlap_for_which_there_is_no_way_is_not_taken_for_none(more: str, w
             agree(body, system, text, specification.shipped())
     else:
         assert agree(body, system, text, specification.shipped()).left == ()
+
+
+NAMED_ALIKE = {
+    "a level crossing and a point": "level_crossings: {1: {over: [w1]}}\n",
+    "a bridge and a point": "interlocks: {1: {over: [m]}}\n",
+    "a level crossing and a machine": "level_crossings: {M: {over: [w1]}}\n",
+    "a level crossing and a bridge": "level_crossings: {B: {over: [w1]}}\ninterlocks: {b: {over: [m]}}\n",
+}
+
+
+@pytest.mark.parametrize("machine", ["M", "1"])
+@pytest.mark.parametrize("which", NAMED_ALIKE)
+def test_nothing_that_is_demanded_bears_the_name_of_something_else(which: str, machine: str) -> None:
+    """`demand: [{point: 1, lies: reverse, ...}]` means one thing."""
+    named = STATION.replace("{section: p1,", f"{{section: p1, machine: {machine},") if machine != "1" else STATION
+    text = named + NAMED_ALIKE[which]
+    if machine == "1" and "machine" in which:
+        assert found(text) == [] and Railway(loaded(text)).machines["M"] == ["w1"]
+        return
+    (error,) = found(text)
+    assert re.fullmatch(r"IL2002 \w names an? (level crossing|interlock|machine) and, in line \d+, the .*", error)
+    with pytest.raises(Rejected, match="bears the name of another|are one name in the text"):
+        Railway(loaded(text))

@@ -158,6 +158,13 @@ class Railway:
         machines = {p.machine for p in self.drawn.points.values()} | set(self.devices)
         for kind, those in {**elements(self.body), "machine": machines}.items():
             need(len({safe(n).upper() for n in those}) == len(those), f"two names of a {kind} are one name in the text")
+        taken = {n.upper() for p in self.drawn.points.values() for n in (p.name, p.machine)}
+        for n in (str(k).upper() for part in ("level_crossings", "interlocks") for k in self.body.get(part) or ()):
+            need(
+                n not in taken,
+                f"the level crossing or interlock {n} bears the name of another, or of a point or machine",
+            )
+            taken.add(n)
 
     def _guarded(self) -> None:
         """Where trains come in stands a signal that they obey: past another they come whatever it shows, and nothing is

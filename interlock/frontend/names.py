@@ -46,6 +46,7 @@ ROOMS: tuple[tuple[str, ...], ...] = (
     ("zone",),
     ("substation",),
     ("machine", "derailer", "level crossing", "interlock"),
+    ("point", "level crossing", "interlock"),
 )
 
 
