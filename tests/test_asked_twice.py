@@ -169,5 +169,5 @@ def test_nothing_that_is_demanded_bears_the_name_of_something_else(which: str, m
         return
     (error,) = found(text)
     assert re.fullmatch(r"IL2002 \w names an? (level crossing|interlock|machine) and, in line \d+, the .*", error)
-    with pytest.raises(Rejected, match="bears the name of another|are one name in the text"):
+    with pytest.raises(Rejected, match=r"bears the name of another|are one name in the text"):
         Railway(loaded(text))

@@ -45,7 +45,7 @@ OTHERS = {
     "A-SCAN": "Without it the invariants are not inductive; no movement to harm was found within 15 scans.",
     "A-OVERRUN": "It widens what trains do; without it no train passes a signal at stop at all.  "
     "Where there is no overlap, a train that passes a signal at stop does what A-OBEY excludes.",
-    "A-SIGHT": "It says where the physics ends: shunting movements stop before standing vehicles.",
+    "A-SIGHT": "It says where the physics ends: shunting movements stop before vehicles in a berth.",
     "A-BEYOND": "It says where the physics ends: the neighbour's side of a boundary.",
     "A-STANDS": "It says where the physics ends: vehicles that stand do not roll away.",
 }

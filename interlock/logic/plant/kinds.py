@@ -128,8 +128,9 @@ class FlatPlant:
 ASSUMPTIONS: dict[str, str] = {
     "A-OBEY": "A train passes a main signal, and a shunting movement any signal, only after its driver has accepted a "
     "proceed that was shown to it.",
-    "A-SIGHT": "A shunting movement runs on sight: it stops short of standing vehicles in the plain section where its "
-    "route ends, and moves on from there only on a signal.",
+    "A-SIGHT": "A shunting movement runs on sight: it stops short of vehicles in the plain section where its route "
+    "ends, those that stand and those that have come wholly in and still run, and moves on from there only on a "
+    "signal.",
     "A-OVERRUN": "A train that fails to stop at a main signal with an overlap stops within the overlap, undivided, "
     "and is moved from there under local rules; it fails only while it is coming to a stand before that signal, and "
     "elsewhere no train passes a signal at stop.",
