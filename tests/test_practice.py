@@ -376,3 +376,20 @@ signals:
         (tmp_path / "x.yaml").write_text(changed, "utf-8")
         found = check_file(str(tmp_path / "x.yaml"))
         assert {d.about.name for d in found.diagnostics if d.code == "IL7012" and d.about} == cut, found.diagnostics
+
+
+MARKED = {
+    "a line with a direction token": ("", "", True),
+    "another line": (", block: token", "", False),
+    "a board before the boundary": ("  H: {", "  L: {from: e1, into: e2, kind: limit}\n  H: {", False),
+    "no berth": ("signals:", "sections: {e2: {berth: no}}\nsignals:", False),
+    "allowed": ("signals:", "allow: [{lint: IL7013, at: [E], reason: a mark stands there}]\nsignals:", False),
+}
+
+
+@pytest.mark.parametrize("which", MARKED)
+def test_shunting_movements_that_end_before_a_token_line_see_where(tmp_path: Path, which: str) -> None:
+    before, after, warned = MARKED[which]
+    text = Path("tests/diagnostics/IL7013.yaml").read_text("utf-8").replace(before, after, 1)
+    done = checked(tmp_path, text)
+    assert done.ok and {d.code for d in done.diagnostics if d.severity != "info"} == ({"IL7013"} if warned else set())

@@ -1,7 +1,7 @@
 """Usual practice that only routes show: starting signals, places without a way in or out, waiting on points, vehicles
 beside points that nothing holds.
 
-Warnings IL7002, IL7003, IL7004, IL7007, IL4017.  A layout may depart from practice: `allow`, with a reason.
+Warnings IL7002, IL7003, IL7004, IL7007, IL7013, IL4017.  A layout may depart from practice: `allow`, with a reason.
 """
 
 from __future__ import annotations
@@ -35,6 +35,7 @@ def check_practice(layout: Layout, paths: Sequence[Path], locks: Locks, sink: Si
     _check_ends(found, paths, sink)
     _check_waiting(found, paths, sink)
     _check_spurs(layout, paths, locks, sink)
+    _check_marked(layout, paths, sink)
 
 
 def _passed(found: Plains, path: Path) -> Iterator[tuple[Plain, bool]]:
@@ -158,6 +159,25 @@ def _check_places(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
             said = f"no train can leave {words}: no route leads on from there to a boundary"
             fix = "add a signal out of it, or check the directions of those near it"
             sink.add("IL7004", said, None, fix, about=Element("sections", str(name)), cause="leave", note=str(name))
+
+
+def _check_marked(layout: Layout, paths: Sequence[Path], sink: Sink) -> None:
+    """Berths in which shunting movements end before a line with a direction token, where no board or signal tells them
+    so: elsewhere station limits without one are usual."""
+    tokens = {b.node for b in layout.track.boundaries if b.block == "token"}
+    for path in paths:
+        last = path.ways[-1]
+        if path.kind is RouteKind.SHUNT and last.exit in tokens and last.section in topology(layout).berths:
+            sink.add(
+                "IL7013",
+                f"shunting movements end in {last.section} before the single line beyond {last.exit}, and no board or "
+                "signal tells them where",
+                None,
+                f"give the last metres before {last.exit} a section of their own and set a limit-of-shunt board before "
+                f"it (`kind: limit`), or say `sections: {{{last.section}: {{berth: no}}}}`",
+                about=Element("boundaries", str(last.exit)),
+                cause=f"{last.section} {last.exit}",
+            )
 
 
 def _check_ends(found: Plains, paths: Sequence[Path], sink: Sink) -> None:

@@ -169,6 +169,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL7010": (_W, "two names that look alike"),
     "IL7011": (_W, "a point that another route may keep from moving"),
     "IL7012": (_W, "an overlap that the end of the layout cuts short"),
+    "IL7013": (_W, "nothing marks where shunting movements end before a line with a direction token"),
 }
 
 LINTS: tuple[str, ...] = ("IL3012", "IL4017", "IL4020", *(code for code in CODES if code.startswith("IL7")))
