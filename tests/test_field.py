@@ -18,17 +18,21 @@ import pytest
 from click.testing import CliRunner
 from pymodbus.client import ModbusTcpClient
 
+from interlock.app.presses import Presses
 from interlock.app.run import BadCommand, Operator, Ready, operate, prepare, run
 from interlock.cli.main import cli
+from interlock.cli.run import _Typed
 from interlock.field.alone import InUse, hold
 from interlock.field.modbus import ModbusLink, _runs
 from interlock.field.plc import Cycle, LinkLost, SoftPlc, Watch, runtime_scan
 from interlock.field.polling import LAST_S, Beside, InTurn, Poll
+from interlock.model.elements import Position
 from interlock.panel.desk import Desk
 from interlock.panel.operating import Person
 from interlock.st.ast import Unit
 from interlock.st.meaning import Execution, Numbers
 from interlock.st.program import watch
+from tests.layouts import built
 from tests.substation import FROZEN, LATE, WIRE
 
 TWO = """
@@ -396,6 +400,62 @@ def test_commands_are_for_one_cycle_and_values_stay(ready: Ready) -> None:
     assert operator.inputs(quiet, 100)["BLK_q1"] == 0 and not operator.held
 
 
+def test_a_run_starts_with_every_section_blocked_as_the_text_does(ready: Ready) -> None:
+    """What was blocked before a restart is not known: somebody may still work there."""
+    assert ready.controller is not None
+    text, blocked = dict[str, object](), ready.controller.symbols.sections.blocked
+    typed = _Typed(ready, text.update)
+    typed.begin()
+    assert text == {"blocked": {str(s): str(n) for s, n in blocked.items()}} and len(blocked) > 3
+    found = typed.ask(None, 100)
+    assert all(found[n] for n in blocked.values())
+    assert all(i.restrictive for i in ready.controller.inputs if i.name in blocked.values())
+    typed.take("BLK_q1=0")
+    assert [n for n in blocked.values() if not typed.ask(None, 100)[n]] == ["BLK_q1"]
+    typed.take("free")
+    assert not any(typed.ask(None, 100)[n] for n in blocked.values())
+
+
+def test_a_button_is_pressed_and_does_not_stay(ready: Ready) -> None:
+    """A release, a confirmation, a move by hand: what was forgotten acted hours later, when its conditions held."""
+    assert ready.allocation is not None
+    said: list[dict[str, object]] = []
+    typed = _Typed(ready, said.append)
+    for name in ("REL_q1", "RELALL", "TC_P1", "MN_P1", "MR_P1", "REQ", "CAN_X1"):
+        assert name in ready.allocation.written
+        typed.take(f"{name}=1")
+        read = [typed.ask(None, 500)[name] for _ in range(6)]
+        assert read == [1, 1, 1, 1, 0, 0], name
+        assert said == [{"pressed": name, "value": 1, "for_s": 2.0}, {"let_go": name}]
+        said.clear()
+        typed.take(f"{name}=1")
+        assert typed.ask(None, 60_000)[name], "a cycle reads it, however late"
+        typed.take(f"{name}=0")
+        assert not typed.ask(None, 100)[name] and {"let_go": name} in said
+        said.clear()
+    typed.take("BLK_q1=1")
+    assert all(typed.ask(None, 60_000)["BLK_q1"] for _ in range(3)), "a switch"
+
+
+def test_a_direction_is_pressed_until_it_is_here_and_a_crossing_is_held_closed() -> None:
+    """The special manual change asks for a hold of a minute; a crossing opens by itself when nobody holds it closed."""
+    layout, _, controller = built("passing_loop")
+    presses = Presses(layout, controller.symbols)
+    token = next(iter(controller.symbols.token.values()))
+    presses.press(token.manual, 1)
+    times = layout.principles.token_delay_s + 2
+    assert presses.press_ms(token.manual) == 1000 * times
+    assert all(presses.inputs({}, 1000) for _ in range(int(times)))
+    assert not presses.inputs({}, 1000) and presses.let_go() == [token.manual]
+    presses.press(token.manual, 1)
+    assert presses.inputs({}, 100) and not presses.inputs({token.have: True}, 100)
+    layout, _, controller = built("crossing_line")
+    by_hand = controller.symbols.machines.by_hand
+    presses = Presses(layout, controller.symbols)
+    held = {(m in layout.machines.device, x) for (m, x), n in by_hand.items() if presses.is_switch(n)}
+    assert held == {(True, Position.REVERSE)}
+
+
 @pytest.mark.parametrize("valid", [True, False], ids=["refused", "inputs lost"])
 def test_what_was_refused_is_not_asked_for_again(ready: Ready, valid: bool) -> None:
     """An operator who was refused has gone on to something else: a route that is set by itself later is no service."""
@@ -530,11 +590,12 @@ def test_the_command_runs_proves_and_stops(ready: Ready) -> None:
         args = ["run", path, "--modbus", f"west=127.0.0.1:{west.port}", "--modbus", f"east=127.0.0.1:{east.port}"]
         twice = CliRunner().invoke(cli, [*args, "--modbus", f"west=127.0.0.1:{east.port}", "--cycles", "1"])
         assert twice.exit_code == 2 and "--modbus says twice where west is" in twice.output
-        typed = "\n" * 30 + "release\nset X7-X1\nrubbish\n"  # a line a cycle
+        typed = "\n" * 29 + "free\nrelease\nset X7-X1\nrubbish\n"  # a line a cycle
         done = CliRunner().invoke(cli, [*args, "--cycles", "50", "--cycle", "40"], input=typed)
         assert done.exit_code == 0, done.output
         assert ready.proved.seconds > 0.0  # it says how long that took, as `prove` does
         assert "PROVED" in done.output and "inputs valid" in done.output and "YP_X7 = 1" in done.output
+        assert "BLK_q1=0 takes the block off one, free off all" in done.output and "held: nothing" in done.output
         assert "write set ROUTE" in done.output and "the longest cycle took" in done.output
         locks = hold([f"127.0.0.1:{east.port}/1"])  # the run has ended, and holds nothing
         with pytest.raises(InUse, match=f"127.0.0.1:{east.port}/1 is held"):

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from interlock.app.check import derive_file
 from interlock.app.numbers import Numbers
+from interlock.app.presses import Presses
 from interlock.app.prove import prove_derived
 from interlock.app.proved import Proved
 from interlock.dataclass import dataclass
@@ -60,7 +61,8 @@ class BadCommand(Exception):
 
 
 class Operator:
-    """The operator's place: commands hold for one cycle, VARIABLE=VALUE until it is set to 0.
+    """The operator's place: commands hold for one cycle, VARIABLE=VALUE as long as a button is pressed, or until a
+    switch is set to 0.
 
     Routes are asked for by the dispatcher, one after the other as the controller acknowledges them; it carries out
     voyages, and commands of a locomotive number with origin and destination (`dispatch.commands`).
@@ -72,7 +74,9 @@ class Operator:
         self._once: dict[str, int] = {}
         self._last: Cycle | None = None
         self.held: dict[str, int] = {}
+        """The switches that are on."""
         rules, symbols = ready.layout.principles, ready.controller.symbols
+        self.presses = Presses(ready.layout, symbols)
         self.voyages = tuple(v.name for v in ready.table.voyages)
         self.dispatcher = Dispatcher(
             Railway(ready.table, ready.layout),
@@ -95,11 +99,15 @@ class Operator:
             return ()
         if (verb, rest) == ("stop", ""):
             return self._stop()
+        if (verb, rest) == ("free", ""):
+            self.held = {n: v for n, v in self.held.items() if n not in symbols.sections.blocked.values()}
+            return ()
         found = operate(self._ready, line)
         number = found.get(symbols.requests.request)
         switched_off: tuple[str, ...] = ()
         if "=" in line:
-            self.held = {n: v for n, v in {**self.held, **found}.items() if v}
+            for name, value in found.items():
+                self._set(name, value)
         elif number is not None:
             self.dispatcher.ask(number)
         else:
@@ -108,6 +116,22 @@ class Operator:
             if signal is not None:
                 switched_off = self._switch_off(self.automatic(signal))
         return switched_off
+
+    def _set(self, name: str, value: int) -> None:
+        """Set a switch, or press a button."""
+        if not self.presses.is_switch(name):
+            self.presses.press(name, value)
+        elif value:
+            self.held[name] = value
+        else:
+            self.held.pop(name, None)
+
+    def block_all(self) -> dict[str, str]:
+        """Every section is blocked, as the text for a PLC starts; the switch of each."""
+        assert self._ready.controller is not None
+        blocked = self._ready.controller.symbols.sections.blocked
+        self.held |= dict.fromkeys(blocked.values(), 1)
+        return {str(s): str(name) for s, name in blocked.items()}
 
     def automatic(self, signal: SignalId | None = None) -> tuple[int, ...]:
         """Routes that work automatically, by number: those from a signal and those that lead past it, or all."""
@@ -185,7 +209,8 @@ class Operator:
         seen = {} if last is None else {**last.inputs, **last.outputs}
         self.numbers.cycle(seen, last is not None and last.valid)
         asked = self.dispatcher.step(seen, dt_ms)
-        found = dict.fromkeys(self._ready.allocation.written, 0) | asked | self.held | self._once
+        pressed = self.presses.inputs({} if last is None else last.memory.state, dt_ms)
+        found = dict.fromkeys(self._ready.allocation.written, 0) | asked | self.held | pressed | self._once
         self._once = {}
         return found
 
@@ -230,7 +255,7 @@ def operate(ready: Ready, line: str) -> dict[str, int]:
         raise BadCommand(f"write {verb} {ALONE[verb]}")
     raise BadCommand(
         "write set ROUTE, swing SIGNAL, voyage NAME, voyage NAME end, train NUMBER SECTION, cancel SIGNAL, stop, "
-        "release, or VARIABLE=VALUE"
+        "release, free, or VARIABLE=VALUE"
     )
 
 

@@ -112,7 +112,11 @@ class _Typed:
     def listen(self) -> None:
         """Take what is typed, until there is no more."""
         for line in sys.stdin:
-            self._waiting.put(("", line, lambda taken: None))
+            self.take(line)
+
+    def take(self, line: str) -> None:
+        """Take a line that is typed."""
+        self._waiting.put(("", line, lambda taken: None))
 
     def asked(self, who: str, what: str, name: str, reply: Reply) -> None:
         """Take a request that came over Modbus."""
@@ -134,12 +138,28 @@ class _Typed:
                 taken = False
                 say({"refused": str(error)})
             reply(taken)
-            if "=" in line:
-                say({"held": dict(sorted(operator.held.items()))})
+            self._held(line)
         found = operator.inputs(last, dt_ms)
+        for name in operator.presses.let_go():
+            say({"let_go": name})
         for news in operator.news():
             say({"voyage": news})
         return found
+
+    def _held(self, line: str) -> None:
+        """Say what is pressed, or held, after a line that has set it."""
+        name, sign, _ = line.partition("=")
+        presses, name = self._operator.presses, name.strip()
+        if sign and name in presses.pressed:
+            value, seconds = presses.pressed[name].value, presses.press_ms(name) / 1000
+            self._say({"pressed": name, "value": value, "for_s": seconds})
+        elif sign or line == "free":
+            self._say({"held": dict(sorted(self._operator.held.items()))})
+
+    def begin(self) -> None:
+        """Start as the text for a PLC does, with every section blocked, and say so."""
+        if blocked := self._operator.block_all():
+            self._say({"blocked": blocked})
 
     def after(self, cycle: Cycle) -> Iterable[str]:
         """The keys of the alarms that stand after a cycle; those that are new or over are said, and what has become of
@@ -166,6 +186,7 @@ def _run(
 ) -> None:
     """Run on real inputs and outputs until it is over or somebody ends it, and say what changes."""
     typed = _Typed(ready, say)
+    typed.begin()
     gc.enable()  # off in the short-lived commands; this one runs on
     threading.Thread(target=typed.listen, daemon=True).start()
     for ending in (signal.SIGTERM, signal.SIGHUP):
@@ -256,14 +277,16 @@ def command(
 ) -> None:
     """Prove LAYOUT, then run its runtime on Modbus TCP, or with --panel on a simulated railway.
 
+    Every section is blocked at first, as in the text for a PLC: BLK_q1=0 takes the block off section q1, free all.
     A line of input is a command for one cycle: set ROUTE, swing SIGNAL, cancel SIGNAL, release, or stop, which cancels
     every route and gives up every voyage.
     Voyage NAME opens the routes of a voyage one after the other, each when its train stands before it, until it is done
     or voyage NAME end gives it up; voyage 12:W>E does so for locomotive 12 from W to E.
     From then on numbers step with the sections that are reported occupied, and what does not fit is an alarm; nothing
     is asked for its train until train 12 q4 says where it stands.
-    VARIABLE=VALUE (for instance BLK_q1=1) stays until it is set otherwise.  Every change of an output is printed.  A
-    standard computer is no safety PLC: for trials, not for a railway.
+    VARIABLE=VALUE switches blocks and automatic working (BLK_q1=1), which stay until they are set otherwise, and
+    presses buttons (REL_q1=1), for two seconds.  Every change of an output is printed.  A standard computer is no
+    safety PLC: for trials, not for a railway.
     """
     place = _place(modbus, panel, operator_modbus, requests)
     _only_there(panel)
@@ -325,6 +348,13 @@ def _text(event: dict[str, Any]) -> None:
             click.echo(f"  {'ALARM' if stands else 'over'}: {text}")
         case {"held": held}:
             click.echo(f"  held: {', '.join(f'{n}={v}' for n, v in held.items()) or 'nothing'}")
+        case {"pressed": name, "value": value, "for_s": seconds}:
+            click.echo(f"  {name} = {value} for {seconds:g} s at most")
+        case {"let_go": name}:
+            click.echo(f"  {name} = 0 again")
+        case {"blocked": blocked}:
+            first = next(iter(blocked.values()))
+            click.echo(f"blocked: {', '.join(blocked)}; {first}=0 takes the block off one, free off all")
         case {"inputs": state, "lost": lost}:
             click.echo(f"inputs {state}{''.join(f'; {x}' for x in lost)}")
         case {"output": name, "value": value}:

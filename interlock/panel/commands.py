@@ -59,7 +59,7 @@ class Holds:
 
     def hold(self, name: str, hold: Hold) -> None:
         """Hold an input."""
-        self._operator.type(f"{name}=1")
+        self._operator.held[name] = 1
         self._held[name] = hold
 
     def let_go(self, cycle: Cycle, dt_ms: float) -> list[str]:

@@ -149,6 +149,8 @@ class Desk:
         found = self.operating.operator.inputs(last, dt_ms)
         for news in self.operating.operator.news():
             self._note(Event("note", news))
+        for name in self.operating.operator.presses.let_go():
+            self._note(Event("note", f"{name} is 0 again"))
         if self.field is not None:
             self.field.step(dt_ms / 1000, found)
         return found
