@@ -236,6 +236,48 @@ def test_in_a_balloon_loop_both_ways_are_told_apart(tmp_path: Path) -> None:
     assert lints(tmp_path, RING.replace("S1: {from: r2, into: T}", "S1: {from: T, into: r2}")) == [("IL7001", "S1")]
 
 
+CROSSOVER = """interlock: 1
+name: crossover
+principles: {point_start_gap_s: 20}
+boundaries: {W1: {approach: wa 1200}, E1: {approach: ea 1200}, W2: {approach: wb 1200}, E2: {approach: eb 1200}}
+tracks: {a: [W1, a1 300], b: [b1 300, E1], c: [W2, c1 300], d: [d1 300, E2]}
+points:
+  1A: {section: s1, toe: a.end, normal: b.start, reverse: 1B.reverse}
+  1B: {section: s2, toe: d.start, normal: c.end}
+signals:
+  X1: {from: W1, into: a1}
+  X2: {from: a1, into: s1}
+  Y1: {from: E1, into: b1}
+  Y2: {from: b1, into: s1}
+  U1: {from: W2, into: c1}
+  U2: {from: c1, into: s2}
+  V1: {from: E2, into: d1}
+  V2: {from: d1, into: s2}
+"""
+
+
+def test_supervision_lasts_for_the_machines_that_start_before(tmp_path: Path) -> None:
+    """It counts from the command, and machines start one after the other: each second one raised an alarm."""
+
+    def said(more: str) -> list[tuple[str, str]]:
+        stated = CROSSOVER.replace("principles: {point_start_gap_s: 20}", f"principles: {{{more}}}")
+        return [(d.message, str(d.fix)) for d in checked(tmp_path, stated).diagnostics if d.code == "IL3023"]
+
+    ((why, fix),) = said("point_start_gap_s: 20")
+    assert why.startswith("point_supervision_s is 13 s, and 26.0 s are needed for 1B: where ")
+    assert why.endswith(
+        "turns it after another machine, 20 s apart, it starts 20 s after it is commanded, and runs for 6 s"
+    )
+    assert fix == "state at least 26 s, or a `point_start_gap_s` of at most 7 s, if the supply bears it"
+    assert said("point_start_gap_s: 20, point_supervision_s: 26") == said("point_start_gap_s: 7") == []
+    assert len(said("point_start_gap_s: 20, point_supervision_s: 25.9")) == len(said("point_start_gap_s: 7.1")) == 1
+    own = CROSSOVER.replace("reverse: 1B.reverse}", "reverse: 1B.reverse, supervision: 8}")
+    own = own.replace("normal: c.end}", "normal: c.end, supervision: 25}")
+    ((one),) = (d for d in checked(tmp_path, own).diagnostics if d.code == "IL3023")
+    assert one.message.startswith("the supervision of 1B is 25 s, and 26.0 s are needed for 1B")
+    assert one.span is not None and one.span.line == 8, "1A starts first"
+
+
 def test_the_fix_of_a_restart_delay_is_one_that_helps(tmp_path: Path) -> None:
     """Lower speeds make it worse: what ran at a power cut takes longer to the next signal."""
     text = STARTER.replace("q3 600", "q3 2600").replace("q4 600", "q4 2600")

@@ -1,7 +1,7 @@
 """The derivation as a visible order of steps.
 
 Input: a `Layout`.  Output: an `InterlockingTable`; diagnostics
-IL4001-IL4005, IL4010-IL4012, IL4016-IL4018, IL2007, IL2008, IL2019, IL2024, IL3012; warning IL7011.
+IL4001-IL4005, IL4010-IL4012, IL4016-IL4018, IL2007, IL2008, IL2019, IL2024, IL3012, IL3023; warning IL7011.
 """
 
 from __future__ import annotations
@@ -30,6 +30,7 @@ from interlock.derivation.practice import check_practice
 from interlock.derivation.reached import check_reached
 from interlock.derivation.routes import Path, find_routes
 from interlock.derivation.shown import check_shown
+from interlock.derivation.starts import check_starts
 from interlock.derivation.voyages import derive_voyages
 from interlock.diag import Element, Sink
 from interlock.diag.called import called
@@ -120,6 +121,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     voyages, automatic = derive_voyages(layout, rows, by_key, sink), derive_automatic(layout, paths, sink)
     check_practice(layout, paths, by_key, sink)
     check_shown(layout, rows, sink)
+    check_starts(layout, rows, sink)
     beside.report(sink)
     return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
 

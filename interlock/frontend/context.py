@@ -26,6 +26,12 @@ class Context:
         """The place of a key in the source."""
         return span_of(self.root, path, key=True)
 
+    def stated(self, principle: str) -> tuple[str, ...]:
+        """Where a principle is stated, or could be."""
+        if getattr(self.file.principles, principle) is not None:
+            return "principles", principle
+        return ("principles",) if "principles" in self.file.model_fields_set else ("name",)
+
     def add(
         self,
         code: str,

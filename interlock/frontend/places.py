@@ -29,6 +29,8 @@ class Places:
         for lists in ("buffers", "traps") if room == "buffers" else ():
             if name in getattr(f, lists):
                 return self._ctx.at(lists, getattr(f, lists).index(name))
+        if room == "principles":
+            return self._ctx.at_key(*self._ctx.stated(str(name)))
         if room in ("points", "crossings"):
             return self._ctx.at_key(*self._moved(str(name)))
         if isinstance(name, int) or name in getattr(f, room, ()):

@@ -54,7 +54,7 @@ def check_delays(ctx: Context, layout: Layout) -> None:
             ctx.add(
                 "IL3023",
                 f"{name} is {own:g} s, and {need / 1000:.1f} s are needed {words}",
-                ctx.at_key(*_stated(ctx, name)),
+                ctx.at_key(*ctx.stated(name)),
                 f"state {f'`{wanted}` under `principles`' if spoken else f'`principles: {{{wanted}}}`'}{slower}",
             )
     for g, own in layout.overlaps.releases:
@@ -91,7 +91,7 @@ def _released_early(ctx: Context, layout: Layout) -> None:
             assert way is not None  # a train runs there
             text = f"the overlap of {g} is released after {own:g} s, while even the fastest train still runs to {g}: "
             text += f"at {way.kmh:g} km/h it takes {need:.1f} s from coming into {way.section} to standing before {g}"
-            at = ("overlaps", g) if g in ctx.file.overlaps else _stated(ctx, "overlap_release_s")
+            at = ("overlaps", g) if g in ctx.file.overlaps else ctx.stated("overlap_release_s")
             fix = f"state `overlaps: {{{g}: {{release_by_length: yes}}}}`, or a `release` of at least {ceil(need)} s"
             ctx.add("IL3035", text, ctx.at_key(*at), fix)
 
@@ -114,13 +114,6 @@ def _made_for_less(ctx: Context, layout: Layout) -> None:
             f"state `speed: {way.kmh:g}`, the speed that is run in {way.section} (`sections`), or `entry_speed`, which "
             "no train is shown more than",
         )
-
-
-def _stated(ctx: Context, principle: str) -> tuple[str, ...]:
-    """Where a principle is stated, or could be."""
-    if getattr(ctx.file.principles, principle) is not None:
-        return "principles", principle
-    return ("principles",) if "principles" in ctx.file.model_fields_set else ("name",)
 
 
 def _not_in_time(layout: Layout, g: SignalId) -> tuple[str, str]:
