@@ -7,11 +7,19 @@ import re
 from collections import Counter
 from collections.abc import Callable
 from itertools import pairwise, product
+from pathlib import Path
 
 import pytest
 
+from interlock.app.check import check_file
+from interlock.derivation import derive
+from interlock.diag import Sink
+from interlock.emit.python.runtime import runtime_py
+from interlock.field.plc import runtime_scan
 from interlock.field.telegram import BadTelegram, Form, Receiver, Sender, decode, encode, form_of
+from interlock.frontend import load_text
 from interlock.logic.expr import neg, var
+from interlock.logic.lower import lower
 from interlock.model.elements import MachineId, Position
 from interlock.proof.engines import Answer, solver
 from interlock.proof.engines.tseitin import Cnf
@@ -233,3 +241,51 @@ def test_the_blocks_pass_our_own_checks(form: Form) -> None:
     kinds = {f.rule for f in lint(unit) if "no block has an instance" not in f.text}
     assert kinds <= {"ST-INIT"}  # AGAIN and the like are of the last scan
     assert not re.search(r"\b(FOR|WHILE|ARRAY)\b", text_of(form))
+
+
+@pytest.mark.parametrize(("machines", "apart"), [(12, True), (13, False)])
+def test_a_tag_tells_four_bytes_apart(machines: int, apart: bool, tmp_path: Path) -> None:
+    """Of a telegram of five bytes the first and the last have one tag: exchanged they pass, and IL3046 says so."""
+    form = form_of([MachineId(f"P{k}") for k in range(1, machines + 1)], tagged=True)
+    wanted = commands(form, [R, *[N] * (machines - 1)])
+    sent = bytearray(encode(form, wanted))
+    last = form.size - 2
+    sent[0], sent[last] = sent[last], sent[0]
+    if apart:
+        with pytest.raises(BadTelegram):
+            decode(form, bytes(sent))
+    path = tmp_path / "ladder.yaml"
+    text = Path("tests/diagnostics/IL3046.yaml").read_text("utf-8")
+    if apart:
+        text = text.replace("normal: P13.toe,", "normal: B14,").replace("  B13: {trains: out}\n", "")
+        text = re.sub(r"  P13: .*\n", "", text)
+    path.write_text(text, "utf-8")
+    found = check_file(str(path))
+    assert found.ok and ("IL3046" not in {d.code for d in found.diagnostics}) is apart
+
+
+def test_with_a_gap_between_starts_a_telegram_is_sent_as_il3047_advises() -> None:
+    """The outputs of a machine are on only until it has arrived: wired from these alone nothing would ever be sent."""
+    text = Path("tests/diagnostics/IL3047.yaml").read_text("utf-8")
+    layout, _ = load_text("gap.yaml", text, sink := Sink())
+    assert layout is not None and "IL3047" in {d.code for d in sink.diagnostics}
+    controller = lower(layout, table := derive(layout, sink))
+    plc = runtime_scan(runtime_py(controller, []))
+    world = {str(i.name): int(i.name.startswith("CLR_")) for i in controller.inputs} | {"VALID": 1, "DN_P1": 1}
+
+    def scan(**more: int) -> tuple[bool, bool, bool]:
+        """Whether there is a command as it is wired from outputs alone and as advised, and whether that is reverse."""
+        o = plc.scan({**world, **more}, 1000)
+        n, r = o["YN_P1"], o["YR_P1"]
+        own = n or (bool(world["DN_P1"]) and not r), r or (bool(world["DR_P1"]) and not n)
+        return n != r, own[0] != own[1], own[1]
+
+    for _ in range(round(layout.principles.restart_delay_s) + 2):
+        scan()
+    scan(RELALL=1)
+    assert scan() == (False, True, False)
+    route = next(r for r in table.routes if r.exit == "B" and r.entry == "X2")
+    scan(REQ=route.number)
+    assert [scan() for _ in range(3)][-1] == (True, True, True)
+    world |= {"DN_P1": 0, "DR_P1": 1}
+    assert [scan() for _ in range(3)][-1] == (False, True, True)

@@ -102,6 +102,8 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3042": (_W, "a point or diamond that lies too near to another one"),
     "IL3045": (_W, "sections that are foul of each other"),
     "IL3044": (_W, "an overlap for a lower speed than trains come at"),
+    "IL3046": (_W, "a telegram with more bytes than its tag tells apart"),
+    "IL3047": (_W, "point telegrams where machines start one after the other"),
     "IL3043": (_W, "an overlap that takes off a derailer beyond its length"),
     "IL3041": (_W, "a boundary that is foul of a point or diamond"),
     "IL3021": (_I, "an inclined lane without a condition"),

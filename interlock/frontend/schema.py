@@ -484,7 +484,8 @@ class LayoutFile(Part):
         {},
     )
     telegram: Annotated[TelegramForm, choice("telegram", tuple(TelegramForm))] = key(
-        "point commands go out as telegrams of document C; those of `tagged` bear their number", TelegramForm.NONE
+        "point commands go out as telegrams of document C; bytes of `tagged` bear their number modulo 4",
+        TelegramForm.NONE,
     )
     target: TargetSpec = key(
         "the controller; a diagnostic says whether the text that is written may fit into it", TargetSpec()

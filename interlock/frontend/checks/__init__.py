@@ -15,6 +15,7 @@ from interlock.frontend.checks.principles import check_principles
 from interlock.frontend.checks.repeated import check_repeated
 from interlock.frontend.checks.signals import check_signals
 from interlock.frontend.checks.standing import check_standing
+from interlock.frontend.checks.telegram import check_telegram
 from interlock.frontend.checks.unseen import check_unseen
 from interlock.frontend.checks.zones import check_zones
 
@@ -33,6 +34,7 @@ CHECKS = (
     check_lengths,
     check_unseen,
     check_principles,
+    check_telegram,
     check_approach,
     check_facing,
     check_repeated,
