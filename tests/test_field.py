@@ -616,6 +616,21 @@ def test_the_command_runs_proves_and_stops(ready: Ready) -> None:
         east.kill()
 
 
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ("1.2.3.4", "1.2.3.4: write SUBSTATION=HOST:PORT[/DEVICE]; substations: main"),
+        ("north=1.2.3.4:502", "substations: main"),
+        ("1.2.3.4:99999", "a port is between 1 and 65535"),
+    ],
+)
+def test_an_address_is_looked_at_before_the_proof(given: str, said: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A proof takes minutes."""
+    monkeypatch.setattr("interlock.app.run.prove_derived", lambda *args: pytest.fail("it is being proved"))
+    no = CliRunner().invoke(cli, ["run", "layouts/fig2_2.yaml", "--modbus", given])
+    assert no.exit_code == 2 and said in no.output, no.output
+
+
 def test_a_scada_asks_for_a_route_and_the_run_says_who_did(ready: Ready) -> None:
     west, east = Station(ready, "west"), Station(ready, "east")
     port, seen = free_port(), list[int]()

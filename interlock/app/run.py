@@ -42,18 +42,26 @@ class Ready:
     runtime: str = ""
 
 
-def prepare(path: str, limits: Limits | None = None, progress: Progress = quiet) -> Ready:
-    """Check, prove, and compare the runtime that is going to run."""
+def prepare(
+    path: str,
+    limits: Limits | None = None,
+    progress: Progress = quiet,
+    checked: Callable[[Layout], None] = lambda layout: None,
+) -> Ready:
+    """Check, prove, and compare the runtime that is going to run; `checked` is told the layout before it is proved."""
     began = time.monotonic()
-    proved, files = prove_derived(derive_file(path), limits, progress)
+    derived = derive_file(path)
+    if derived.ok and derived.layout is not None:
+        checked(derived.layout)
+    proved, files = prove_derived(derived, limits, progress)
     proved = replace(proved, seconds=time.monotonic() - began)
-    checked = proved.checked
-    if not proved.green or checked.layout is None or checked.table is None:
+    found = proved.checked
+    if not proved.green or found.layout is None or found.table is None:
         return Ready(proved)
     with interning():
-        controller = lower(checked.layout, checked.table)
-        allocation = allocate(checked.layout, controller)
-    return Ready(proved, checked.layout, checked.table, controller, allocation, files["runtime.py"].decode())
+        controller = lower(found.layout, found.table)
+        allocation = allocate(found.layout, controller)
+    return Ready(proved, found.layout, found.table, controller, allocation, files["runtime.py"].decode())
 
 
 class BadCommand(Exception):

@@ -30,13 +30,23 @@ from interlock.field.modbus import ModbusLink
 from interlock.field.operator_place import Reply
 from interlock.field.plc import Cycle, Link
 from interlock.field.polling import Beside
+from interlock.logic.cabinet import substations
+from interlock.model.layout import Layout
 
 
-def _links(ready: Ready, given: tuple[str, ...]) -> dict[str, Link]:
-    assert ready.allocation is not None
-    stations = ready.allocation.stations
-    links: dict[str, Link] = {}
-    places: list[str] = []
+@dataclass(frozen=True)
+class _Place:
+    """Where a substation is reached."""
+
+    host: str
+    port: int
+    device: int
+
+
+def _places(layout: Layout, given: tuple[str, ...]) -> dict[str, _Place]:
+    """Where each substation is, from what --modbus says; nobody else may write there until the command ends."""
+    stations = tuple(s.name for s in substations(layout))
+    places: dict[str, _Place] = {}
     for text in given:
         station, _, rest = text.rpartition("=")
         station = station or (stations[0] if len(stations) == 1 else "")
@@ -46,19 +56,18 @@ def _links(ready: Ready, given: tuple[str, ...]) -> dict[str, Link]:
             raise click.UsageError(f"{text}: write SUBSTATION=HOST:PORT[/DEVICE]; substations: {', '.join(stations)}")
         if not (0 < int(port) < 65536 and int(device or 1) < 256):
             raise click.UsageError(f"{text}: a port is between 1 and 65535, a device between 0 and 255")
-        if station in links:
+        if station in places:
             raise click.UsageError(f"{text}: --modbus says twice where {station} is")
-        places.append(f"{host}:{port}/{device or 1}")
-        links[station] = ModbusLink(ready.allocation, station, host, int(port), int(device or 1))
-    missing = sorted(set(stations) - set(links))
+        places[station] = _Place(host, int(port), int(device or 1))
+    missing = sorted(set(stations) - set(places))
     if missing:
         raise click.UsageError(f"--modbus is missing for {', '.join(missing)}")
     try:
-        held = hold(places)  # locks on the substations that this process writes
+        held = hold([f"{p.host}:{p.port}/{p.device}" for p in places.values()])
         click.get_current_context().call_on_close(lambda: [lock.close() for lock in held])
     except (InUse, OSError) as error:
         raise click.UsageError(str(error)) from None
-    return links
+    return places
 
 
 def _needs(module: str, what: str, extra: str) -> None:
@@ -297,8 +306,14 @@ def command(
         from interlock.cli.panel import opened
 
         sock, tokens = opened(host, port, token, look_token)
+    places: dict[str, _Place] = {}
+
+    def checked(found: Layout) -> None:
+        if modbus:
+            places.update(_places(found, modbus))
+
     with progress(layout) as report:
-        ready = prepare(layout, None, report)
+        ready = prepare(layout, None, report, checked)
     say = _json if form == "json" else _text
     if form == "json":
         say(proof_body(ready.proved))
@@ -306,7 +321,9 @@ def command(
         show_proof(ready.proved, form, False)
     if ready.allocation is None:
         sys.exit(exit_code([ready.proved]))
-    links = _links(ready, modbus) if modbus else None
+    links: dict[str, Link] | None = None
+    if modbus:
+        links = {s: ModbusLink(ready.allocation, s, p.host, p.port, p.device) for s, p in places.items()}
     if sock is not None:
         from interlock.cli.panel import run_panel
 

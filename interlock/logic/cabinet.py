@@ -170,18 +170,19 @@ def _wires(layout: Layout, controller: Controller) -> Iterator[tuple[str, str, s
             yield lit(distant.id), "Q", distant.id
 
 
-def _substations(layout: Layout) -> tuple[Substation, ...]:
+def substations(layout: Layout) -> tuple[Substation, ...]:
+    """Those that the layout states, or one for everything."""
     return layout.hardware.substations or (Substation("main", ()),)
 
 
 def _health(layout: Layout) -> tuple[Health, ...]:
     stated = {h.substation: h for h in layout.hardware.health}
-    return tuple(stated.get(s.name, Health(s.name)) for s in _substations(layout))
+    return tuple(stated.get(s.name, Health(s.name)) for s in substations(layout))
 
 
 def wires(layout: Layout, controller: Controller) -> tuple[Wire, ...]:
     """Everything that hangs on a substation: first heartbeats and diagnosis bits, last what is sent to it."""
-    stations = _substations(layout)
+    stations = substations(layout)
     rest = next((s.name for s in stations if not s.elements), stations[0].name)
     holder = {e: s.name for s in stations for e in s.elements}
     health = _health(layout)
@@ -247,7 +248,7 @@ def allocate(layout: Layout, controller: Controller) -> Allocation:
         raise BadAddress(clash.variable, clash.text)
     room = _Room(layout.hardware.pins, hanging, stated)
     channels: list[Channel] = []
-    for station in _substations(layout):
+    for station in substations(layout):
         for direction in ("I", "Q"):
             here = [w for w in hanging if (w.substation, w.direction) == (station.name, direction)]
             room.take(station.name, direction, [w for w in here if w.variable not in room.place])
@@ -262,8 +263,8 @@ def allocate(layout: Layout, controller: Controller) -> Allocation:
     used = {c.variable for c in channels}
     written = tuple(i.name for i in controller.inputs if i.name not in used and i.name != controller.symbols.valid)
     read = tuple(o.name for o in controller.outputs if o.name not in used)
-    cards = tuple(c for s in _substations(layout) for c in room.cards if c.substation == s.name)
-    stations = {s.name for s in _substations(layout)}
+    cards = tuple(c for s in substations(layout) for c in room.cards if c.substation == s.name)
+    stations = {s.name for s in substations(layout)}
     left = tuple(c for c in room.cards if c.substation not in stations)
     beats, bits, sent = (tuple(c for c in channels if signs.get(c.variable) == kind) for kind in _SIGNS)
     plain = tuple(c for c in channels if c.variable not in signs)
