@@ -360,6 +360,10 @@ def test_what_the_operator_types(ready: Ready) -> None:
         ("REQ=99", "REQ=99: REQ is a number from 0 to "),
         ("REQ=" + "9" * 5000, "REQ is a number from 0 to "),
         ("BLK_qq1=1", "there is no variable BLK_qq1: did you mean BLK_q1?"),
+        (
+            "BLK_ap_W=1",
+            "no variable BLK_ap_W: section ap_W cannot be blocked: it is an approach section, which no route",
+        ),
         ("CLR_q1=1", "CLR_q1 is read from a substation: it is not set by hand"),
         ("YP_X7=1", "YP_X7 is written by the controller: it is not set by hand"),
         ("VALID=1", "VALID says whether inputs are valid: it is not set by hand"),

@@ -1167,6 +1167,19 @@ def every_command(still: dict[str, Any]) -> Iterator[dict[str, Any]]:
     yield {"do": "stop"}
 
 
+def test_why_a_section_cannot_be_blocked_is_told() -> None:
+    desk = Desk(unproved(Path("layouts/depot.yaml").read_text("utf-8")))
+    answers: list[dict[str, Any]] = []
+    for section in ("ap", "sto", "s99"):
+        desk.ask(Person("tester", True), {"do": "block", "section": section, "on": True}, answers.append)
+    desk._commands()
+    assert [a["why"][0][0] for a in answers] == [
+        "section ap cannot be blocked: it is an approach section, which no route locks",
+        "section sto cannot be blocked: no route and no overlap locks it",
+        "there is no such section",
+    ]
+
+
 @pytest.mark.parametrize("name", SHIPPED)
 def test_every_shipped_layout_has_its_panel(name: str) -> None:
     """Everything has its place on the plan (B-04); whatever is asked is done or refused in words."""

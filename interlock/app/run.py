@@ -12,6 +12,7 @@ from interlock.app.presses import Presses
 from interlock.app.prove import prove_derived
 from interlock.app.proved import Proved
 from interlock.dataclass import dataclass
+from interlock.diag.called import called
 from interlock.diag.suggest import did_you_mean
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.commands import BadOrder, errand
@@ -23,6 +24,7 @@ from interlock.logic.cabinet import Allocation, allocate
 from interlock.logic.controller import Controller, Input
 from interlock.logic.expr import interning
 from interlock.logic.lower import lower
+from interlock.logic.names import BLOCKED
 from interlock.model.elements import SignalId
 from interlock.model.layout import Layout
 from interlock.proof.engines.limits import Limits
@@ -273,7 +275,7 @@ ALONE = {"set": "ROUTE", "swing": "SIGNAL", "cancel": "SIGNAL"}
 
 def _by_hand(ready: Ready, line: str) -> dict[str, int]:
     """VARIABLE=VALUE.  Raises `BadCommand`, which says what is wrong with either."""
-    assert ready.controller is not None and ready.allocation is not None
+    assert ready.layout is not None and ready.controller is not None and ready.allocation is not None
     written, _, value = (part.strip() for part in line.partition("="))
     inputs: dict[str, Input] = {i.name: i for i in ready.controller.inputs}
     given = inputs.get(written) if written in ready.allocation.written else None
@@ -282,6 +284,9 @@ def _by_hand(ready: Ready, line: str) -> dict[str, int]:
             whose = "is read from a substation" if written in inputs else "is written by the controller"
             whose = "says whether inputs are valid" if written == ready.controller.symbols.valid else whose
             raise BadCommand(f"{written} {whose}: it is not set by hand")
+        for s in ready.layout.track.sections:
+            if written == BLOCKED(s.id) and (why := not_blocked(ready, s.id)):
+                raise BadCommand(f"there is no variable {written}: {why}")
         raise BadCommand(f"there is no variable {written}: {did_you_mean(written, ready.allocation.written)}")
     # the largest number of an input stands for all that name nothing
     most = given.size - 2 if given.size else 1
@@ -291,6 +296,17 @@ def _by_hand(ready: Ready, line: str) -> dict[str, int]:
     if written == ready.controller.symbols.requests.request:
         allowed += " (0 asks for nothing; `set ROUTE` asks for a route by its name)"
     raise BadCommand(f"{written}={value}: {written} is {allowed}")
+
+
+def not_blocked(ready: Ready, section: str) -> str:
+    """Why a section has no block; empty where there is no such section, or it has one."""
+    assert ready.layout is not None and ready.controller is not None
+    blocked = ready.controller.symbols.sections.blocked
+    if section not in {s.id for s in ready.layout.track.sections} - blocked.keys():
+        return ""
+    outside = section in {b.approach for b in ready.layout.track.boundaries}
+    why = "it is an approach section, which no route locks" if outside else "no route and no overlap locks it"
+    return f"{called('section', section)} cannot be blocked: {why}"
 
 
 def run(

@@ -70,6 +70,21 @@ def _places(layout: Layout, given: tuple[str, ...]) -> dict[str, _Place]:
     return places
 
 
+def _prepared(layout: str, modbus: tuple[str, ...]) -> tuple[Ready, dict[str, Link] | None]:
+    """The layout, proved, and the links to its substations, whose addresses are looked at before; None without any."""
+    places: dict[str, _Place] = {}
+
+    def checked(found: Layout) -> None:
+        if modbus:
+            places.update(_places(found, modbus))
+
+    with progress(layout) as report:
+        ready = prepare(layout, None, report, checked)
+    if ready.allocation is None or not modbus:
+        return ready, None
+    return ready, {s: ModbusLink(ready.allocation, s, p.host, p.port, p.device) for s, p in places.items()}
+
+
 def _needs(module: str, what: str, extra: str) -> None:
     """An extra that has to be installed."""
     if importlib.util.find_spec(module) is None:
@@ -306,14 +321,7 @@ def command(
         from interlock.cli.panel import opened
 
         sock, tokens = opened(host, port, token, look_token)
-    places: dict[str, _Place] = {}
-
-    def checked(found: Layout) -> None:
-        if modbus:
-            places.update(_places(found, modbus))
-
-    with progress(layout) as report:
-        ready = prepare(layout, None, report, checked)
+    ready, links = _prepared(layout, modbus)
     say = _json if form == "json" else _text
     if form == "json":
         say(proof_body(ready.proved))
@@ -321,9 +329,6 @@ def command(
         show_proof(ready.proved, form, False)
     if ready.allocation is None:
         sys.exit(exit_code([ready.proved]))
-    links: dict[str, Link] | None = None
-    if modbus:
-        links = {s: ModbusLink(ready.allocation, s, p.host, p.port, p.device) for s, p in places.items()}
     if sock is not None:
         from interlock.cli.panel import run_panel
 

@@ -202,6 +202,12 @@ def _tell_none(g: SignalId, dropped: Sequence[_Dropped], sink: Sink) -> None:
     fix = "check its direction (`from`, `into`) and where the track goes"
     if whys:
         fix = "check its direction; the notes name each way left out, `interlock explain IL4005` what to do"
+    if whys and all(w.startswith(SHUNT_STAYS) for w in whys):
+        fix = (
+            "let it end before the boundary: put a board there (`kind: limit`, or `kind: board` if trains end there, "
+            "too), or say `berth: no` of a road there that it leaves at a shunt signal on the way back; `interlock "
+            "explain IL4005`"
+        )
     why = f": {'; '.join(whys)}" if whys else ""
     text = f"no route leads from {called('signal', g)}{why}"
     sink.add("IL4003", text, None, fix, about=Element("signals", g))
@@ -217,6 +223,10 @@ def where_routes_lead(entry: str | None, exit_: str | None, led: Iterable[tuple[
         starts = ", ".join(sorted({here for here, there in led if there == exit_}))
         return f": to {exit_} routes lead from {starts}" if starts else f": no route ends at {exit_}"
     return ""
+
+
+SHUNT_STAYS = "a shunting movement does not leave"
+"""Why a shunting movement does not run on over a boundary; at which one follows."""
 
 
 @dataclass(frozen=True)
@@ -498,10 +508,8 @@ def _search(layout: Layout, topo: Topology, g: Signal, kind: RouteKind) -> Itera
                 yield ExitKind.BERTH, section, path
             elif onward is None:
                 leaves = layout.track.boundary_at[t.exit].kind is not BoundaryKind.IN and kind is not RouteKind.SHUNT
-                what = "a shunting movement" if kind is RouteKind.SHUNT else "a train"
-                yield (
-                    (ExitKind.BOUNDARY, t.exit, path) if leaves else (None, f"{what} does not leave at {t.exit}", path)
-                )
+                stays = f"{SHUNT_STAYS if kind is RouteKind.SHUNT else 'a train does not leave'} at {t.exit}"
+                yield (ExitKind.BOUNDARY, t.exit, path) if leaves else (None, stays, path)
             elif any(w.section == onward for w in path):
                 yield None, f"it meets {onward} again", path
             else:

@@ -81,7 +81,15 @@ def _meant(ctx: Context, wiring: Wiring) -> set[str]:
 
 def no_section(ctx: Context, wiring: Wiring, name: str, span: Span, what: str) -> None:
     """Report that `what` names a section that there is not, unless its track cannot be read, which is reported."""
-    if name not in wiring.sections and name not in _meant(ctx, wiring):
+    if name in wiring.sections or name in _meant(ctx, wiring):
+        return
+    if what and name in wiring.approaches:
+        hint = (
+            f"name sections inside, or let the layout begin before {name}: on a track, with an entry signal before it"
+        )
+        text = f"{what}: {name} is an approach section, outside the layout, which no route locks"
+        ctx.add("IL2004", text, span, hint, cause=f"approach {name}", note=what)
+    else:
         _unknown(ctx, "section", name, span, wiring.sections, what)
 
 

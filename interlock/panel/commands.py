@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 from interlock.app.alarms import to_release
 from interlock.app.reasons import Moment, Reasons
-from interlock.app.run import BadCommand, Operator, Ready
+from interlock.app.run import BadCommand, Operator, Ready, not_blocked
 from interlock.dataclass import dataclass
 from interlock.diag.called import called
 from interlock.dispatch.arbiter import Full
@@ -90,7 +90,7 @@ class Buttons:
 
     def __init__(self, ready: Ready, operator: Operator, reasons: Reasons) -> None:
         assert ready.layout is not None and ready.controller is not None and ready.table is not None
-        self._layout, self._reasons = ready.layout, reasons
+        self._ready, self._layout, self._reasons = ready, ready.layout, reasons
         self.holds = Holds(operator)
         self._operator = operator
         self._symbols, self._timers = ready.controller.symbols, ready.controller.timers
@@ -183,8 +183,7 @@ class Buttons:
         """Bar a section to routes, or free it."""
         name = self._symbols.sections.blocked.get(section)  # type: ignore[call-overload]
         if name is None:
-            known = section in self._symbols.sections.clear or section in self._symbols.sections.restart
-            raise Refused(f"{called('section', section)} cannot be blocked" if known else "there is no such section")
+            raise Refused(not_blocked(self._ready, section) or "there is no such section")
         self._typed(f"{name}={int(on)}")
 
     def turn(self, machine: str, to: str, last: Cycle) -> str:

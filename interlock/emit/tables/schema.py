@@ -60,7 +60,7 @@ class HostileGroup(BaseModel):
     """Routes, by number, that are hostile in one way: `how` is its place in `hostilities`, counted from 0."""
 
     how: Annotated[int, Field(ge=0)]
-    routes: list[Annotated[int, Field(ge=1)]]
+    routes: list[Annotated[int, Field(ge=1, description="number of a route (`number`), counted from 1: no place")]]
 
 
 class _Models:

@@ -35,6 +35,11 @@ def _fix(layout: Layout, b: Boundary) -> str:
     if not name:
         return f"{signal}, or say `trains: out`"
     section = before[-1].section
+    inside_too = {e.id: e.section for e in before}
+    kept = next((g for g in layout.signalling.signals if g.id != name and g.into in inside_too), None)
+    if kept is not None:
+        stays = f"{kept.id} leads into {inside_too[kept.into]}, which lies inside the layout then"
+        return f"{signal} ({stays}), or say `trains: out`"
     metres = sum(e.length for e in before if e.section == section)
     into = layout.track.edge[layout.signalling.signal[name].into].section  # type: ignore[index]
     begins = f"the track begins `[{b.node}, {into} ...]`, `{name}: {{from: {b.node}, ...}}`"
