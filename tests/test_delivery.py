@@ -156,6 +156,12 @@ STL = [
     ("END_FUNCTION\n", 'END_FUNCTION\nFUNCTION "other" : VOID\nBEGIN\nNETWORK\nEND_FUNCTION\n'),
     ('"CLR_SA","I 0.2"', '"CLR_SA","I 0.7"'),
     ("ORGANIZATION_BLOCK OB 100", "ORGANIZATION_BLOCK OB 101"),
+    ('      =     "IL_fig2_2_HMI".TC_P1;\n', ""),
+    (
+        '      =     "IL_fig2_2_HMI".TC_P1;\n',
+        '      =     "IL_fig2_2_HMI".TC_P1;\n      =     "IL_fig2_2_HMI".BLK_DP;\n',
+    ),
+    ('      L     0;\n      T     "IL_fig2_2_HMI".REQ;\n', ""),
 ]
 
 
@@ -249,6 +255,9 @@ CHANGES = {
         ('formalParameter="EN"', 'formalParameter="EN" negated="true"'),
     ],
     "scl300": [
+        ('  "IL_fig2_2_HMI".TC_P1 := FALSE;\n', ""),
+        ('  "IL_fig2_2_HMI".REQ := 0;\n', '  "IL_fig2_2_HMI".REQ := 1;\n'),
+        ('  "IL_fig2_2_HMI".REL_DP := FALSE;\n', '  "IL_fig2_2_HMI".BLK_DP := FALSE;\n'),
         *CLASSIC,
         ('"IL_fig2_2_HMI".RESTART := TRUE', '"IL_fig2_2_HMI".RESTART := FALSE'),
         ('  "IL_fig2_2_HMI".RESTART := FALSE;', ""),
@@ -399,6 +408,21 @@ def test_two_stations_in_one_controller_have_no_name_in_common() -> None:
         assert all(x in own | tags | {"Main"} for x in re.findall(r'"(\w+)"', text))
         found.append(own | tags)
     assert not found[0] & found[1]
+
+
+@pytest.mark.parametrize("dialect", ["scl300", "awl"])
+def test_a_restart_resets_what_an_operator_had_pressed_and_keeps_blocks(dialect: str) -> None:
+    """Data blocks keep their values: a release from before the power cut would be carried out after it."""
+    layout, _, controller = built("passing_loop")
+    a = allocate(layout, controller)
+    files = write_delivery(controller, a, BY_NAME[dialect], [])
+    (text,) = (text for name, text in files.items() if "_ob." in name)
+    startup = text[text.index("OB100" if dialect == "scl300" else "OB 100") :]
+    written = re.findall(r"""(?:=|T) +"IL_passing_loop_HMI"\.(\w+);|"\.(\w+) := (?:FALSE|0);""", startup)
+    assert {x for pair in written for x in pair} - {"", "RESTART", "VALID"} == {
+        str(i) for i in a.written if not i.startswith("BLK_")
+    }
+    assert {"REQ", "RELALL"} < set(a.written)
 
 
 def run_of(unit: Unit) -> tuple[Execution[int], Numbers]:

@@ -12,7 +12,7 @@ import re
 from collections.abc import Callable, Sequence
 
 from interlock.dataclass import dataclass
-from interlock.st.ast import Block, Declaration, Task, Unit
+from interlock.st.ast import Block, Bool, Declaration, Int, Task, Unit
 from interlock.st.dialects.dialect import Files
 from interlock.st.dialects.symbols import read_symbols, symbol_table
 from interlock.st.parser import NotInSubset
@@ -38,16 +38,17 @@ class Language:
     """How a language of Siemens is written.
 
     suffix: of a source.  comment: a line of it.  block: the lines of a block.  cycle, startup: the lines of OB1, which
-    calls a function, and of OB100, which sets a variable.  read: the blocks of a source, given what is defined
-    elsewhere.  uncommented: its text without comments.  tags: for TIA Portal, where addresses stand in a table of tags
-    beside the text, data blocks forget their values over a restart, and a controller may hold several interlockings.
+    calls a function, and of OB100, which sets a variable, and resets others.  read: the blocks of a source, given what
+    is defined elsewhere.  uncommented: its text without comments.  tags: for TIA Portal, where addresses stand in a
+    table of tags beside the text, data blocks forget their values over a restart, and a controller may hold several
+    interlockings.
     """
 
     suffix: str
     comment: Callable[[str], str]
     block: Callable[[Block, Frame], list[str]]
     cycle: Callable[[str], list[str]]
-    startup: Callable[[str, str], list[str]]
+    startup: Callable[[str, str, Sequence[Declaration]], list[str]]
     read: Callable[[str, Sequence[Block]], list[Block]]
     uncommented: Callable[[str], str]
     tags: bool = False
@@ -66,7 +67,9 @@ class Language:
         *program, wires = rest
         files[f"{name}_io{self.suffix}"] = self._text(head, program, known)
         only = [] if self.tags else [self.comment(ONLY)]
-        files[f"{name}_ob{self.suffix}"] = "\n".join([*head, *only, "", *self._organization(f"IL_{name}"), ""])
+        files[f"{name}_ob{self.suffix}"] = "\n".join(
+            [*head, *only, "", *self._organization(f"IL_{name}", made.blocks), ""]
+        )
         return files if self.tags else files | {f"{name}.sdf": symbol_table((*core, *program), wires)}
 
     def _text(self, head: Sequence[str], blocks: Sequence[Block], known: Frame) -> str:
@@ -75,9 +78,11 @@ class Language:
             lines += ["", *self.block(b, known)]
         return "\n".join([*lines, ""])
 
-    def _organization(self, main: str) -> list[str]:
+    def _organization(self, main: str, blocks: Sequence[Block]) -> list[str]:
         cycle = self.cycle(f"{main}_IO")
-        return cycle if self.tags else [*cycle, "", *self.startup(main + OPERATOR, RESTART)]
+        if self.tags:
+            return cycle
+        return [*cycle, "", *self.startup(main + OPERATOR, RESTART, _buttons(main, blocks))]
 
     def _task(self, program: str) -> Task:
         """OB1 runs the program; OB100 tells it of a restart, where data outlive one."""
@@ -103,7 +108,7 @@ class Language:
         if [*mine] != core or [*rest] != program:
             raise NotInSubset("blocks that do not stand in their own file")
         ob = self.uncommented(files[f"{name}_ob{self.suffix}"])
-        if ob != self.uncommented("\n".join([*self._organization(f"IL_{name}"), ""])):
+        if ob != self.uncommented("\n".join([*self._organization(f"IL_{name}", (*core, *program)), ""])):
             raise NotInSubset("organization blocks that do something else")
         tagged = _terminals(program)
         held = tagged if self.tags else read_symbols(files[f"{name}.sdf"], (*core, *program))
@@ -113,6 +118,14 @@ class Language:
     def _check_names(self, blocks: Sequence[Block]) -> None:
         if not self.tags:
             _no_addresses(blocks)
+
+
+def _buttons(main: str, blocks: Sequence[Block]) -> tuple[Declaration, ...]:
+    """What the operator's place writes and a restart resets: all inputs there that begin with 0.  Blocks begin with 1,
+    and stay as they were."""
+    held = {b.name: b.locals for b in blocks if b.kind == "DATA_BLOCK"}
+    read = {d.name for d in held.get(main + INPUTS, ())}
+    return tuple(d for d in held.get(main + OPERATOR, ()) if d.name in read and d.initial in (Bool(False), Int(0)))
 
 
 def _terminals(program: Sequence[Block]) -> tuple[Declaration, ...]:

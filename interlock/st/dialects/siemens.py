@@ -82,13 +82,15 @@ class Scl:
         """What calls a function in each cycle."""
         return self._organization(self.cycle, f'"{function}"();')
 
-    def set(self, data: str, variable: str) -> list[str]:
-        """What sets a variable after a restart."""
-        return self._organization(self.startup, f'"{data}".{variable} := TRUE;')
+    def set(self, data: str, variable: str, reset: Sequence[Declaration]) -> list[str]:
+        """What sets a variable after a restart, and resets others."""
+        to = {d.name: "0" if d.type == "INT" else "FALSE" for d in reset}
+        values = {variable: "TRUE", **to}
+        return self._organization(self.startup, *(f'"{data}".{n} := {x};' for n, x in values.items()))
 
-    def _organization(self, name: str, statement: str) -> list[str]:
+    def _organization(self, name: str, *statements: str) -> list[str]:
         head = [f"ORGANIZATION_BLOCK {name}", *self.attributes, *self.taken]
-        return [*head, "BEGIN", f"  {statement}", "END_ORGANIZATION_BLOCK"]
+        return [*head, "BEGIN", *(f"  {x}" for x in statements), "END_ORGANIZATION_BLOCK"]
 
     # --- reading ---------------------------------------------------------------------------------
 
