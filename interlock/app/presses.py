@@ -15,6 +15,7 @@ from interlock.dataclass import dataclass
 from interlock.logic.symbols import Symbols
 from interlock.model.elements import Position
 from interlock.model.layout import Layout
+from interlock.model.times import supervision_s
 
 PRESS_MS = 2000
 """Milliseconds for which a button is pressed: more than one cycle, however long cycles are."""
@@ -43,13 +44,17 @@ class Presses:
         closes = (n for (m, x), n in y.machines.by_hand.items() if m in device and x is Position.REVERSE)
         self._switches = {*y.sections.blocked.values(), *y.requests.automatic.values(), *closes}
         self._token = {t.manual: t for t in y.token.values()}
+        self._moves = {n: m for (m, _), n in y.machines.by_hand.items() if m in y.machines.kept_off}
 
     def is_switch(self, name: str) -> bool:
         """Whether it stays as it is set."""
         return name in self._switches
 
     def press_ms(self, name: str) -> int:
-        """For how long it is pressed at most: the special manual change of direction for its delay, too (R12)."""
+        """For how long it is pressed at most: the special manual change of direction for its delay, too (R12); a move
+        of points for their supervision, since in a blocked section they turn as long as they are ordered to (R10)."""
+        if (m := self._moves.get(name)) is not None:  # type: ignore[call-overload]
+            return round(1000 * supervision_s(self.layout, m))
         return PRESS_MS + (round(1000 * self.layout.principles.token_delay_s) if name in self._token else 0)
 
     def press(self, name: str, value: int) -> None:
