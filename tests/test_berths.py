@@ -83,14 +83,14 @@ def test_shunting_movements_end_before_a_boundary_in_clear_track(trains: str) ->
 def test_vehicles_come_in_over_a_boundary_at_a_shunt_signal(approach: str) -> None:
     """Trains leave there; no train comes in.  Outside nothing is locked that its use could be asked of (R9)."""
     text = TURN.replace("TRAINS", f"both{approach}").replace(
-        "  D: {from: line, into: t1, ", "  D: {from: E, into: line, "
+        "  D: {from: line, into: t1, ", "  D: {from: E, into: line, stops_trains: yes, "
     )
     text = text.replace("sections:\n  line: {berth: no}\n", "")
     made = grown(text)
     assert made is not None
     layout, table, _ = made
     assert audit(layout, table) == ()
-    assert {"A-N", "D-B", "D-g1", "N-E"} == {str(r.id) for r in table.routes}
+    assert {"A-N", "D-B.s", "D-g1.s", "N-E"} == {str(r.id) for r in table.routes}
     system = System(layout, lower(layout, table))
     assert prove(system, limits=Limits(search_s=0)).proved
     assert all(w.ok for w in witnesses(system.loop))

@@ -85,7 +85,7 @@ END_FUNCTION_BLOCK
 
 EDITS = {
     "an output": ("YP_X1 := D.S_R1 OR D.S_R2;", "YP_X1 := D.S_R1;", "YP_X1"),
-    "outputs swapped": ("YN_P1 := D.CN_P1;", "YN_P1 := D.CR_P1;", "YN_P1"),
+    "outputs swapped": ("YN_P1 := D.CN_P1 AND", "YN_P1 := D.CR_P1 AND", "YN_P1"),
     "a next value": ("D.N_K_DP := D.K_DP", "D.N_K_DP := NOT D.K_DP", "K_DP"),
     "a wire": ("OCC_DP := NOT INP.CLR_DP", "OCC_DP := INP.CLR_DP", "OCC_DP"),
     "an initial value": ("K_DP : BOOL := TRUE; (* DP: restart", "K_DP : BOOL := FALSE; (* DP: restart", "K_DP"),
@@ -145,22 +145,22 @@ EDITS = {
         "read before it is computed",
     ),
     "a statement twice": (
-        "OUTP.YN_P1 := D.CN_P1;",
-        "OUTP.YN_P1 := D.CN_P1; OUTP.YN_P1 := FALSE;",
+        "OUTP.YN_P1 := D.CN_P1 AND NOT D.ZO_P1;",
+        "OUTP.YN_P1 := D.CN_P1 AND NOT D.ZO_P1; OUTP.YN_P1 := FALSE;",
         "YN_P1 is written twice",
     ),
     "a statement that is not known": (
-        "OUTP.YN_P1 := D.CN_P1;",
+        "OUTP.YN_P1 := D.CN_P1 AND NOT D.ZO_P1;",
         "IF INP.VALID THEN OUTP.YN_P1 := TRUE; END_IF;",
         "expected",
     ),
     "an output by cases": (
-        "OUTP.YN_P1 := D.CN_P1;",
-        "IF D.CN_P1 THEN OUTP.YN_P1 := 1; ELSE OUTP.YN_P1 := 0; END_IF;",
+        "OUTP.YN_P1 := D.CN_P1 AND NOT D.ZO_P1;",
+        "IF D.CN_P1 AND NOT D.ZO_P1 THEN OUTP.YN_P1 := 1; ELSE OUTP.YN_P1 := 0; END_IF;",
         "is no word",
     ),
-    "a statement left out": ("OUTP.YN_P1 := D.CN_P1;", "", "YN_P1 is never written"),
-    "an output that is read": ("OUTP.YR_P1 := D.CR_P1;", "OUTP.YR_P1 := OUTP.YA_P1;", "is no state"),
+    "a statement left out": ("OUTP.YN_P1 := D.CN_P1 AND NOT D.ZO_P1;", "", "YN_P1 is never written"),
+    "an output that is read": ("OUTP.YR_P1 := D.CR_P1 AND NOT D.ZO_P1;", "OUTP.YR_P1 := OUTP.YA_P1;", "is no state"),
     "a timer of its own": ("FUNCTION_BLOCK", f"{OWN_TIMER}FUNCTION_BLOCK", "the text defines TON itself"),
     "the same in small letters": ("FUNCTION_BLOCK", f"{OWN_TIMER.lower()}FUNCTION_BLOCK", "expected"),
     "a block beside": ("FUNCTION_BLOCK", f"{BESIDE}FUNCTION_BLOCK", "used by nobody"),

@@ -42,7 +42,7 @@ def test_a_run_that_ends_leaves_no_proceed_on_the_wire(stations, tmp_path: Path,
             if "inputs valid" in line:
                 break
         time.sleep(1.2)  # the restart delay
-        for typed in ("release\n", "\n", "\n", "set X7-X1\n"):
+        for typed in ("free\n", "release\n", "\n", "\n", "set X7-X1\n"):
             run.stdin.write(typed)
             run.stdin.flush()
         until = time.monotonic() + 5
