@@ -249,8 +249,7 @@ def _check_spurs(layout: Layout, paths: Sequence[Path], locks: Locks, sink: Sink
     (R5): not where they must be clear, as flank space or at a foul joint."""
     brought: dict[SectionId, list[str]] = {}
     for p in paths:
-        for s in {p.ways[-1].section} if p.berth is None else {p.berth}:
-            brought.setdefault(s, []).append(p.id)
+        brought.setdefault(p.berth or p.ways[-1].section, []).append(p.id)
     by_hand = _by_hand(layout)
     open_: dict[NodeId, dict[SectionId, dict[str, None]]] = {}
     for row in locks.values():
