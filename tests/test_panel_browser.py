@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import queue
 import signal
 import socket
 import statistics
@@ -10,8 +11,9 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -390,10 +392,14 @@ def changes(chromium: Any) -> list[float]:
         page.wait_for_timeout(3000)
         page.evaluate(WATCH)
         assert desk.field is not None
-        took = []
+        faults, took = desk.field.faults, []
+
+        def reports(s: str) -> float:
+            faults.fail("section", s, True)
+            return time.time()
+
         for s in list(desk.field.stock.places())[:160:4]:
-            at = time.time()
-            desk.field.faults.fail("section", s, True)
+            at = between(desk, partial(reports, s))
             while (seen := page.evaluate(f"window.seen[{'section-' + s!r}] ?? 0")) == 0:
                 assert time.time() < at + 10
             took.append(seen - 1000 * at)
@@ -414,7 +420,8 @@ def test_a_button_that_is_held_down_is_clicked_whatever_happens_meanwhile(chromi
             middle = page.locator("#acts button:text-is('Block')").bounding_box()
             page.mouse.move(middle["x"] + middle["width"] / 2, middle["y"] + middle["height"] / 2)
             page.mouse.down()
-            desk.field.faults.fail("section", "s3", True)
+            faults = desk.field.faults
+            between(desk, lambda: faults.fail("section", "s3", True))
             page.wait_for_selector("#section-s3 .track.occupied", state="attached")
             page.wait_for_timeout(200)
             fresh(page)
@@ -460,6 +467,14 @@ def worked(chromium: Any, path: Path) -> Iterator[tuple[Desk, Any]]:
         assert wrong == []
 
 
+def between(desk: Desk, act: Callable[[], Any]) -> Any:
+    """Do something where commands are carried out: in the thread of the cycles, between two of them.  From a thread of
+    its own a test would change what a cycle is just looking at."""
+    done: queue.SimpleQueue[Any] = queue.SimpleQueue()
+    desk.ask(Person("test", True), {"do": "no command of the panel"}, lambda _: done.put(act()))
+    return done.get(timeout=10)
+
+
 def over(page: Any, selector: str) -> None:
     """The mouse goes to the middle of something, and stays."""
     box = page.locator(selector).first.bounding_box()
@@ -481,8 +496,8 @@ def test_nothing_moves_under_the_mouse(chromium: Any, tmp_path: Path, at: str, s
         f = desk.field
         assert f is not None
         page.set_viewport_size({"width": size[0], "height": size[1]})
-        f.stock.stand("s2", desk.browsers.still["stands"]["s2"][0], 50.0, "stands")
-        desk._once("something happened")
+        between(desk, lambda: f.stock.stand("s2", desk.browsers.still["stands"]["s2"][0], 50.0, "stands"))
+        between(desk, lambda: desk._once("something happened"))
         page.wait_for_selector("#trains li")
         page.locator("#section-s2").focus()
         page.keyboard.press("Enter")
@@ -498,15 +513,16 @@ def test_nothing_moves_under_the_mouse(chromium: Any, tmp_path: Path, at: str, s
             page.evaluate(BUTTONS)
 
         count = page.locator("#alarms li").count()
-        desk._once("something happened whose telling takes more than one line of that box, as alarms of trains do")
+        long = "something happened whose telling takes more than one line of that box, as alarms of trains do"
+        between(desk, lambda: desk._once(long))
         still(f"#alarms li:nth-child({count + 1})")
         desk.ask(Person("another", True), {"do": "acknowledge"}, lambda _: None)
         still("#unseen:not(.new)")
-        f.stock.stand("s10_xc4", desk.browsers.still["stands"]["s10_xc4"][0], 50.0, "second")
+        between(desk, lambda: f.stock.stand("s10_xc4", desk.browsers.still["stands"]["s10_xc4"][0], 50.0, "second"))
         still("#trains li:nth-child(2)")
-        f.stock.take_away("stands")
+        between(desk, lambda: f.stock.take_away("stands"))
         still("#section-s2 .track:not(.occupied)")
-        f.faults.fail("station", desk.browsers.still["stations"][0], True)
+        between(desk, lambda: f.faults.fail("station", desk.browsers.still["stations"][0], True))
         still("#inputs.bad")
         still("#restart:not([hidden])")
         desk.power = False
@@ -553,10 +569,11 @@ def test_alarms_and_the_author_of_a_reminder_are_read_whole(chromium: Any, tmp_p
                 assert by["y"] >= box["y"] and by["y"] + by["height"] <= box["y"] + box["height"], high
                 assert by["x"] + by["width"] <= box["x"] + box["width"]
         page.set_viewport_size({"width": 1280, "height": 760})
-        desk.field.stock.stand("s2", desk.browsers.still["stands"]["s2"][0], 50.0, "stands")
+        stock, towards = desk.field.stock, desk.browsers.still["stands"]["s2"][0]
+        between(desk, lambda: stock.stand("s2", towards, 50.0, "stands"))
         page.wait_for_selector("#trains li")
         for _ in range(2):
-            desk._once("the controller starts: every section stays locked until it is released")
+            between(desk, lambda: desk._once("the controller starts: every section stays locked until it is released"))
         page.wait_for_selector("#alarms li:nth-child(3)")
         assert (
             page.evaluate("""() => { const b = document.getElementById("alarms").getBoundingClientRect();
@@ -588,13 +605,13 @@ def test_what_has_moved_or_says_something_else_takes_no_click_at_once(chromium: 
         page.wait_for_selector("#acts button:not(.settling):text-is('Free it again')")
         assert page.evaluate("window.hit") is False
         over(page, "h1")
-        desk._once("first")
+        between(desk, lambda: desk._once("first"))
         page.wait_for_selector("#alarms li:has-text('first')")
         page.wait_for_timeout(700)
         over(page, "#alarms li:has-text('first') button")
         fresh(page)
         page.evaluate(WHEN, ["#alarms", "second", "a"])  # it has just come: nobody can have seen it
-        desk._once("second")
+        between(desk, lambda: desk._once("second"))
         page.wait_for_selector("#alarms li.over:has-text('first')", state="attached")
         page.wait_for_selector("#unseen:has-text('1 new')")
         assert "second" in page.inner_text("#alarms li:not(.over)")
