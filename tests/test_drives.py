@@ -87,6 +87,12 @@ class Yard:
     def ask(self, route: str) -> None:
         self.scan(**self.one.request(route))
 
+    def again(self, signal: str, route: str) -> None:
+        """The route is cancelled and set again; its points turn."""
+        self.seconds(1, **{f"CAN_{signal}": 1})
+        self.ask(route)
+        self.seconds(20)
+
 
 @pytest.mark.parametrize("lost", ["CLR_s2", "BLK_s2", "VALID"])
 def test_a_point_that_waits_for_its_start_does_not_start_where_it_could_not_be_commanded(lost: str) -> None:
@@ -97,7 +103,10 @@ def test_a_point_that_waits_for_its_start_does_not_start_where_it_could_not_be_c
     assert not any(out["YR_1B"] for out in yard.seconds(20))
     yard.inputs[lost] = 1 - yard.inputs[lost]
     yard.seconds(20)
-    assert yard.blades == {"1A": 1.0, "1B": 1.0}
+    assert yard.blades == {"1A": 1.0, "1B": 0.0 if lost == "BLK_s2" else 1.0}, "nobody's hand on a block turns points"
+    if lost == "BLK_s2":
+        yard.again("X2", "X2-E2")
+        assert yard.blades == {"1A": 1.0, "1B": 1.0}
 
 
 def test_no_motor_starts_when_detection_is_lost_under_a_train() -> None:
@@ -111,7 +120,7 @@ def test_no_motor_starts_when_detection_is_lost_under_a_train() -> None:
 
 
 @pytest.mark.parametrize("profile", ["generic", "cn"])
-def test_a_drive_stops_when_its_section_is_blocked_and_goes_on_when_all_is_clear(profile: str) -> None:
+def test_a_drive_stops_when_its_section_is_blocked_until_it_is_commanded_anew(profile: str) -> None:
     """Points are obstructed, the operator blocks the section, and somebody takes the stone out."""
     yard = Yard(CROSSOVER.format(profile=profile))
     yard.stuck = {"1A", "1B"}
@@ -124,8 +133,43 @@ def test_a_drive_stops_when_its_section_is_blocked_and_goes_on_when_all_is_clear
     yard.inputs |= {"BLK_s1": 0, "CLR_s1": 0}  # the trolley of whoever worked there
     assert not any(out["YR_1A"] for out in yard.seconds(20))
     yard.inputs["CLR_s1"] = 1
-    yard.seconds(20)
+    assert not any(out["YR_1A"] for out in yard.seconds(20)), "nobody has ordered it since"
+    yard.again("X2", "X2-E2")
     assert yard.blades["1A"] == 1.0
+
+
+def test_what_a_block_has_stopped_starts_one_after_the_other_too() -> None:
+    """Two machines of a crossover run, are stopped together, and are commanded anew together."""
+    yard = Yard(CROSSOVER.format(profile="cn"))
+    yard.ask("X2-E2")
+    yard.seconds(1)
+    assert yard.seconds(1)[-1]["YR_1A"] and yard.scan()["YR_1B"]
+    yard.inputs |= {"BLK_s1": 1, "BLK_s2": 1}
+    stopped = yard.seconds(2)
+    assert not stopped[-1]["YR_1A"] and not stopped[-1]["YR_1B"]
+    yard.inputs |= {"BLK_s1": 0, "BLK_s2": 0}
+    yard.seconds(1, CAN_X2=1)
+    yard.ask("X2-E2")
+    runs = [(bool(out["YR_1A"]), bool(out["YR_1B"])) for out in yard.seconds(20)]
+    assert runs.index((True, False)) < runs.index((True, True)) or runs.index((False, True)) < runs.index((True, True))
+    assert yard.blades == {"1A": 1.0, "1B": 1.0}
+
+
+def test_a_block_that_is_taken_off_opens_no_signal() -> None:
+    """The route waits for points that do not turn; meanwhile somebody blocks its last section, for hours."""
+    yard = Yard(CROSSOVER.format(profile="generic"))
+    yard.stuck = {"1A"}
+    yard.ask("X2-E2")
+    yard.seconds(20)
+    yard.inputs["BLK_d1"] = 1
+    yard.seconds(2)
+    yard.stuck = set()
+    yard.seconds(10)
+    assert yard.blades == {"1A": 1.0, "1B": 1.0}
+    yard.inputs["BLK_d1"] = 0
+    assert not any(out["YP_X2"] for out in yard.seconds(10)), "whoever takes the block off opens a signal"
+    yard.ask("X2-E2")
+    assert yard.seconds(2)[-1]["YP_X2"]
 
 
 @pytest.mark.parametrize("profile", ["generic", "cn"])

@@ -45,15 +45,15 @@ def why(text: str) -> tuple[str, str]:
 def test_a_block_gets_the_structures_that_it_uses_and_no_other(small: None) -> None:
     unit = structures.structured(lower_st(CONTROLLER, []))
     held = [b for b in unit.blocks if b.kind == "STRUCT" and b.name.startswith("IL_fig2_2_D")]
-    assert [b.name for b in held] == [f"IL_fig2_2_D{k}" for k in range(1, 13)]
+    assert [b.name for b in held] == [f"IL_fig2_2_D{k}" for k in range(1, 14)]
     assert all(12 <= len(b.locals) <= 16 for b in held)
     handed = {b.name: {d.name for d in b.handed} for b in unit.blocks}
     for b in unit.blocks:
         used = {n.parts[0] for s in b.body for n in names_in(s)}
-        assert b.name == "IL_fig2_2" or handed[b.name] == used & {*structures.named(12)}
-        assert [d.name for d in b.handed] == [n for n in structures.named(12) if n in handed[b.name]], "in one order"
+        assert b.name == "IL_fig2_2" or handed[b.name] == used & {*structures.named(13)}
+        assert [d.name for d in b.handed] == [n for n in structures.named(13) if n in handed[b.name]], "in one order"
     assert why(print_unit(unit)) == ("", "")
-    assert sum(map(len, handed.values())) == 82, "blocks get more structures, or fewer, than they did"
+    assert sum(map(len, handed.values())) == 85, "blocks get more structures, or fewer, than they did"
 
 
 def test_few_values_lie_in_one_structure() -> None:
@@ -64,12 +64,12 @@ def test_few_values_lie_in_one_structure() -> None:
 @pytest.mark.parametrize("dialect", ["iec", "codesys", "twincat", "plcopen", "ladder"])
 def test_every_dialect_reads_them_back(small: None, dialect: str) -> None:
     written = write_st(CONTROLLER, BY_NAME[dialect], [])
-    assert any("IL_fig2_2_D12" in text for text in written.values())
+    assert any("IL_fig2_2_D13" in text for text in written.values())
     assert not compare_dialect(CONTROLLER, BY_NAME[dialect], written).differences
 
 
 RSTI = r"  RSTI : BOOL;.*\n"
-LAST = r"(TYPE IL_fig2_2_D12 :\n.*\nSTRUCT\n)"
+LAST = r"(TYPE IL_fig2_2_D13 :\n.*\nSTRUCT\n)"
 
 EDITS: dict[str, tuple[str, str]] = {
     "a member of another structure": (r"\bD1\.RSTI :=", "D2.RSTI :="),
@@ -94,17 +94,17 @@ EDITS: dict[str, tuple[str, str]] = {
         r"VAR\n  D1 : IL_fig2_2_D1;\n  D2 : IL_fig2_2_D2;\n",
         "VAR\n  D1 : IL_fig2_2_D1;\n  D2 : IL_fig2_2_D1;\n",
     ),
-    "a second one of a type": (r"(  D12 : IL_fig2_2_D12;\n)(  G01)", r"\1  D13 : IL_fig2_2_D12;\n\2"),
-    "one that nobody holds": (r"  D12 : IL_fig2_2_D12;\n(  G01)", r"\1"),
+    "a second one of a type": (r"(  D13 : IL_fig2_2_D13;\n)(  G01)", r"\1  D14 : IL_fig2_2_D13;\n\2"),
+    "one that nobody holds": (r"  D13 : IL_fig2_2_D13;\n(  G01)", r"\1"),
     "one that is not declared": (r"(?s)(IL_fig2_2_G01\n.*?)  D8 : IL_fig2_2_D8;\n", r"\1"),
-    "one with values of its own": (r"(  D12 : IL_fig2_2_D12);\n(  G01)", r"\1 := 1;\n\2"),
+    "one with values of its own": (r"(  D13 : IL_fig2_2_D13);\n(  G01)", r"\1 := 1;\n\2"),
     "one more type": (
-        r"TYPE IL_fig2_2_D12 :",
-        "TYPE IL_fig2_2_D13 :\nSTRUCT\n  ZZ : BOOL;\nEND_STRUCT;\nEND_TYPE\n\nTYPE IL_fig2_2_D12 :",
+        r"TYPE IL_fig2_2_D13 :",
+        "TYPE IL_fig2_2_D14 :\nSTRUCT\n  ZZ : BOOL;\nEND_STRUCT;\nEND_TYPE\n\nTYPE IL_fig2_2_D13 :",
     ),
     "a group holds one of its own": (
-        r"(?s)(IL_fig2_2_G02\n.*?)  D12 : IL_fig2_2_D12;\nEND_VAR\nVAR\n(.*?G02\([^)]*), D12 := D12",
-        r"\1END_VAR\nVAR\n  D12 : IL_fig2_2_D12;\n\2",
+        r"(?s)(IL_fig2_2_G02\n.*?)  D13 : IL_fig2_2_D13;\nEND_VAR\nVAR\n(.*?G02\([^)]*), D13 := D13",
+        r"\1END_VAR\nVAR\n  D13 : IL_fig2_2_D13;\n\2",
     ),
     "a block holds one of its own": (
         r"(?s)(IL_fig2_2_B03\n.*?)  D11 : IL_fig2_2_D11;\nEND_VAR\nVAR\n(.*? B03\([^)]*), D11 := D11",

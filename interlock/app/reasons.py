@@ -117,11 +117,29 @@ class Reasons:
         gone = self._gone(number, moment)
         if gone is not None:
             return [gone]
-        locked = moment.before.state.get(names.LOCKED(number))
-        wire = names.OPENS(number) if locked else names.LOCKS(number)
-        wanted = not locked or _Look(self, moment).value(computed(names.WANTED(number)))
-        found = self._told(wire, moment, {"active", "wanted"})
-        return found if wanted else [*found, Reason("it has closed once, and opens only when it is asked for again")]
+        state = moment.before.state
+        wire = names.OPENS(number) if state.get(names.LOCKED(number)) else names.LOCKS(number)
+        found = [*self._told(wire, moment, {"active", "wanted"}), *self._kept_off(number, moment)]
+        if _Look(self, moment).value(computed(names.WANTED(number))):
+            return found
+        been = state.get(names.SHOWN(number))
+        once = "it has closed once, and" if been else "its way was blocked, or a point in it trailed: it"
+        call_on = self.symbols.routes.number[number].call_on
+        again = "once it is cancelled and set again" if call_on else "when it is asked for again"
+        return [*found, Reason(f"{once} opens only {again}")]
+
+    def _kept_off(self, number: int, moment: Moment) -> list[Reason]:
+        """The drives that a block has stopped, and that no route commands that is set already."""
+        y, path = self.symbols, self.symbols.routes.number[number].path
+        ways = [*path.ways, *([path.berth] if path.berth is not None else [])]
+        ways += y.overlaps.ways[path.overlap] if path.overlap is not None else []
+        found = {}
+        for m, x in (*(d for way in ways for d in y.ways.demands[way]), *path.demands):
+            off = m in y.machines.kept_off and moment.before.state.get(y.machines.kept_off[m])
+            if off and not _Look(self, moment).value(names.DETECTED(m, x)):
+                text = f"the drive of {m} was stopped by a block: cancel the route and set it again"
+                found[m] = Reason(text, (f"m:{m}",))
+        return [*found.values()]
 
     def _gone(self, number: int, moment: Moment) -> Reason | None:
         """What lies past a signal that a route leads past was cancelled or used, and comes back only with the whole."""

@@ -311,6 +311,9 @@ class Terminals(Lamps):
         need(r in self._runs, f"nothing tells over which path the route with number {r} leads")
         return self._runs[r]
 
+    def w_path_of_route(self, r: int) -> list[Path]:
+        return [self.run_of(r)[1]]
+
     def w_own_ways(self, r: int) -> list[Way]:
         """The ways over which a route leads that must lie for it."""
         return [w for w in self.w_kept_clear(self.run_of(r)[1]) if w.points]

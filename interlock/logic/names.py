@@ -172,6 +172,7 @@ CONDITIONS = _route("CO_R{}", "conditions of proceed")
 STAYS = _route("KP_R{}", "stays set")
 OPENS = _route("PR_R{}", "proceed")
 CONDITION_LOST = _route("LS_R{}", "a condition was lost")
+UNHINDERED = _route("UH_R{}", "nothing in its way is blocked or was trailed")
 PASSING = _route("PA_R{}", "open for the movement that passes")
 ACTIVE = _route("A_R{}", "set")
 LOCKED = _route("B_R{}", "locked")
@@ -270,7 +271,7 @@ LINE_LAST = Family(Kind.LINE, "last.{}", "no further train is on the line")
 # --- what the proof remembers, and counts --------------------------------------------------------
 
 BEEN = Family(Kind.SECTION, "been.{}", "a train has come in since it was locked firmly", history=True)
-SHUT = Family(Kind.ROUTE, "shut.R{}", "its signal has closed, and nobody has just asked again", history=True)
+SHUT = Family(Kind.ROUTE, "shut.R{}", "it has closed, or was hindered, and nobody has just asked again", history=True)
 OVERFULL = Family(Kind.ZONE, "zone.{}", "a train is called into a zone that is full")
 ZONE_SUM = Family(Kind.ZONE, "zone.{}.{}.{}", "so many of the first that count in a zone are there")
 

@@ -37,11 +37,12 @@ def free(d: Draft, r: RouteRow) -> list[Term]:
     for p in r.locking.added:
         free_ = var(names.POINT_AVAILABLE(p.machine, p.position))
         out.append(Term(free_, "added point available", f"{p.machine} {p.position}: {p.because.text}", p.because.rule))
-        out += _not_trailed(d, p.machine)
+        out += not_trailed(d, p.machine)
     return out
 
 
-def _not_trailed(d: Draft, m: MachineId) -> list[Term]:
+def not_trailed(d: Draft, m: MachineId) -> list[Term]:
+    """A machine that was added was not trailed (R10)."""
     return [Term(neg(var(names.TRAILED(m))), "not trailed", f"{m} was not trailed")] if m in d.machines.powered else []
 
 
@@ -51,7 +52,7 @@ def detected(d: Draft, r: RouteRow) -> list[Term]:
     for p in r.locking.added:
         note = f"{p.machine} {p.position}: {p.because.text}"
         out.append(Term(d.machines.detected(p.machine, p.position), "added point detected", note, p.because.rule))
-        out += _not_trailed(d, p.machine)
+        out += not_trailed(d, p.machine)
     return out
 
 

@@ -49,6 +49,7 @@ PASSES = (
     routes.grants,
     ways.granted,
     routes.locking,
+    ways.unhindered,
     sections.three_point,
     routes.cancellation,
     sections.release,

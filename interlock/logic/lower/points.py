@@ -260,7 +260,7 @@ def starting(d: Draft) -> None:
 
     Z: the machine may run.  The first that waits starts when the gap since the last start is over.  It starts only
     while its sections are reported clear and not blocked: since it was commanded a vehicle may have come, or somebody
-    to work there.
+    to work there.  What a block stops waits for its turn anew.
     """
     gap = d.layout.principles.point_start_gap_s
     if not gap:
@@ -276,6 +276,7 @@ def starting(d: Draft) -> None:
                 *(Term(d.sections.clear(s), "point section clear", f"{s} clear") for s in d.machines.sections_of(m)),
                 Term(disj((free, _moves_by_hand(m))), "not blocked", "not blocked, or moved by hand"),
                 Term(neg(var(names.TRAILED(m))), "not trailed", f"{m} was not trailed"),
+                Term(neg(d.machines.kept_off(m)), "not kept off", f"the drive of {m} is not kept off"),
             ),
             "starts",
             f"machine {m} could start now ({rules.POINTS})",
@@ -308,6 +309,7 @@ def starting(d: Draft) -> None:
                 Term(disj((var(names.MAY_RUN(m)), turn)), "started"),
                 Term(var(names.SUPERVISED(m)), "not there yet"),
                 Term(neg(_anew(d, m)), "no new command"),
+                Term(neg(d.machines.kept_off(m)), "not kept off"),
             ),
             "starts",
         )
@@ -321,7 +323,8 @@ def _moves_by_hand(m: MachineId) -> Expr:
 
 def keep_off(d: Draft) -> None:
     """No drive runs in a blocked section, but as long as the operator moves the point by hand; afterwards it stays off
-    until the sections are reported clear (R10).  What turns as an overlap swings comes to lie first (R4)."""
+    until it is commanded again, by a route or by hand, and the sections are reported clear: nobody's hand on a block
+    turns points (R10).  What turns as an overlap swings comes to lie first (R4)."""
     swings: dict[MachineId, list[Expr]] = {}
     for g in d.overlaps.swinging:
         over = (key for o, keys in d.overlaps.ways.items() if o[0] == g for key in keys)
@@ -332,14 +335,15 @@ def keep_off(d: Draft) -> None:
         free = conj(t.expr for t in ways.unblocked(d, m))
         clear = conj((var(names.VALID), *(d.sections.clear(s) for s in d.machines.sections_of(m))))
         blocked = conj((neg(free), *(neg(x) for x in swings.get(m, ()))))
-        off = disj((blocked, conj((var(names.KEPT_OFF(m)), neg(conj((free, clear)))))))
+        again = disj(var(names.DEMANDED(m, x)) for x in Position)
+        off = disj((blocked, conj((var(names.KEPT_OFF(m)), neg(conj((free, clear, again)))))))
         d.kept(
             names.KEPT_OFF(m),
             False,
             f"machine {m}: its drive is kept off",
             Join.ALL,
             (
-                Term(off, "blocked", "a section of it is blocked, or was and is not reported clear since"),
+                Term(off, "blocked", "a section of it is blocked, or was, and it was not commanded again since"),
                 Term(neg(_moves_by_hand(m)), "not moved by hand"),
             ),
             f"point {m}",

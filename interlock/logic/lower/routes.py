@@ -423,15 +423,16 @@ def _keep_route(d: Draft, r: RouteRow, stays: Term, stop: tuple[Term, ...]) -> N
         group,
     )
     # what calls a train on closes for good: nothing tells whether the train has passed
-    again = [conj((_asked_again(d, r), var(names.LOCKED(k))))] if r.kind is not RouteKind.CALL_ON else []
+    again = [conj((_asked_again(d, r), var(names.ACTIVE(k))))] if r.kind is not RouteKind.CALL_ON else []
     d.kept(
         names.WANTED(k),
         False,
         f"route {r.id}: proceed wanted",
         Join.ALL,
         (
-            Term(disj((var(names.WANTED(k)), var(names.LOCKS(k)), *again)), "wanted"),
+            Term(disj((var(names.WANTED(k)), var(names.GRANTED(k)), *again)), "wanted"),
             Term(neg(var(names.CONDITION_LOST(k))), "conditions kept"),
+            Term(var(names.UNHINDERED(k)), "unhindered"),
             stays,
             *stop,
         ),

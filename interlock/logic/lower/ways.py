@@ -228,6 +228,33 @@ def proceed_terms(d: Draft, r: RouteRow) -> list[Term]:
     return [*out, *_some_overlap_lies(d, r), *_overlap_not_blocked(d, r)]
 
 
+def unhindered(d: Draft) -> None:
+    """Nobody has blocked a section in the way of a route that is set, and no point in it was trailed: what was asked
+    for before comes to nothing then, so that nobody opens a signal who takes a block off, or has looked at a point
+    (R14)."""
+    for r in d.table.routes:
+        keys = [*r.path.locked, *([r.path.traversals[-1]] if r.path.berth is not None else [])]
+        terms = [x for k in keys for x in (*not_blocked(k[0]), *_trailed(d, d.table.lock[k]))]
+        terms += [*_overlap_not_blocked(d, r), *_overlap_not_trailed(d, r)]
+        terms += [x for p in r.locking.added for x in added.not_trailed(d, p.machine)]
+        terms = list({t.expr: t for t in terms}.values())
+        note = f"nothing in the way of route {r.id} is blocked or was trailed ({rules.ONE_TRAIN_ONE_ROUTE})"
+        d.wire(names.UNHINDERED(r.number), Join.ALL, terms, f"route {r.id}", note)
+
+
+def _overlap_not_trailed(d: Draft, r: RouteRow) -> list[Term]:
+    """No point of the overlap of the route was trailed, or of the one to which it has swung."""
+    cell = r.locking.overlap
+    if cell is None or not cell.swings:
+        return [x for k in (cell.ways if cell is not None else ()) for x in _trailed(d, d.table.lock[k])]
+    out = []
+    for o in ((cell.signal, k) for k in sorted({cell.option, *cell.swings})):
+        lie = conj(x.expr for k in d.overlaps.ways[o] for x in _trailed(d, d.table.lock[k]))
+        note = f"no point of overlap {o[1]} of {o[0]} was trailed, or it is not held"
+        out.append(Term(disj((lie, neg(d.overlaps.held(o)))), "overlap not trailed", note))
+    return out
+
+
 def passing_terms(d: Draft, r: RouteRow) -> list[Term]:
     """Proceed may go on being shown to the movement that has begun to pass the signal."""
     out = []

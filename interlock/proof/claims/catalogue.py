@@ -95,8 +95,8 @@ CLAIMS: dict[str, str] = {
     "S-STOP": "At every signal stop is lit exactly when no main, white or identifier lamp is; no two of these are lit "
     "at once, a speed only beside a main lamp, none that speaks to movements of which the layout does not let the "
     "signal speak, and a distant signal shows either clear or caution.",
-    "S-AGAIN": "A signal that closed while its route stayed set opens again only in the scan after one in which it was "
-    "asked for again.",
+    "S-AGAIN": "A signal that closed while its route stayed set, or in whose path a section was blocked or a point was "
+    "trailed meanwhile, opens only in the scan after one in which it was asked for again.",
     "S-REQUEST": "A route is set only in the scan in which its number comes after 0, or while its switch for automatic "
     "working is on, and an overlap swings only when its number comes so; a number that is held asks once.  What is "
     "locked past a signal that a route passes is set with that route alone.  A signal is open only for a route that is "

@@ -243,7 +243,8 @@ class SeenFacts:
         return var(names.BEEN(s))
 
     def shut(self, route: int) -> Expr:
-        """History: the signal has been open, is closed while the route stays set, and nobody has just asked for it."""
+        """History: the signal has been open, or the path was blocked, or a point in it trailed; it is closed while the
+        route stays set, and nobody has just asked for it."""
         return var(names.SHUT(route))
 
     @cached_property

@@ -462,9 +462,9 @@ def _route(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:
         yield "R-CALL-ON-ONCE", implies(conj((var(r.want), var(r.shown))), shows)
         yield "R-CALL-ON-CLEAR", implies(shows, neg(image(first)))
         yield "R-CALL-ON-BEEN", implies(conj((active, f.seen.been(first))), var(r.shown))
-    yield "R-WANTED", implies(var(r.want), locked)
+    yield "R-WANTED", implies(var(r.want), active)
     yield "R-SHOWN", implies(var(r.shown), locked)
-    yield "R-SHUT", implies(f.seen.shut(r.number), conj((locked, neg(var(r.want)), neg(shows))))
+    yield "R-SHUT", implies(f.seen.shut(r.number), conj((active, neg(var(r.want)), neg(shows))))
     if f.track.shunts:
         kind = [neg(f.locking.train(s)) if r.shunt else f.locking.train(s) for s, _ in r.path.ways]
         yield "R-KIND", implies(active, conj(kind))

@@ -34,11 +34,13 @@ FUNCTIONS: dict[str, str] = {
     "F-GRANT": "A route that is newly asked for by hand is refused exactly for a reason that R6 names; "
     "a shunting movement locks its berth as it comes in, unless somebody has.",
     "F-LOCK": "A route is locked as soon as its ways and its overlap lie and are clear, and not before (R3).",
-    "F-OPEN": "A signal whose route is locked and wanted stays at stop only for a reason that R3 names.",
+    "F-OPEN": "A signal whose route is locked and wanted stays at stop only for a reason that R3 names; "
+    "one whose route is not locked yet stays at stop.",
     "F-CLEAR": "A main signal that is open shows clear wherever R11 allows it.",
     "F-SPEED": "A main signal shows the speed of the path for which it is open (R11).",
-    "F-WANT": "A signal is wanted from when its route is locked until it is cancelled or, once it has been open, a "
-    "condition is lost; then again when it is asked for while all hold (R14).",
+    "F-WANT": "A signal is wanted from when its route is set until it is cancelled, something in its way is blocked or "
+    "was trailed or, once it has been open, a condition is lost; then again when it is asked for while that is not so "
+    "(R14).",
     "F-PASSING": "A signal stays open until the whole movement has passed, unless a condition is lost, where the "
     "layout has it so, and nowhere else; none does that calls on (R2, R3).",
     "F-ADDED": "A route holds what the author has added to it exactly from its grant until its train is wholly in its "
@@ -57,11 +59,12 @@ FUNCTIONS: dict[str, str] = {
     "at (R10).",
     "F-POINT": "A machine is commanded exactly by a route, by hand where R10 permits it, or by what opens or closes by "
     "itself; a command stays until the other is given.",
-    "F-OFF": "The drive of a point is kept off exactly from when a section of it is blocked until none is and all are "
-    "clear; not while it is moved by hand, nor before it has come to lie where an overlap swings over it (R10).",
+    "F-OFF": "The drive of a point is kept off from when a section of it is blocked until it is commanded while none "
+    "is and all are clear; not while it is moved by hand, nor before it has come to lie where an overlap swings over "
+    "it (R10).",
     "F-TURN": "Where machines start one after the other: one starts exactly when it waits and could start (valid "
-    "inputs, its sections clear and not blocked, not trailed), none before it does, and the gap since the last start "
-    "is over; and runs until it is there or commanded anew (R10).",
+    "inputs, its sections clear and not blocked, not trailed, its drive not kept off), none before it does, and the "
+    "gap since the last start is over; and runs until it is there, commanded anew or kept off (R10).",
     "F-OVERLAP": "An overlap is held exactly until no route leads to its signal or the train before it stands, and it "
     "is clear (R4).",
     "F-SWING": "An overlap swings to another alternative when that is asked for and R4 permits it.",

@@ -27,8 +27,11 @@ def points(w: Words) -> Iterator[tuple[str, str, Expr]]:
     for m, name in w.sym.machines.kept_off.items():
         free, off = w.points.unblocked(m), var(name)
         blocked = conj((neg(free), neg(w.points.swings(m))))
-        stays = conj((off, neg(conj((free, _clear(w, m))))))
-        yield "F-OFF", m, iff(w.after(off), conj((disj((blocked, stays)), neg(_by_hand(w, m)))))
+        ready, hand, kept = conj((free, _clear(w, m))), _by_hand(w, m), w.after(off)
+        stays = conj((off, disj((neg(ready), _untouched(w, m)))))
+        commanded = conj((ready, disj(x for at in Position for x in _demanding(w, m, at))))
+        yield "F-OFF", m, implies(conj((disj((blocked, stays)), neg(hand))), kept)
+        yield "F-OFF", f"{m} at last", implies(kept, conj((disj((blocked, off)), neg(hand), neg(commanded))))
     if w.sym.machines.started is not None and w.sym.machines.start_timer is not None:
         yield from _starts(w, var(w.sym.machines.started), var(w.sym.machines.start_timer))
 
@@ -41,9 +44,10 @@ def _starts(w: Words, last: Expr, gap: Expr) -> Iterator[tuple[str, str, Expr]]:
         runs = var(name)
         missing = disj(conj((w.points.commanded(m, x), neg(w.points.detected(m, x)))) for x in Position)
         trailed, free = var(w.sym.machines.trailed[m]), disj((w.points.unblocked(m), _by_hand(w, m)))
-        waits = conj((missing, neg(runs), _clear(w, m), free, neg(trailed)))
+        off = var(w.sym.machines.kept_off[m])
+        waits = conj((missing, neg(runs), _clear(w, m), free, neg(trailed), neg(off)))
         begins = conj((waits, gap, neg(disj(before))))
-        yield "F-TURN", m, iff(w.after(runs), conj((disj((runs, begins)), missing, neg(w.points.anew(m)))))
+        yield "F-TURN", m, iff(w.after(runs), conj((disj((runs, begins)), missing, neg(off), neg(w.points.anew(m)))))
         before.append(waits)
         starting.append(begins)
     yield "F-TURN", "last", iff(w.after(last), disj(starting))
@@ -80,17 +84,18 @@ def _commands(w: Words, m: MachineId) -> Iterator[tuple[str, str, Expr]]:
         if m in w.layout.machines.device and x is Position.NORMAL:
             back = conj((w.points.movable(m), untouched, neg(opposite)))
             yield "F-POINT", f"{m} returns", implies(back, w.after(command))
-        demanded = [
-            w.signals.set_now(r)
-            for r in w.sym.routes
-            for way in (
-                *r.path.ways,
-                *(w.sym.overlaps.ways[r.path.overlap] if r.path.overlap is not None else ()),
-            )
-            if (m, x) in w.sym.ways.demands[way]
-        ]
-        demanded += [w.signals.set_now(r) for r in w.sym.routes if (m, x) in r.path.demands]
-        yield "F-POINT", f"{m} {x} by a route", implies(disj(demanded), w.after(command))
+        yield "F-POINT", f"{m} {x} by a route", implies(disj(_demanding(w, m, x)), w.after(command))
+
+
+def _demanding(w: Words, m: MachineId, x: Position) -> list[Expr]:
+    """The routes that demand a machine in a position: each is set in this scan."""
+    found = [
+        w.signals.set_now(r)
+        for r in w.sym.routes
+        for way in (*r.path.ways, *(w.sym.overlaps.ways[r.path.overlap] if r.path.overlap is not None else ()))
+        if (m, x) in w.sym.ways.demands[way]
+    ]
+    return found + [w.signals.set_now(r) for r in w.sym.routes if (m, x) in r.path.demands]
 
 
 def _touches(w: Words, m: MachineId, ways: Iterable[Way]) -> bool:

@@ -65,18 +65,20 @@ def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
     past = _past(w, r)
     opens = conj((active, locked, want, order, free, stays, lamp, past))
     yield "F-OPEN", r.id, implies(opens, after(shows))
+    yield "F-OPEN", f"{r.id} locked", implies(after(shows), locked)
     asked = sym.requests.asked(r.number)
     if r.path.identifier:
         asked = _asked_with(w, r)
     again = disj((want, FALSE if r.call_on else asked))
     reopens = disj((past, asked)) if w.sym.routes.parts(r)[1:2] else past  # what it leads past is asked for as well
+    free_ = conj((free, *map(neg, _hindering(w, r))))
     wanted, unwanted = (
-        neg(conj((again, free, disj((neg(shown), conj((x, lamp, p))))))) for x, p in ((order, past), (some, reopens))
+        neg(conj((again, free_, disj((neg(shown), conj((x, lamp, p))))))) for x, p in ((order, past), (some, reopens))
     )
     kept = conj((disj((wanted, after(want))), implies(unwanted, neg(after(want)))))
-    yield "F-WANT", r.id, implies(conj((active, locked, stays)), kept)
-    yield "F-WANT", f"{r.id} at first", implies(w.rises(locked), after(want))
-    yield "F-WANT", f"{r.id} at last", implies(after(want), after(locked))
+    yield "F-WANT", r.id, implies(conj((active, stays)), kept)
+    yield "F-WANT", f"{r.id} at first", implies(conj((w.signals.set_now(r), free)), after(want))
+    yield "F-WANT", f"{r.id} at last", implies(after(want), after(active))
     main = not (r.shunt or r.call_on or r.path.identifier)
     if r.entry in sym.aspects.caution and main:
         yield (
@@ -99,6 +101,17 @@ def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
     node = w.f.track.way(first, number)[0]
     ended = disj((w.signals.given_up(r.entry), w.sections.coming_in(first, node)))
     yield "F-CANCEL", f"{r.id} ends", iff(w.ends(active), conj((active, ended)))
+
+
+def _hindering(w: Words, r: RouteSymbols) -> Iterator[Expr]:
+    """A section in the way of a route is blocked, or a point that it needs was trailed."""
+    beyond = _overlaps(w, r)
+    for s, n in (*r.path.ways, *([r.path.berth] if r.path.berth is not None else [])):
+        yield from (w.ways.blocked(s), w.ways.trailed(s, n))
+    for o in beyond:
+        held = var(w.sym.overlaps.held[o]) if len(beyond) > 1 else TRUE
+        yield from (conj((held, disj((w.ways.blocked(s), w.ways.trailed(s, n))))) for s, n in w.sym.overlaps.ways[o])
+    yield from (var(w.sym.machines.trailed[m]) for m, _ in r.path.demands if w.points.powered(m))
 
 
 def _asked_with(w: Words, r: RouteSymbols) -> Expr:

@@ -297,13 +297,16 @@ class WayWords:
         """Somebody has blocked the section."""
         return var(self._w.sym.sections.blocked[s]) if s in self._w.sym.sections.blocked else FALSE
 
+    def trailed(self, s: SectionId, n: int) -> Expr:
+        """A point that a way needs was trailed."""
+        machines, demands = self._w.sym.machines, self._w.sym.ways.demands[s, n]
+        return disj(var(machines.trailed[m]) for m, _ in demands if self._w.points.powered(m))
+
     def trouble(self, s: SectionId, n: int, wide: bool = True) -> Expr:
         """Why a way can neither be had nor be shown: a trailed point, something foul, the flank space (`wide`: wherever
         something in it might count)."""
         f, t = self._w.f, self.way(s, n)
-        out = [
-            var(self._w.sym.machines.trailed[m]) for m, _ in self._w.sym.ways.demands[s, n] if self._w.points.powered(m)
-        ]
+        out = [self.trailed(s, n)]
         beside: list[Foul] = [*f.track.fouls, *f.track.crossed, *f.track.beside]
         out += [neg(self._not_foul(x)) for x in beside if x.fouls(t)]
         return disj((*out, self._space(t) if wide else FALSE))

@@ -1,7 +1,8 @@
 """History variables of the proof: computed from the run, they influence nothing.
 
 been.s     a train has come into s since it was locked firmly
-shut.Rn    the signal has been open for route n, which stays set, is closed, and nobody asks for it in this step
+shut.Rn    the signal has been open for route n, or its path was blocked or a point in it trailed; the route stays set,
+           the signal is closed, and nobody asks for it in this step
 cov.TIMER  since the timer's input rose, what the world's clock looks at has held (`clocks.py`)
 
 **Theorem.**  A variable that nothing else reads, and that has exactly one next value in every step, changes no run of
@@ -16,6 +17,7 @@ from collections.abc import Iterable
 from interlock.logic import names
 from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
 from interlock.logic.names import Name
+from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import NodeId, SectionId
 from interlock.proof.system.clocks import Tie
 from interlock.proof.system.loop import ClosedLoop
@@ -26,7 +28,7 @@ def history(loop: ClosedLoop, ties: Iterable[Tie]) -> dict[Name, Expr]:
     symbols, plant = loop.controller.symbols, loop.plant
     out: dict[Name, Expr] = {}
     for r in symbols.routes:
-        was_open = disj((var(names.SHUT(r.number)), var(r.proceed), var(r.shown)))
+        was_open = disj((var(names.SHUT(r.number)), var(r.proceed), var(r.shown), _hindered(loop, r)))
         asked = symbols.requests.asked_for(r, symbols.routes)
         out[names.SHUT(r.number)] = conj((was_open, neg(var(r.proceed.next)), var(r.active.next), neg(asked)))
     for s in loop.topo.sections:
@@ -35,6 +37,17 @@ def history(loop: ClosedLoop, ties: Iterable[Tie]) -> dict[Name, Expr]:
     for t in ties:
         out[t.covered] = disj((neg(var(t.timer.input)), conj((plant.clocks[t.clock], var(t.covered)))))
     return out
+
+
+def _hindered(loop: ClosedLoop, r: RouteSymbols) -> Expr:
+    """The route is set, and a section in its path is blocked, or a point in it was trailed."""
+    symbols = loop.controller.symbols
+    ways = [*r.path.ways, *([r.path.berth] if r.path.berth is not None else [])]
+    points = [p for s, n in ways for p, _ in loop.topo.traversals[s][n - 1].points]
+    machines = dict.fromkeys(loop.layout.pointwork.point[p].machine for p in points)
+    hinder = [var(symbols.sections.blocked[s]) for s, _ in ways if s in symbols.sections.blocked]
+    hinder += [var(symbols.machines.trailed[m]) for m in machines if m in symbols.machines.trailed]
+    return conj((var(r.active), disj(hinder)))
 
 
 def _beyond(loop: ClosedLoop, s: SectionId, j: NodeId) -> str:
