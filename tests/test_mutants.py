@@ -174,6 +174,7 @@ ALONE = {
     "speed-not-shown": ("../tests/layouts_for_tests/speeds", "S-SPEED"),
     "swing-misread": ("../tests/layouts_for_tests/trap_beyond", "S-REQUEST"),
     "request-kept": ("fig2_3_split", "S-AGAIN"),
+    "opens-after-block": ("fig2_3_split", "S-AGAIN"),
     "blocked-point-moves": ("junction", "P-BLOCKED"),
     "blocked-drive-runs": ("junction", "P-BLOCKED"),
     "starts-under-train": ("cn6502", "P-LOCKED"),

@@ -107,7 +107,7 @@ EDITS: dict[str, tuple[str, str]] = {
         r"\1END_VAR\nVAR\n  D13 : IL_fig2_2_D13;\n\2",
     ),
     "a block holds one of its own": (
-        r"(?s)(IL_fig2_2_B03\n.*?)  D11 : IL_fig2_2_D11;\nEND_VAR\nVAR\n(.*? B03\([^)]*), D11 := D11",
+        r"(?s)(IL_fig2_2_B03\n.*?)  D12 : IL_fig2_2_D12;\nEND_VAR\nVAR\n(.*? B03\([^)]*), D11 := D11",
         r"\1END_VAR\nVAR\n  D11 : IL_fig2_2_D11;\n\2",
     ),
     "called by its type, without an instance": (

@@ -463,6 +463,7 @@ KINDS: tuple[Kind, ...] = (
     Kind("entry-speed-forgotten", "a route shows more than its overlap is made for", _entry_speed_forgotten),
     Kind("lamp-not-proved", "a signal opens with its stop lamp out", without("PR", "stop lamp proved")),
     Kind("opens-by-itself", "a signal opens again when a lost condition returns", without("W", "conditions kept")),
+    Kind("opens-after-block", "a signal opens when a block in its way is taken off", without("W", "unhindered")),
     Kind("request-kept", "what is asked for while a condition is lost opens the signal later", asked.request_kept),
     Kind("trailed-not-kept-back", "proceed over a trailed point", without("WD", "not trailed")),
     Kind("lamp-not-lit", "proceed with its lamp out", without("CO", "proceed lamp intact")),
