@@ -164,7 +164,11 @@ COLUMNS: tuple[Column, ...] = (
         lambda r: [
             (
                 str(r.path.variant),
-                Because("R1", "1 is basic: fewest points reversed, then shortest, then fewest points"),
+                Because(
+                    "R1",
+                    "1 is basic: excludes fewest receiving routes of other signals, then departing, other train and "
+                    "shunt routes; then shortest, then fewest points",
+                ),
             )
         ],
     ),
