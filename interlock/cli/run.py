@@ -301,15 +301,17 @@ def command(
 ) -> None:
     """Prove LAYOUT, then run its runtime on Modbus TCP, or with --panel on a simulated railway.
 
-    Every section is blocked at first, as in the text for a PLC: BLK_q1=0 takes the block off section q1, free all.
+    Without --panel every section is blocked at first, as in the text for a PLC: BLK_q1=0 takes the block off section
+    q1, free all.  With it only what a record that --record goes on with has as blocked.
     A line of input is a command for one cycle: set ROUTE, swing SIGNAL, cancel SIGNAL, release, or stop, which cancels
     every route and gives up every voyage.
     Voyage NAME opens the routes of a voyage one after the other, each when its train stands before it, until it is done
     or voyage NAME end gives it up; voyage 12:W>E does so for locomotive 12 from W to E.
     From then on numbers step with the sections that are reported occupied, and what does not fit is an alarm; nothing
     is asked for its train until train 12 q4 says where it stands.
-    VARIABLE=VALUE switches blocks and automatic working (BLK_q1=1), which stay until they are set otherwise, and
-    presses buttons (REL_q1=1), for two seconds.  Every change of an output is printed.  A standard computer is no
+    VARIABLE=VALUE sets switches (blocks, automatic working, a crossing or device closed by hand), which stay until
+    they are set otherwise, and presses buttons (REL_q1=1), for two seconds; a move of points by hand for their
+    supervision time, the special manual change of direction for its delay and two seconds at most.  Every change of an output is printed.  A standard computer is no
     safety PLC: for trials, not for a railway.
     """
     place = _place(modbus, panel, operator_modbus, requests)
