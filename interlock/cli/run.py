@@ -311,8 +311,8 @@ def command(
     is asked for its train until train 12 q4 says where it stands.
     VARIABLE=VALUE sets switches (blocks, automatic working, a crossing or device closed by hand), which stay until
     they are set otherwise, and presses buttons (REL_q1=1), for two seconds; a move of points by hand for their
-    supervision time, the special manual change of direction for its delay and two seconds at most.  Every change of an output is printed.  A standard computer is no
-    safety PLC: for trials, not for a railway.
+    supervision time, the special manual change of direction for its delay and two seconds at most.  Every change of an
+    output is printed.  A standard computer is no safety PLC: for trials, not for a railway.
     """
     place = _place(modbus, panel, operator_modbus, requests)
     _only_there(panel)

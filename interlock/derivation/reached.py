@@ -1,8 +1,8 @@
 """Routes whose train can never have come to their signal under another one.
 
 What stands in a section at a restart, on points that lie anyhow or across a diamond, is moved under local rules and is
-never called (R16): only a train that has come in under a route goes on from there.  Where none leads in, or only such as
-can never be driven themselves, the routes that begin there are refused (IL4018).
+never called (R16): only a train that has come in under a route goes on from there.  Where none leads in, or only such
+as can never be driven themselves, the routes that begin there are refused (IL4018).
 """
 
 from __future__ import annotations

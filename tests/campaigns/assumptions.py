@@ -12,6 +12,7 @@ from interlock.proof.claims import Facts, claims
 from interlock.proof.induction.search import search
 from interlock.proof.induction.story import Story, tell
 from interlock.proof.system.transition import System
+from tests.campaigns.origin import origin
 from tests.layouts import built
 
 OVERRUN = "../tests/layouts_for_tests/overrun"
@@ -62,7 +63,11 @@ def harm(assumption: str, name: str, claim: str) -> Story | None:
 def main() -> int:
     """Print the ledger as Markdown."""
     print("# The assumptions, and what happens without them\n")
-    print("Each is dropped alone; the bounded search then finds the shortest run from a restart to a violated claim.\n")
+    print(f"`python -m tests.campaigns.assumptions` {origin()}.\n")
+    print(
+        "Each that can be dropped is dropped alone; the bounded search then finds the shortest run from a restart to a "
+        "violated claim.\n"
+    )
     bad = 0
     for assumption, name, claim in CASES:
         story = harm(assumption, name, claim)

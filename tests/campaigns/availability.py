@@ -7,14 +7,11 @@ controllers that these runs must find out.
 from __future__ import annotations
 
 import argparse
-import platform
 import re
-import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from os import cpu_count
 from pathlib import Path
 
 from interlock.app.init import yard
@@ -31,6 +28,7 @@ from interlock.proof.system.transition import System
 from interlock.proof.witnesses.availability import Availability, Manner, Trial, availability, compatible
 from interlock.table.cells import Because, Exclusion, ProviderKind, SpaceCell
 from interlock.table.rows import InterlockingTable, RouteRow, TraversalRow
+from tests.campaigns.origin import origin
 
 LAYOUTS = (*sorted(Path("layouts").glob("*.yaml")), Path("tests/layouts_for_tests/parallel.yaml"))
 TRACKS = 37  # a yard of 304 routes
@@ -159,22 +157,13 @@ def row(name: str, profile: str, found: Availability, seconds: float) -> str:
     return "| " + " | ".join(map(str, cells)) + " |"
 
 
-def processor() -> str:
-    """The processor's name, where the system tells it."""
-    info = Path("/proc/cpuinfo")
-    names = re.findall(r"model name\s*:\s*(.*)", info.read_text("utf-8")) if info.exists() else []
-    return names[0] if names else platform.machine()
-
-
 def main() -> int:
     """Carry out all runs and print the page."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--tracks", type=int, default=TRACKS, help="tracks of the yard; 0 for none")
     args = parser.parse_args()
-    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=False)
     print("# Availability\n")
-    where = f"at commit {commit.stdout.strip()}, {processor()}, {cpu_count()} cores"
-    print(f"`python -m tests.campaigns.availability` {where}.")
+    print(f"`python -m tests.campaigns.availability` {origin()}.")
     print(EXPLAINED)
     print(
         "| layout | profile | routes | hostile pairs | pairs tried | a train each | one for both | one at a time "

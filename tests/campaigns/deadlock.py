@@ -25,6 +25,7 @@ from typing import Any
 
 from interlock.dispatch.plan.problem import Built, Draft, build
 from interlock.dispatch.plan.search import Answer, Planner, Verdict
+from tests.campaigns.origin import processor
 
 
 @dataclass(frozen=True)
@@ -326,15 +327,6 @@ def main() -> int:
         sys.stdout.write(text)
     bad = [r for r in body if "**" in r[3] + r[5] or r[2] == "UNKNOWN" or float(r[-1]) >= 1]
     return 1 if bad else 0
-
-
-def processor() -> str:
-    """The processor's name, where the system tells it."""
-    try:
-        lines = Path("/proc/cpuinfo").read_text("utf-8").splitlines()
-    except OSError:
-        return platform.processor() or "processor unknown"
-    return next((x.split(":", 1)[1].strip() for x in lines if x.startswith("model name")), "processor unknown")
 
 
 if __name__ == "__main__":

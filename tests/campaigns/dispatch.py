@@ -32,7 +32,7 @@ from interlock.dispatch import Dispatcher
 from interlock.dispatch.commands import errand
 from interlock.dispatch.plan.errands import OUTSIDE, Errand
 from interlock.proof.system.loop import closed_loop
-from tests.campaigns.deadlock import processor
+from tests.campaigns.origin import processor
 from tests.layouts import grown
 
 MINE, LOOPS, PIT = "layouts/mine11.yaml", "tests/layouts_for_tests/two_loops.yaml", "layouts/pit_bottom.yaml"

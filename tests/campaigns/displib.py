@@ -28,7 +28,7 @@ from statistics import median
 from interlock.planning.displib import read, write
 from interlock.planning.planner import schedule
 from interlock.planning.verify import verified
-from tests.campaigns.deadlock import processor
+from tests.campaigns.origin import processor
 
 GROUPS = ("smi_close", "smi_headway", "nor1_critical", "nor2", "nor3", "swi_1")
 """What is planned unless other groups are asked for: beginnings of names, or whole names."""

@@ -38,6 +38,7 @@ from interlock.logic.lower import lower
 from interlock.proof.equivalence.c_text import compare_c
 from tests.c_driver import answers as c_answers
 from tests.c_driver import built_by_gcc, driven
+from tests.campaigns.origin import processor
 from tests.foreign.bundle import Bundle, bundle
 from tests.foreign.compilers import UNOPTIMIZED, Compiler, Matiec, Refused, StrucPp, answers
 from tests.foreign.planted import TEXTS, early_timer
@@ -229,13 +230,6 @@ def _first_line(*command: str) -> str:
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()[0]
 
 
-def _processor() -> str:
-    for line in Path("/proc/cpuinfo").read_text().splitlines() if Path("/proc/cpuinfo").exists() else ():
-        if line.startswith("model name"):
-            return line.partition(":")[2].strip()
-    return platform.processor() or platform.machine()
-
-
 @dataclass(frozen=True)
 class Probed:
     """A compiler, why it is not fit (nothing: it passed), and whether it must not be."""
@@ -264,7 +258,7 @@ def _probes(compilers: Sequence[Compiler], wrong: Path | None) -> list[Probed]:
 def _tools(probes: Sequence[Probed], scans: int, seed: int) -> list[str]:
     commit = _first_line("git", "rev-parse", "--short", "HEAD")
     lines = [
-        f"At commit {commit}, `--scans {scans} --seed {seed}`; {_processor()}, {os.cpu_count()} cores; "
+        f"At commit {commit}, `--scans {scans} --seed {seed}`; {processor()}, {os.cpu_count()} cores; "
         f"{_first_line('gcc', '--version')}, {UNOPTIMIZED}; Python {platform.python_version()}.",
         "",
         "| compiler | commit | probe: `FOR K := N TO N` runs once, TON, wires |",

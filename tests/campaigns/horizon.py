@@ -27,7 +27,7 @@ from interlock.app.setting import Setting, prepared
 from interlock.app.shifts import one
 from interlock.app.worked import Options
 from interlock.dispatch.assign import Assigning
-from tests.campaigns.deadlock import processor
+from tests.campaigns.origin import processor
 from tests.campaigns.shift import FLEETS, HEISHAN, fleet_of
 
 AIM = 0.95

@@ -30,7 +30,7 @@ from interlock.simulate.run import load
 from interlock.simulate.scans import Scans
 from interlock.simulate.track import NONE, Track
 from interlock.simulate.yard import Yard
-from tests.campaigns.deadlock import processor
+from tests.campaigns.origin import processor
 from tests.campaigns.simulate import Case
 
 CYCLE_MS = 500

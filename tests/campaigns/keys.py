@@ -28,6 +28,7 @@ from interlock.proof.induction.inductive import inductive, open_claims
 from interlock.proof.prover import start_claim
 from interlock.proof.system.transition import System
 from interlock.verify import Rejected
+from tests.campaigns.origin import origin
 from tests.layouts import grown
 from tests.test_every_key import CANNOT_MATTER, RESTRICTS, Case
 from tests.written import told
@@ -78,6 +79,7 @@ def main() -> int:
     """Print the page; 1 where a controller was taken that passes over a key."""
     print("# Every key of the language, passed over\n")
     print((__doc__ or "").split("\n\n")[2].strip().replace("\n", " "))
+    print(f"\n`python -m tests.campaigns.keys` {origin()}.")
     print("\n| key | a good bundle of the other layout | an able forgery |\n|---|---|---|")
     taken = 0
     for key, case in RESTRICTS.items():

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import argparse
-import platform
-import subprocess
 import sys
 from concurrent.futures import ProcessPoolExecutor
 
 from interlock.app.check import check_file
 from interlock.proof.engines.limits import Limits
 from interlock.proof.mutation.weakenings import KINDS, Fate, Outcome, run_mutants
+from tests.campaigns.origin import origin
 
 LAYOUTS = (
     "layouts/fig2_3_split.yaml",
@@ -69,7 +68,6 @@ def main() -> int:
     parser.add_argument("--seconds", type=float, default=40.0)
     parser.add_argument("-j", "--jobs", type=int, default=2)
     args = parser.parse_args()
-    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=False)
     jobs = [(path, kind.name, args.sample, args.seconds) for kind in KINDS for path in LAYOUTS]
     jobs += [(path, kind, args.sample, args.seconds) for path, kinds in MORE.items() for kind in kinds]
     found: dict[str, list[tuple[str, Outcome]]] = {k.name: [] for k in KINDS}
@@ -81,8 +79,7 @@ def main() -> int:
     print("# Mutants\n")
     print(
         f"`python -m tests.campaigns.mutants --sample {args.sample} --seconds {args.seconds:g}` "
-        f"at commit {commit.stdout.strip()}, "
-        f"{platform.machine()}, 2 cores.  Layouts: {', '.join(p.split('/')[-1] for p in (*LAYOUTS, *MORE))}; "
+        f"{origin()}.  Layouts: {', '.join(p.split('/')[-1] for p in (*LAYOUTS, *MORE))}; "
         f"of each kind up to {args.sample} evenly spread places on each.\n"
     )
     print(

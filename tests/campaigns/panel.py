@@ -24,7 +24,7 @@ from typing import Any
 from websockets.sync.client import ClientConnection
 
 from tests.browsers import browser
-from tests.campaigns.deadlock import processor
+from tests.campaigns.origin import processor
 from tests.test_panel_browser import changes
 
 LAYOUT = Path("layouts/heishan.yaml").resolve()

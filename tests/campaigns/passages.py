@@ -32,7 +32,7 @@ from interlock.dispatch.plan.railway import Railway
 from interlock.dispatch.plan.search import Planner, Verdict
 from interlock.model.elements import BoundaryKind
 from interlock.proof.system.loop import closed_loop
-from tests.campaigns.deadlock import processor
+from tests.campaigns.origin import processor
 
 LENGTHS = (12.0, 60.0, 250.0)
 GAPS = (0, 3, 25)

@@ -12,6 +12,7 @@ from interlock.diag import Sink
 from interlock.emit.drawing import place, plan_svg
 from interlock.frontend import load, load_text
 from interlock.model.layout import Layout
+from tests.campaigns.origin import origin
 from tests.grow import grow
 from tests.plans import examine
 
@@ -68,7 +69,8 @@ def main() -> None:
     parser.add_argument("--count", type=int, default=200, help="random layouts")
     count = parser.parse_args().count
     print(
-        f"# Plans: what crosses that does not cross\n\n`python -m tests.campaigns.plans --count {count}`\n{EXPLAINED}"
+        f"# Plans: what crosses that does not cross\n\n`python -m tests.campaigns.plans --count {count}` {origin()}.\n"
+        f"{EXPLAINED}"
     )
     print(
         "| layout | false crossings | names on lines | names on names | pixels | seconds |\n|---|---|---|---|---|---|"

@@ -11,9 +11,6 @@ a hundred survives.
 from __future__ import annotations
 
 import argparse
-import os
-import platform
-import subprocess
 import sys
 from collections import Counter
 from collections.abc import Iterator
@@ -31,6 +28,7 @@ from interlock.proof.mutation.judge import Fate, Verdict
 from interlock.proof.mutation.points import Mutation
 from interlock.proof.mutation.survivors import listed, off_the_list
 from interlock.table.rows import InterlockingTable
+from tests.campaigns.origin import origin
 from tests.layouts import SHIPPED, built, grown
 
 FULL = ("mine11", "junction", "passing_loop", "fig2_3_split", "crossing_line")
@@ -64,13 +62,6 @@ def made(name: str) -> tuple[Layout, InterlockingTable, Controller]:
     return found[0], found[1], lower(found[0], found[1])
 
 
-def _processor() -> str:
-    """What the operating system calls the processor."""
-    info = Path("/proc/cpuinfo")
-    lines = info.read_text("utf-8").splitlines() if info.exists() else []
-    return next((x.split(":", 1)[1].strip() for x in lines if x.startswith("model name")), platform.machine())
-
-
 def _row(name: str, those: Verdicts) -> str:
     count = Counter(v.fate for _, v in those)
     return f"| {name} | {len(those)} | {' | '.join(str(count[f]) for f in ORDER)} |"
@@ -78,12 +69,10 @@ def _row(name: str, those: Verdicts) -> str:
 
 def table(found: dict[str, Verdicts]) -> Iterator[str]:
     """The report."""
-    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=False)
     every = [x for those in found.values() for x in those]
     yield "# Point mutations\n"
     yield (
-        f"`python -m tests.campaigns.point_mutants` at commit {commit.stdout.strip()}, {_processor()}, "
-        f"{os.cpu_count()} cores.  Every "
+        f"`python -m tests.campaigns.point_mutants -j 2 --kept FILE` {origin()}.  Every "
         "equation, operand, output, timer and initial value is changed, one change at a time: true, false, negated, an "
         "operand dropped or negated however deep, exchanged with its neighbour; of timers the input and the preset; "
         "or an equation reads what belongs to the next element, "

@@ -20,7 +20,7 @@ from tempfile import TemporaryDirectory
 from interlock.app.certify import certify_file
 from interlock.app.compile import compile_file
 from interlock.checker.check import check
-from tests.campaigns.deadlock import processor
+from tests.campaigns.origin import processor
 from tests.campaigns.simulate import BOTH, OPERATOR, Case, drive
 from tests.published import COLUMNS, HERE, STATIONS, Comparison, additions, compare, station
 

@@ -8,15 +8,12 @@ python -m tests.campaigns.random_layouts --count 2000 --prove 250 --verify 250 -
 from __future__ import annotations
 
 import argparse
-import platform
-import subprocess
 import sys
 import tempfile
 import time
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from os import cpu_count
 from pathlib import Path
 from typing import Any
 
@@ -38,6 +35,7 @@ from interlock.proof.witnesses.availability import Manner, availability
 from interlock.st.delivery import write_st
 from interlock.st.dialects import BY_NAME
 from interlock.table.rows import InterlockingTable
+from tests.campaigns.origin import origin
 from tests.grow_all import grow_all, words
 from tests.layouts import grown
 from tests.written import told
@@ -187,13 +185,12 @@ def main() -> int:
     parser.add_argument("--first", type=int, default=0, help="the seed of the first layout")
     parser.add_argument("--drive", type=int, default=0, help="how many of them to drive in pairs of routes")
     args = parser.parse_args()
-    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=False)
     began = time.process_time()
     t, grew = count({k: getattr(args, k) for k in ("prove", "verify", "drive")}, args.count, args.first)
     n = t.counts
     print("# Random layouts\n")
     print(f"`python -m tests.campaigns.random_layouts {' '.join(sys.argv[1:])}`")
-    print(f"at commit {commit.stdout.strip()}, {platform.machine()}, one of {cpu_count()} cores.")
+    print(f"{origin()}, one of them used.")
     print(EXPLAINED)
     rows = {
         "derivation against the second opinion": f"{n['layouts']} layouts ({grew} grown), {n['routes']} routes",

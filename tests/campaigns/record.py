@@ -19,7 +19,7 @@ from pathlib import Path
 from random import Random
 
 from interlock.record import Log, read_file
-from tests.campaigns.deadlock import processor
+from tests.campaigns.origin import processor
 
 MOMENTS = 0.05
 """Seconds after its first event within which a writer is killed."""

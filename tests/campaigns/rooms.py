@@ -18,6 +18,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from tests.campaigns.origin import origin
+
 TOP = Path(__file__).resolve().parents[2]
 PAGE = TOP / "proofs" / "house.md"
 PUBLIC = 15
@@ -231,9 +233,9 @@ def page(before: House | None, now: House) -> str:
     out = [
         "# The house, counted",
         "",
-        "Made by `python -m tests.campaigns.rooms OLDER --write`; *before*: version 302fa70.  Lines with code: no",
-        "blank lines, comments, docstrings.  *Optimisation* decides only how soon an answer is there; the script lists",
-        "its modules.",
+        f"`python -m tests.campaigns.rooms OLDER --write` {origin()}; *before*: version 302fa70.",
+        "Lines with code: no blank lines, comments, docstrings.  *Optimisation* decides only how soon an answer is",
+        "there; the script lists its modules.",
         "",
         "| room | modules | essential | optimisation | before: modules | essential | optimisation |",
         "|---|--:|--:|--:|--:|--:|--:|",

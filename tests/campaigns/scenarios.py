@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import sys
 
+from tests.campaigns.origin import origin
 from tests.scenarios import SCENARIOS, run_to, told
 
 
@@ -19,7 +20,7 @@ def main() -> int:
         "found by bounded search and thinned to what it needs.  What is excluded, and the accident that it excludes, "
         "is in [assumptions.md](assumptions.md).\n"
     )
-    print("`python -m tests.campaigns.scenarios` writes it; `tests/test_scenarios.py` looks for each run.\n")
+    print(f"`python -m tests.campaigns.scenarios` {origin()}; `tests/test_scenarios.py` looks for each run.\n")
     missing = 0
     for number, scenario in enumerate(SCENARIOS, 1):
         found = run_to(scenario)

@@ -33,7 +33,7 @@ from websockets.sync.client import ClientConnection, connect
 
 from interlock.panel.journal import page
 from interlock.record.log import Recorded, read_file
-from tests.campaigns.deadlock import processor
+from tests.campaigns.origin import processor
 from tests.campaigns.panel import LAYOUT, Client, Server
 from tests.substation import FROZEN, LATE
 from tests.test_field import TWO, Station, prepare

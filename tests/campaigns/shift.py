@@ -30,8 +30,8 @@ from interlock.app.shifts import mean
 from interlock.app.worked import Options, Worked
 from interlock.dispatch.assign import Assigning
 from interlock.simulate.mishaps import TRIAL
-from tests.campaigns.deadlock import processor
 from tests.campaigns.older import older
+from tests.campaigns.origin import processor
 
 HEISHAN = "layouts/heishan.yaml"
 FLEETS = range(2, 9)

@@ -27,6 +27,7 @@ from interlock.logic.controller import MalformedController
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.simulate import Outcome, simulate
+from tests.campaigns.origin import processor
 from tests.weakened import WEAKENED
 
 SLICE = 20_000
@@ -208,7 +209,7 @@ def _head(done: list[tuple[Work, Outcome]], seconds: float) -> list[str]:
     return [
         "# Trains in metres on the emitted runtimes\n",
         f"Commit {_git('log', '-1', '--format=%h')}{dirty}, seeds {seeds[0]} to {seeds[-1]}, Python "
-        f"{platform.python_version()}, {_processor()}, {os.cpu_count()} cores, {seconds / 60:.0f} minutes.\n",
+        f"{platform.python_version()}, {processor()}, {os.cpu_count()} cores, {seconds / 60:.0f} minutes.\n",
         "`python -m tests.campaigns.simulate`: each layout's runtime, as it is written, in a world of trains with "
         "lengths, speeds and brakes, with faults, power cuts and two kinds of operators.  A movement is a signal "
         "passed at proceed; a hazard is harm seen from positions in metres (`interlock/simulate/hazards.py`), or a "
@@ -218,12 +219,6 @@ def _head(done: list[tuple[Work, Outcome]], seconds: float) -> list[str]:
 
 def _git(*words: str) -> str:
     return subprocess.run(["git", *words], capture_output=True, text=True, check=True).stdout.strip()
-
-
-def _processor() -> str:
-    told = Path("/proc/cpuinfo")
-    lines = told.read_text(encoding="utf-8").splitlines() if told.exists() else []
-    return next((x.split(":", 1)[1].strip() for x in lines if x.startswith("model name")), platform.machine())
 
 
 def _table(paths: list[str], done: list[tuple[Work, Outcome]]) -> list[str]:

@@ -16,7 +16,7 @@ from pathlib import Path
 from interlock.app.check import derive_file
 from interlock.app.compile import build_derived, finish
 from interlock.app.init import yard
-from tests.campaigns.deadlock import processor
+from tests.campaigns.origin import processor
 
 WANTED_MB = 20.0  # of what is printed
 HEAD = """# Sizes of all outputs of a large yard

@@ -32,7 +32,7 @@ from typing import Any
 
 import yaml
 
-from tests.campaigns.deadlock import processor
+from tests.campaigns.origin import processor
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 SOURCE = ROOT / "interlock"

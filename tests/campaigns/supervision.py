@@ -15,7 +15,7 @@ from random import Random
 
 from interlock.dispatch.moving_block import Margins, MovingTrain, Position, free, gap_m, too_close
 from interlock.model.elements import SectionId
-from tests.campaigns.deadlock import processor
+from tests.campaigns.origin import processor
 from tests.test_arbiter import DT_MS, hour
 from tests.test_describer import IN, OUT, Yard
 
