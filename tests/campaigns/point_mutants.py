@@ -142,7 +142,8 @@ def main() -> int:
         print(f"no table: {'verdicts are missing of ' + ', '.join(missing) if missing else 'not all layouts'}")
     else:
         alive = {m.shape for m, v in every if v.fate is Fate.SURVIVES}
-        wrong += [f"is on the list, and survives nowhere: {change}" for change in listed() if change not in alive]
+        points = [change for change in listed() if not change.startswith("weakened: ")]
+        wrong += [f"is on the list, and survives nowhere: {change}" for change in points if change not in alive]
         count = sum(v.fate is Fate.SURVIVES for _, v in every)
         if 100 * count > len(every):
             wrong.append(f"{count} of {len(every)} survive: more than one in a hundred")
