@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import platform
 import subprocess
 import time
 from pathlib import Path
@@ -18,9 +20,9 @@ def row(name: str, text: str | None = None) -> None:
     """One line of the table."""
     layout, _ = load(str(TOP / "layouts" / f"{name}.yaml"), Sink()) if text is None else load_text(name, text, Sink())
     assert layout is not None
-    began = time.perf_counter()
+    began = time.process_time()
     drawing = place(layout)
-    placed = time.perf_counter()
+    placed = time.process_time()
     svg = plan_svg(layout, drawing)
     notes = sum("runs of track" not in n for n in drawing.notes) or "none"
     size = f"{drawing.width:.0f} x {drawing.height:.0f}"
@@ -32,7 +34,9 @@ def row(name: str, text: str | None = None) -> None:
 def main() -> None:
     """Print the page."""
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=TOP, capture_output=True, text=True).stdout
-    print(f"# Plans\n\n`python -m benchmarks.drawing` at commit {commit.strip()}, x86_64, one process.\n")
+    machine = f"{platform.machine()}, {os.cpu_count()} cores, CPython {platform.python_version()}"
+    print(f"# Plans\n\n`python -m benchmarks.drawing` at commit {commit.strip()}, {machine}.")
+    print("Seconds are of the processor; one process, on one core.\n")
     print(
         "| layout | points | seconds to place | pixels | SVG | names or lines without room |\n|---|---|---|---|---|---|"
     )

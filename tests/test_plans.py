@@ -6,8 +6,12 @@ Counted from the SVG by a checker that shares no code with the drawing; `tests/c
 from __future__ import annotations
 
 import json
+import random
 import re
+import sys
+from itertools import pairwise
 from pathlib import Path
+from types import FrameType
 
 import pytest
 
@@ -16,7 +20,9 @@ from interlock.app.compile import build_derived
 from interlock.app.draw import draw_file
 from interlock.app.init import line, yard
 from interlock.diag import Sink
+from interlock.emit import drawing
 from interlock.emit.drawing import opening, place, plan_svg
+from interlock.emit.drawing.canvas import Box, entered, enters
 from interlock.emit.drawing.embedding import SINK, SOURCE
 from interlock.emit.drawing.slips import with_diamonds
 from interlock.emit.drawing.strands import Plan
@@ -56,6 +62,44 @@ def test_large_layouts(text: str) -> None:
     assert layout is not None
     counts, _, _, notes = measured(layout)
     assert counts == (0, 0, 0) and notes == ()
+
+
+def _calls(text: str) -> int:
+    """How many functions the drawing of a plan calls, those of networkx apart: on every machine the same."""
+    layout, _ = load_text("large.yaml", text, Sink())
+    assert layout is not None
+    folder, count = str(Path(drawing.__file__).parent), 0
+
+    def called(frame: FrameType, event: str, _: object) -> None:
+        nonlocal count
+        count += event in ("call", "c_call") and frame.f_code.co_filename.startswith(folder)
+
+    before = sys.getprofile()
+    sys.setprofile(called)
+    try:
+        plan_svg(layout, place(layout))
+    finally:
+        sys.setprofile(before)
+    return count
+
+
+def test_the_work_of_a_plan_grows_with_its_layout_and_not_with_its_square() -> None:
+    """While every name was compared with every line, twice the stations took 3.4 times the calls."""
+    assert _calls(line(40)) < 2.2 * _calls(line(20))
+
+
+@pytest.mark.parametrize("text", [line(5), yard(12), *map(grow, range(8))], ids=len)
+def test_names_that_lines_run_through_are_found_as_by_comparing_each_with_all(text: str) -> None:
+    layout, _ = load_text("large.yaml", text, Sink())
+    if layout is None:
+        return
+    d, rng = place(layout), random.Random(1)
+    strokes, boxes = [s for track in d.edges.values() for s in pairwise(track)], list[Box]()
+    for label in d.labels:
+        for reach in (0, 5, 40, 200):
+            boxes.append(label.moved(rng.uniform(-reach, reach), rng.uniform(-reach, reach)).box)
+    found = {k for k, box in enumerate(boxes) if any(enters(a, b, box) for a, b in strokes)}
+    assert entered(strokes, boxes) == found and 0 < len(found) < len(boxes)
 
 
 def test_random_layouts() -> None:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from bisect import bisect_left
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import field, replace
 from itertools import pairwise
 from math import dist
@@ -151,6 +152,26 @@ def device_spots(d: Drawing, over: tuple[SectionId, ...]) -> list[Spot]:
         k = next((k for k in (0.25, 0.5, 0.75) if all(abs(x0 + (x1 - x0) * k - x) >= m for x, m in off)), 0.5)
         out.append((x0 + (x1 - x0) * k, y0 + (y1 - y0) * k))
     return out
+
+
+def entered(strokes: Iterable[tuple[Spot, Spot]], boxes: Sequence[Box]) -> set[int]:
+    """The boxes, by number, that strokes run through.  They lie in rows, sorted from left to right, so that a stroke is
+    compared with those alone that it may reach: comparing all pairs takes most of the time of a long line."""
+    rows: dict[int, list[tuple[float, int]]] = {}
+    for k, (left, top, _, bottom) in enumerate(boxes):
+        for row in range(int(top // UNIT), int(bottom // UNIT) + 1):
+            rows.setdefault(row, []).append((left, k))
+    for there in rows.values():
+        there.sort()
+    widest = max((right - left for left, _, right, _ in boxes), default=0.0) + 1  # rounding
+    found: set[int] = set()
+    for a, b in strokes:
+        least, most, top, bottom = min(a[0], b[0]), max(a[0], b[0]), min(a[1], b[1]), max(a[1], b[1])
+        for row in range(int(top // UNIT), int(bottom // UNIT) + 1):
+            there = rows.get(row, [])
+            first, end = bisect_left(there, (least - widest, 0)), bisect_left(there, (most, 0))
+            found.update(k for _, k in there[first:end] if k not in found and enters(a, b, boxes[k]))
+    return found
 
 
 def enters(a: Spot, b: Spot, box: Box) -> bool:

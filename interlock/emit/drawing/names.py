@@ -17,7 +17,7 @@ from interlock.emit.drawing.canvas import (
     Spot,
     bend,
     device_spots,
-    enters,
+    entered,
     flat,
     fouling_mark,
     width,
@@ -43,7 +43,7 @@ def put_names(d: Drawing, named: dict[EdgeId, SectionId]) -> None:
             _put(d, Label("point", b.point, b.point, x + way * 8, y + dy, anchor=side))
     for edge, section in sorted(named.items()):
         (x0, y0), (x1, y1) = flat(d.edges[edge])
-        length = sum(e.length for e in d.layout.track.edges if e.section == section)
+        length = sum(e.length for e in d.layout.track.edges_in[section])
         x, y = (x0 + x1) / 2, (y0 + y1) / 2
         tilt = 10 if y0 != y1 else 0
         _put(d, Label("section", section, section, x, y - 6 - tilt))
@@ -180,11 +180,11 @@ def _put(d: Drawing, label: Label) -> None:
 
 def tell_covered(d: Drawing) -> None:
     """Names that a line runs through after all, in notes: where a plan bends back, a line may move after them."""
-    for label in d.labels:
-        note = OVER_LINE.format(label.text)
-        left, top, right, bottom = label.box
-        box = (left, top + 1.5, right, bottom - 2.5)  # of the letters alone
-        if note not in d.notes and any(enters(a, b, box) for line in d.edges.values() for a, b in pairwise(line)):
+    boxes = (label.box for label in d.labels)
+    letters = [(left, top + 1.5, right, bottom - 2.5) for left, top, right, bottom in boxes]
+    for k in sorted(entered((stroke for line in d.edges.values() for stroke in pairwise(line)), letters)):
+        note = OVER_LINE.format(d.labels[k].text)
+        if note not in d.notes:
             d.notes.append(note)
 
 

@@ -53,7 +53,7 @@ def _content(plan: Plan, s: Strand, k: int, named: dict[EdgeId, SectionId]) -> f
         else:
             need += _slip_room(plan, node)
     if edge in named:
-        metres = sum(e.length for e in layout.track.edges if e.section == named[edge])
+        metres = sum(e.length for e in layout.track.edges_in[named[edge]])
         need += max(width(named[edge]), 0.82 * width(f"{metres:g}")) + 14
     return max(LEAST, need)
 

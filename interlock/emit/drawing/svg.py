@@ -97,7 +97,7 @@ def _tracks(d: Drawing) -> list[str]:
         name = f" id={_id(f'section-{boundary.approach}')}" if boundary.approach else ""
         out.append(f'<g{name} class="section approach"><path class="track outside" d="{_path([d.at[n], tip])}"/></g>')
     for s in layout.track.sections:
-        edges = [e for e in layout.track.edges if e.section == s.id]
+        edges = layout.track.edges_in.get(s.id, ())
         if not edges:
             continue
         kind = "track" + (" inclined" if s.lane is Lane.INCLINED else "") + ("" if s.detected else " blind")
