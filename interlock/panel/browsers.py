@@ -6,7 +6,7 @@ import json
 import threading
 import time
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from interlock.panel.event import Event
@@ -19,6 +19,11 @@ TELL_S = 0.05
 """Seconds between two messages at least, where simulated time runs fast."""
 
 Listener = Callable[[str], None]
+
+
+def sent(message: Mapping[str, Any]) -> str:
+    """A message as it is sent.  Half a surrogate, as in the name of a file, would reach nobody: it becomes `?`."""
+    return json.dumps(message, ensure_ascii=False, separators=(",", ":")).encode(errors="replace").decode()
 
 
 class Browsers:
@@ -74,6 +79,6 @@ class Browsers:
                 self._fresh = []
             self.shown, self._other = shown, other
             if self._listeners:
-                text = json.dumps(message, ensure_ascii=False, separators=(",", ":"))
+                text = sent(message)
                 for listener in self._listeners:
                     listener(text)

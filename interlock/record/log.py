@@ -51,11 +51,14 @@ class Chain:
     digest: str = ""
 
     def line(self, t_ms: int, kind: str, fields: dict[str, Any]) -> bytes:
-        """The line of the next event.  Raises `ValueError` for a field that is named like one of our own."""
+        """The line of the next event; half a surrogate, as in the name of a file, becomes `?`.
+
+        Raises `ValueError` for a field that is named like one of our own."""
         if not fields.keys().isdisjoint({"n", "t", "kind", "chain"}):
             raise ValueError(f"fields of an event are not called n, t, kind or chain: {sorted(fields)}")
         event = {"n": self.number, "t": t_ms, "kind": kind, **fields}
-        body = json.dumps(event, ensure_ascii=False, separators=(",", ":"), allow_nan=False).encode()[:-1]
+        text = json.dumps(event, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+        body = text.encode(errors="replace")[:-1]
         self.number += 1
         self.digest = link(self.digest, body)
         return body + b',"chain":"' + self.digest.encode() + b'"}\n'
