@@ -53,7 +53,9 @@ def in_words(command: Mapping[str, Any], machines: Machines) -> str:
     """What somebody asks for."""
     what = str(command.get("do", ""))[:TEXT]
     on = bool(command.get("on", command.get("go")))
-    found = SWITCHED[what][on] if what in SWITCHED else ASKED.get(what, what)
+    found = SWITCHED[what][on] if what in SWITCHED else ASKED.get(what)
+    if found is None:  # what nobody knows may say anything, and is no form to be filled in
+        return " ".join(what.split())
     fields = _Fields({str(k): str(v)[:TEXT] for k, v in command.items()})
     x = {"N": Position.NORMAL, "R": Position.REVERSE}.get(fields["to"])
     m = MachineId(fields["machine"])

@@ -38,6 +38,15 @@ class Refused(Exception):
         self.at = at
 
 
+def block_of(ready: Ready, section: str) -> str:
+    """The switch that blocks a section.  Raises `Refused`."""
+    assert ready.controller is not None
+    name = ready.controller.symbols.sections.blocked.get(section)  # type: ignore[call-overload]
+    if name is None:
+        raise Refused(not_blocked(ready, section) or "there is no such section")
+    return str(name)
+
+
 @dataclass
 class Hold:
     """An input that is held: until something is so, for so many milliseconds at most.  `fails`: why it is let go of
@@ -115,8 +124,11 @@ class Buttons:
 
     def swing(self, signal: str) -> int:
         """Ask for another overlap; the number of the request."""
+        number = self._symbols.overlaps.swing_request.get(signal)  # type: ignore[call-overload]
+        if number is None:
+            raise Refused(f"the overlap of {signal} cannot swing")
         self._typed(f"swing {signal}")
-        return self._symbols.overlaps.swing_request[signal]  # type: ignore[index]
+        return int(number)
 
     def cancel(self, signal: str, last: Cycle) -> tuple[bool, tuple[str, ...]]:
         """Take back the route from a signal: whether one is set, and those that no longer work automatically."""
@@ -181,10 +193,7 @@ class Buttons:
 
     def block(self, section: str, on: bool) -> None:
         """Bar a section to routes, or free it."""
-        name = self._symbols.sections.blocked.get(section)  # type: ignore[call-overload]
-        if name is None:
-            raise Refused(not_blocked(self._ready, section) or "there is no such section")
-        self._typed(f"{name}={int(on)}")
+        self._typed(f"{block_of(self._ready, section)}={int(on)}")
 
     def turn(self, machine: str, to: str, last: Cycle) -> str:
         """Move points or a device by hand: held until it is detected there; what is done, in words.  What is locked

@@ -10,8 +10,9 @@ import os
 import queue
 import threading
 import time
+import traceback
 from collections.abc import Callable, Iterable, Mapping
-from contextlib import closing
+from contextlib import closing, suppress
 from typing import Any
 
 from interlock.app.alarms import HAZARD, RECORD, TRAIN, Watch
@@ -24,6 +25,7 @@ from interlock.panel.asking import in_words
 from interlock.panel.browsers import Browsers
 from interlock.panel.clock import MOST_S, SPEEDS, Clock
 from interlock.panel.commands import Refused
+from interlock.panel.entry import LONGEST, Command, NotKnown, cleaned, line
 from interlock.panel.event import Event, stamp
 from interlock.panel.operating import Operating, Person
 from interlock.panel.picture import Picture, still, trains
@@ -61,7 +63,13 @@ class Desk:
             )
         self.links: Mapping[str, Link] = self.field.links if self.field is not None else links or {}
         self.picture = Picture(ready)
-        self.operating = Operating(ready, self.picture.dark(), 0 if recorder is None else recorder.releases, self._note)
+        self.operating = Operating(
+            ready,
+            self.picture.dark(),
+            0 if recorder is None else recorder.releases,
+            self._note,
+            (lambda now: None) if recorder is None else recorder.stands,
+        )
         self._watch = self._watching()
         self.power = True
         self.longest_s = 0.0
@@ -243,25 +251,37 @@ class Desk:
     # --- commands ----------------------------------------------------------------------------------
 
     def _commands(self) -> None:
-        while True:
-            try:
-                who, command, reply = self._queue.get_nowait()
-            except queue.Empty:
-                return
-            try:
-                reply({"ok": True, **(self._do(who, command) or {})})
-            except (Refused, Impossible) as no:
-                at = getattr(no, "at", ())
-                asked = in_words(command, self.picture.layout.machines)
-                self._note(Event("refusal", f"{asked}: refused: {no}", who.name, tuple(at)))
-                reply({"ok": False, "why": [[str(no), list(at)]]})
-            except (LookupError, TypeError, ValueError, AttributeError):
-                reply({"ok": False, "why": [["this panel does not know such a command", []]]})
+        for _ in range(self._queue.qsize()):  # what comes meanwhile waits: it does not hold up the cycle
+            who, command, reply = self._queue.get_nowait()
+            answer = self._answer(who, command)
+            with suppress(Exception):  # whoever cannot be told has gone
+                reply(answer)
 
-    def _do(self, who: Person, command: dict[str, Any]) -> dict[str, Any] | None:
-        what = str(command["do"])
+    def _answer(self, who: Person, given: Mapping[str, Any]) -> dict[str, Any]:
+        """What becomes of a command; whatever is wrong with it, or with us, the cycles go on."""
+        try:
+            command = cleaned(given)
+            try:
+                return {"ok": True, **(self._do(who, command) or {})}
+            except (Refused, Impossible) as no:
+                at = tuple(getattr(no, "at", ()))
+                asked = in_words(command, self.picture.layout.machines)
+                self._note(Event("refusal", f"{asked}: refused: {no}", who.name, at))
+                return {"ok": False, "why": [[str(no), list(at)]]}
+        except NotKnown as no:
+            return {"ok": False, "why": [[str(no), []]]}
+        except Exception as error:
+            if os.environ.get("INTERLOCK_DEBUG"):
+                traceback.print_exc()
+            text = line(f"{DEFECT}: {type(error).__name__}: {error}", LONGEST)
+            with suppress(Exception):  # the record may be what fails: browsers are told before it
+                self._note(Event("note", text, who.name))
+            return {"ok": False, "why": [[text, []]]}
+
+    def _do(self, who: Person, command: Command) -> dict[str, Any] | None:
+        what = command["do"]
         if what == "why":
-            found = self.operating.waits(str(command["route"]), self._last, self._dt_ms)
+            found = self.operating.waits(command["route"], self._last, self._dt_ms)
             return {"why": [[r.text, list(r.at)] for r in found]}
         if not who.operates:
             raise Refused("this browser may only look")
@@ -276,22 +296,20 @@ class Desk:
             if not self.power and what not in WITHOUT_POWER:
                 raise Refused("the controller has no power")
             text = self.operating.carry_out(who, what, command, self._last)
-            if self._recorder is not None:
-                self._recorder.stands(self.operating.stands)
         if text:
             self._note(Event("release" if what in ("release", "release all") else "operation", text, who.name))
         return None
 
-    def _simulate(self, f: SimulatedField, what: str, c: Mapping[str, Any]) -> str:
-        name = str(c.get("train", ""))
+    def _simulate(self, f: SimulatedField, what: str, c: Command) -> str:
+        name = c.get("train", "")
         match what:
             case "put":
-                made = f.stock.stand(str(c["section"]), str(c["towards"]), _metres(c), name)
-                return f"train {made} stands in {c['section']}{self.picture.not_counted(str(c['section']), self._last)}"
+                made = f.stock.stand(c["section"], c["towards"], _metres(c), name)
+                return f"train {made} stands in {c['section']}{self.picture.not_counted(c['section'], self._last)}"
             case "bring":
-                return f"train {f.stock.bring(str(c['boundary']), _metres(c), name)} comes to {c['boundary']}"
+                return f"train {f.stock.bring(c['boundary'], _metres(c), name)} comes to {c['boundary']}"
             case "drive":
-                f.stock.drive(name, bool(c["go"]))
+                f.stock.drive(name, c["go"])
                 return f"train {name} {'goes on' if c['go'] else 'is stopped'}"
             case "turn train":
                 f.stock.turn(name)
@@ -302,19 +320,22 @@ class Desk:
                 f.stock.take_away(name)
                 return f"train {name} is taken away"
             case "fail":
-                f.faults.fail(str(c["kind"]), str(c["name"]), bool(c["on"]))
-                found = f.faults.called(str(c["kind"]), str(c["name"]))
+                f.faults.fail(c["kind"], c["name"], c["on"])
+                found = f.faults.called(c["kind"], c["name"])
                 return f"fault {'of' if c['on'] else 'put right:'} {found}"
             case "power":
-                self.power = bool(c["on"])
+                self.power = c["on"]
                 return f"power {'on' if self.power else 'off'}"
             case "speed":
                 if c["times"] not in SPEEDS:
                     raise Refused(f"time runs {', '.join(map(str, SPEEDS))} times as fast")
                 self.clock.speed = int(c["times"])
                 return f"time runs {self.clock.speed} times as fast"
-        raise KeyError(what)
+        raise NotKnown
 
+
+DEFECT = "a defect of this program, please report it"
+"""What is said where a command fails for no reason that the program knows."""
 
 LATE_S = 5.0
 """Seconds after which what a browser has asked for is not done any more (our choice): whoever asked has seen no answer,
@@ -324,13 +345,13 @@ NEVER_LATE = ("stop", "cancel", "acknowledge", "remind", "lamp test")
 """Commands that do no harm however late they come; so does to block a section."""
 
 
-def age_s(command: Mapping[str, Any]) -> float:
+def age_s(command: Command) -> float:
     """Seconds since a browser asked: when it had heard from here last, by the clock here, and how long after that the
     click was, in milliseconds by its own.  0 where it does not say."""
     heard, after = command.get("heard"), command.get("after")
-    if not isinstance(heard, int | float) or not isinstance(after, int | float):
+    if heard is None or after is None:
         return 0.0
-    return time.time() - heard - after / 1000
+    return float(time.time() - heard - after / 1000)
 
 
 SIMULATED = ("put", "bring", "drive", "turn train", "divide", "take away", "fail", "power", "speed")
@@ -340,7 +361,7 @@ WITHOUT_POWER = ("acknowledge", "remind", "lamp test", "block")
 """Commands that are about this place, and not about the controller."""
 
 
-def _metres(c: Mapping[str, Any]) -> float:
+def _metres(c: Command) -> float:
     metres = float(c.get("metres", LENGTH_M))
     if not 5.0 <= metres <= 1000.0:
         raise Refused("a train is between 5 and 1000 m long")

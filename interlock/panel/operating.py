@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
-from typing import Any
 
 from interlock.app.reasons import Moment, Reason, Reasons
 from interlock.app.run import Operator, Ready
@@ -12,7 +11,8 @@ from interlock.field.plc import Cycle
 from interlock.logic.words import UNKNOWN
 from interlock.panel.alarms import Alarms
 from interlock.panel.asked import Asked
-from interlock.panel.commands import TEXT, Buttons, Refused
+from interlock.panel.commands import Buttons, Refused, block_of
+from interlock.panel.entry import Command, NotKnown, line
 from interlock.panel.event import Event, stamp
 from interlock.panel.standing import BLOCK, FREE, Standing
 
@@ -26,11 +26,19 @@ class Person:
 
 
 class Operating:
-    """One operator's place.  elements: keys of all that is shown; note: whom events are told."""
+    """One operator's place.  elements: keys of all that is shown; note: whom events are told; keep: told what stands,
+    before that is so."""
 
-    def __init__(self, ready: Ready, elements: Collection[str], releases: int, note: Callable[[Event], None]) -> None:
+    def __init__(
+        self,
+        ready: Ready,
+        elements: Collection[str],
+        releases: int,
+        note: Callable[[Event], None],
+        keep: Callable[[Standing], None],
+    ) -> None:
         assert ready.layout is not None and ready.controller is not None
-        self._ready, self._elements, self._note = ready, elements, note
+        self._ready, self._elements, self._note, self._keep = ready, elements, note, keep
         self.reasons = Reasons(ready.layout, ready.controller)
         self.alarms = Alarms()
         self.reminders: dict[str, list[str]] = {}
@@ -49,9 +57,13 @@ class Operating:
     @property
     def stands(self) -> Standing:
         """What is blocked, and what reminds."""
-        held = self.operator.held
+        return self._standing(self.reminders, {})
+
+    def _standing(self, reminders: Mapping[str, list[str]], switched: Mapping[str, bool]) -> Standing:
+        """The same, with these reminders, and when these blocks are switched."""
+        held = {**self.operator.held, **switched}
         blocks = tuple(str(s) for s, n in self._symbols.sections.blocked.items() if held.get(n))
-        return Standing(blocks, {k: list(v) for k, v in self.reminders.items()})
+        return Standing(blocks, {k: list(v) for k, v in reminders.items()})
 
     def restore(self, before: Standing) -> None:
         """The server has started again, and goes on with a record: what was blocked is, and reminders stand."""
@@ -79,32 +91,34 @@ class Operating:
 
     def waits(self, route: str, last: Cycle, dt_ms: int) -> list[Reason]:
         """Why a route is not set, or does not open."""
-        row = self.buttons.routes[route]
+        row = self.buttons.routes.get(route)
+        if row is None:
+            raise Refused(f"there is no route {route}")
         moment = Moment(last.inputs, last.memory, dt_ms)
         active = next(r.active for r in self._symbols.routes if r.number == row.number)
         if not last.memory.state.get(active):
             return self.reasons.of_request(row.number, moment, last.words().get(row.number, UNKNOWN))
         return self.reasons.of_stop(row.number, moment)
 
-    def carry_out(self, who: Person, what: str, c: Mapping[str, Any], last: Cycle) -> str:
-        """What somebody asks for after a cycle; what is told of it, or nothing.  Raises `Refused`, `KeyError`."""
+    def carry_out(self, who: Person, what: str, c: Command, last: Cycle) -> str:
+        """What somebody asks for after a cycle; what is told of it, or nothing.  Raises `Refused`, `NotKnown`."""
         b = self.buttons
         match what:
             case "set":
-                self._asked.ask(b.set(str(c["route"]), last), who.name)
+                self._asked.ask(b.set(c["route"], last), who.name)
                 return ""
             case "swing":
-                self._asked.ask(b.swing(str(c["signal"])), who.name)
+                self._asked.ask(b.swing(c["signal"]), who.name)
                 return f"swing the overlap of {c['signal']}"
             case "cancel":
-                return _cancelled(str(c["signal"]), *b.cancel(str(c["signal"]), last))
+                return _cancelled(c["signal"], *b.cancel(c["signal"], last))
             case "stop":
                 b.stop()
                 for event in self._asked.given_up("all signals were put to stop"):
                     self._note(event)
                 return "all signals to stop: every route is cancelled, every voyage given up"
             case "release":
-                b.release(str(c["section"]), last)
+                b.release(c["section"], last)
                 self.releases += 1
                 return f"release section {c['section']} by hand (release {self.releases})"
             case "release all":
@@ -112,47 +126,48 @@ class Operating:
                 self.releases += 1
                 return f"release all clear sections (release {self.releases})"
             case "block":
-                b.block(str(c["section"]), bool(c["on"]))
+                self._keep(self._standing(self.reminders, {block_of(self._ready, c["section"]): c["on"]}))
+                b.block(c["section"], c["on"])
                 return f"{BLOCK if c['on'] else FREE}{c['section']}"
             case "turn":
-                return f"{b.turn(str(c['machine']), str(c['to']), last)} by hand"
+                return f"{b.turn(c['machine'], c['to'], last)} by hand"
             case "looked":
-                b.looked(str(c["machine"]), last)
+                b.looked(c["machine"], last)
                 return f"{c['machine']} was looked at after it was trailed"
             case "automatic":
-                b.automatic(str(c["route"]), bool(c["on"]))
+                b.automatic(c["route"], c["on"])
                 return f"route {c['route']} {'works' if c['on'] else 'does not work'} automatically"
             case "direction":
-                seconds = b.direction(str(c["boundary"]), bool(c["on"]), last)
+                seconds = b.direction(c["boundary"], c["on"], last)
                 what = f"on, complete in {seconds:.0f} s" if c["on"] else "taken off"
                 return f"special manual change of direction at {c['boundary']}: {what}"
             case "voyage":
-                b.voyage(str(c["name"]), bool(c.get("end")))
+                b.voyage(c["name"], c.get("end", False))
                 return f"{'give up' if c.get('end') else 'begin'} voyage {c['name']}"
             case "train":
-                b.train(str(c["name"]), str(c["section"]))
+                b.train(c["name"], c["section"])
                 return f"train {c['name']} stands in {c['section']}"
             case "acknowledge":
-                those = [(str(key), str(since)) for key, since in c["alarms"]] if "alarms" in c else None
-                for a in self.alarms.acknowledge(those, who.name):
+                for a in self.alarms.acknowledge(c.get("alarms"), who.name):
                     self._note(Event("acknowledged", f"seen: {a.text}", who.name, a.at))
                 return ""
             case "remind":
-                return self._remind(str(c["at"]), str(c.get("text", "")), who)
+                return self._remind(c["at"], c.get("text", ""), who)
             case "lamp test":
                 return "lamp test"
-        raise KeyError(what)
+        raise NotKnown
 
     def _remind(self, at: str, text: str, who: Person) -> str:
         if at not in self._elements:
             raise Refused(f"there is nothing called {at.partition(':')[2]}")
-        text = text.strip()[:TEXT]
+        text, reminders = line(text), dict(self.reminders)
         if text:
-            self.reminders[at] = [text, who.name, stamp()]
-            return f"reminder on {at.partition(':')[2]}: {text}"
-        if self.reminders.pop(at, None) is None:
+            reminders[at] = [text, who.name, stamp()]
+        elif reminders.pop(at, None) is None:
             return ""
-        return f"reminder on {at.partition(':')[2]} taken away"
+        self._keep(self._standing(reminders, {}))
+        self.reminders = reminders
+        return f"reminder on {at.partition(':')[2]}{f': {text}' if text else ' taken away'}"
 
 
 def _cancelled(signal: str, is_set: bool, switched_off: tuple[str, ...]) -> str:

@@ -132,8 +132,8 @@ class Recorder:
     def stands(self, now: Standing) -> None:
         """What is blocked, and what reminds, before that is told of."""
         if now != self.standing:
-            self.standing = now
             self._put(KEPT, **_kept(now))
+            self.standing = now
 
     def cycle(self, cycle: Cycle | None) -> None:
         """A cycle has ended; None while there is no power."""

@@ -25,7 +25,8 @@ from starlette.routing import Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from interlock.dataclass import dataclass
-from interlock.panel.commands import TEXT
+from interlock.panel import entry
+from interlock.panel.browsers import sent
 from interlock.panel.desk import Desk
 from interlock.panel.operating import Person
 
@@ -64,16 +65,19 @@ class Access:
     def admits(self, host: str, origin: str | None) -> bool:
         """Whether a browser may open the socket: from a page of this panel, and, where no token is asked for, only
         under a name of this computer itself, so that no other name can be made to lead here."""
-        if origin is not None and urlsplit(origin).netloc != host:
+        try:
+            if origin is not None and urlsplit(origin).netloc != host:
+                return False
+            return bool(self.operate) or urlsplit(f"//{host}").hostname in LOCAL
+        except ValueError:  # the address of no host
             return False
-        return bool(self.operate) or urlsplit(f"//{host}").hostname in LOCAL
 
     def person(self, hello: Any) -> Person | None:
         """Who says hello; None for somebody who may not even look."""
         if not isinstance(hello, dict):
             return None
-        name = str(hello.get("name", "")).strip()[:TEXT] or "operator"
-        given = str(hello.get("token", "")).encode()
+        name = entry.name(hello.get("name"))
+        given = str(hello.get("token", "")).encode(errors="surrogatepass")
         if not self.operate and not self.look:
             return Person(name, not hello.get("look"))
         if self.operate and hmac.compare_digest(given, self.operate.encode()):
@@ -126,13 +130,13 @@ class _Talk:
         if who is None:
             given = isinstance(hello, dict) and hello.get("token")
             why = "this token is none of this panel's" if given else "this panel asks for a token"
-            await self.ws.send_text(json.dumps({"refused": why}))
+            await self.ws.send_text(sent({"refused": why}))
             await self.ws.close(1008)
             return
         first = self.desk.browsers.listen(self._tell)
         sending = asyncio.create_task(self._send())
         try:
-            await self.ws.send_text(json.dumps({"hello": {"operates": who.operates}, **first}, ensure_ascii=False))
+            await self.ws.send_text(sent({"hello": {"operates": who.operates}, **first}))
             while True:
                 command = await self._read()
                 if not isinstance(command, dict):
@@ -146,14 +150,15 @@ class _Talk:
 
     def _reply(self, re: Any) -> Callable[[dict[str, Any]], None]:
         """Tells the browser what became of its command, by the mark that it gave to it."""
-        return lambda answer: self._tell(json.dumps({"re": re, **answer}, ensure_ascii=False))
+        mark = entry.mark(re)
+        return lambda answer: self._tell(sent({"re": mark, **answer}))
 
     async def _read(self) -> Any:
         """The next message, None for one that is none."""
-        text = await self.ws.receive_text()
         try:
+            text = await self.ws.receive_text()
             return json.loads(text) if len(text) <= LARGEST else None
-        except (ValueError, RecursionError):
+        except (KeyError, ValueError, RecursionError):  # KeyError: it is bytes
             return None
 
     def _tell(self, text: str) -> None:
