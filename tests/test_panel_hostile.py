@@ -6,12 +6,14 @@ import json
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from random import Random
 from typing import Any
 
 import pytest
 from starlette.websockets import WebSocketDisconnect
 
 from interlock.app.run import Ready
+from interlock.panel.asking import ASKED, SWITCHED
 from interlock.panel.browsers import sent
 from interlock.panel.desk import DEFECT, Desk
 from interlock.panel.entry import ALARMS, FLAGS, LARGEST, LONGEST, NOT_KNOWN, NUMBERS, TEXTS, NotKnown, cleaned, line
@@ -19,7 +21,7 @@ from interlock.panel.operating import Person
 from interlock.panel.recorder import Recorder
 from interlock.panel.server import Access
 from interlock.record.log import Chain, read
-from tests.panels import QUICK, panel, unproved
+from tests.panels import QUICK, Browser, panel, unproved
 
 HALF = "\\ud83d"
 """Half a surrogate, as JSON has it."""
@@ -237,3 +239,90 @@ def test_fields_are_of_their_kinds(given: dict[str, Any], found: dict[str, Any])
 def test_fields_of_other_kinds_are_no_command(given: dict[str, Any]) -> None:
     with pytest.raises(NotKnown, match=NOT_KNOWN):
         cleaned(given)
+
+
+class Noise:
+    """Commands that nobody would write: known and unknown fields, with what is right, wrong, or in no order at all."""
+
+    def __init__(self, seed: int, still: dict[str, Any], elements: list[str]) -> None:
+        self.rng = Random(seed)
+        self.does = [*ASKED, *SWITCHED, "acknowledge", "lamp test"]
+        self.keys = [*sorted(TEXTS - {"do"}), *sorted(NUMBERS), *sorted(FLAGS), ALARMS, "re", "x", "", "do.x", "\ud800"]
+        self.right: dict[str, list[Any]] = {
+            "route": [r["id"] for r in still["routes"]],
+            "signal": list(still["signals"]),
+            "section": list(still["sections"]),
+            "machine": list(still["machines"]),
+            "boundary": list(still["boundaries"]),
+            "to": ["N", "R"],
+            "name": [*still["sections"], *still["stations"], "12", "12:W>E"],
+            "towards": [t for found in still["stands"].values() for t in found],
+            "train": ["T1", "T2", "T3", "x"],
+            "at": elements,
+            "kind": ["section", "machine", "lamp", "condition", "station"],
+            "text": ["mind"],
+            "metres": [5, 40, 1000],
+            "times": [1, 2, 60],
+        } | {flag: [True, False] for flag in FLAGS}
+
+    def text(self) -> str:
+        """A text of strange signs."""
+        signs = ["{", "}", "{do.x}", "%s", "\0", "\n", "\x7f", "\x85", "\u2028", "\u202e", "\ufeff", "\uffff", "\ud83d"]
+        signs += ["\udc00", "\U0001f682", "é", "e\u0301", "中", " ", "=", ":", ">", "+", "/", "..", '"', "\\", "a", "1"]
+        return "".join(self.rng.choices(signs, k=self.rng.choice((0, 1, 2, 5, 30, 300))))
+
+    def value(self, depth: int = 0) -> Any:
+        """Any value of JSON."""
+        numbers = [0, 1, -1, 0.5, 1e308, -1e308, 10**18, 10**400, float("nan"), float("inf"), -float("inf")]
+        match self.rng.randrange(7 if depth < 3 else 5):
+            case 0:
+                return self.rng.choice((None, True, False))
+            case 1:
+                return self.rng.choice(numbers)
+            case 2:
+                return self.rng.choice(sorted(TEXTS))
+            case 3 | 4:
+                return self.text()
+            case 5:
+                return [self.value(depth + 1) for _ in range(self.rng.randrange(4))]
+            case _:
+                return {self.text()[:9]: self.value(depth + 1) for _ in range(self.rng.randrange(3))}
+
+    def message(self) -> str:
+        """A message that is an object."""
+        c: dict[str, Any] = {"do": self.rng.choice(self.does) if self.rng.random() < 0.8 else self.value()}
+        for key in self.rng.sample(self.keys, self.rng.randrange(8)):
+            c[key] = self.value()
+        share = self.rng.choice((0.0, 0.5, 0.9, 1.0))
+        c |= {key: self.rng.choice(found) for key, found in self.right.items() if self.rng.random() < share}
+        if self.rng.random() < share:
+            c = {key: value for key, value in c.items() if key not in ("heard", "after", ALARMS)}
+        return json.dumps(c, ensure_ascii=self.rng.random() < 0.99 or "\\ud" in json.dumps(c))
+
+
+@pytest.mark.parametrize("token", ["see", "work"])
+@pytest.mark.parametrize("seed", range(2))
+def test_noise_breaks_nothing(recorded: tuple[Desk, Any], token: str, seed: int) -> None:
+    desk, browser = recorded
+    noise = Noise(seed, desk.browsers.still, sorted(desk.picture.dark()))
+    for _ in range(4):
+        name = noise.value()
+        with browser(name=name, token=token) as b:
+            shower(b, noise, 100)
+            assert not [e["text"] for e in b.events if DEFECT in e["text"]]
+        with browser(name="tester", token="work") as b:
+            assert b.ask("power", on=True)["ok"] and b.ask("speed", times=1)["ok"]
+        works_on(desk, browser)
+
+
+def shower(b: Browser, noise: Noise, count: int) -> None:
+    """So many messages, and an answer to each."""
+    done = 0
+    while done < count:
+        text = noise.message()
+        if len(text) <= 4096:
+            b.ws.send_text(text)
+            done += 1
+    b.until(lambda: len(b.answers) == count)
+    b.ws.send_text('{"do":"set","route":"nowhere","re":1}')
+    b.until(lambda: len(b.answers) > count)
