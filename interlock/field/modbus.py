@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Mapping
+from contextlib import suppress
 from typing import Any
 
 from interlock.field.plc import LinkLost
+from interlock.field.polling import in_short
 from interlock.logic.cabinet import Allocation
 
 REFUSALS = {
@@ -43,14 +45,15 @@ class ModbusLink:
 
     def _ask(self, what: str, which: str, *args: Any, **more: Any) -> Any:
         """Raises `LinkLost`, in words of whoever looks after the substation."""
-        from pymodbus.exceptions import ModbusException
-
         try:
             if not self._client.connected and not self._client.connect():
                 raise LinkLost(f"no connection to {self._place}")
             answer = getattr(self._client, what)(*args, device_id=self._device, **more)
-        except (ModbusException, OSError) as error:
-            self._client.close()
+        except LinkLost:
+            raise
+        except Exception as error:  # the library checks what it is told, and raises what it likes
+            with suppress(Exception):
+                self._client.close()
             raise LinkLost(self._said(error)) from None
         if answer is None:
             raise LinkLost(f"no answer from {self._place}")
@@ -62,7 +65,7 @@ class ModbusLink:
 
     def _said(self, error: Exception) -> str:
         """What has happened on the way: the library has words of its own, for programmers."""
-        from pymodbus.exceptions import ConnectionException, ModbusIOException
+        from pymodbus.exceptions import ConnectionException, ModbusException, ModbusIOException
 
         if isinstance(error, ConnectionException):
             return f"the connection to {self._place} was broken off"
@@ -70,7 +73,9 @@ class ModbusLink:
             return f"{self._place}, device {self._device}, does not answer within {self._timeout_s:g} s"
         if isinstance(error, OSError):
             return f"no connection to {self._place}: {error.strerror or type(error).__name__}"
-        return f"{self._place} answers something else than what was asked: is it Modbus TCP?"
+        if isinstance(error, ModbusException):
+            return f"{self._place} answers something else than what was asked: is it Modbus TCP?"
+        return f"{self._place} cannot be asked: {in_short(error)}"
 
     def read(self) -> Mapping[str, int]:
         """All inputs of the substation in as few requests as the protocol allows."""

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import types
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import field
 from functools import partial
 from typing import Protocol
@@ -189,4 +190,5 @@ class SoftPlc:
         finally:
             self.poll.close()
             for link in self.links.values():
-                link.close()
+                with suppress(Exception):  # the others are let go of all the same
+                    link.close()

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping
-from concurrent.futures import Future, ThreadPoolExecutor, wait
+from concurrent.futures import Future, wait
+from queue import SimpleQueue
+from threading import Thread
 from typing import Any, Protocol
 
 Call = Callable[[], Any]
@@ -15,6 +17,9 @@ LIMIT_S = 0.2
 LAST_S = 1.0
 """The same for the last words of a run."""
 
+CLOSE_S = 1.0
+"""Seconds for which calls that are still under way then are waited for."""
+
 
 class LinkLost(Exception):
     """A substation did not answer, or not as it should."""
@@ -24,7 +29,8 @@ class Poll(Protocol):
     """A way of asking substations."""
 
     def ask(self, calls: Mapping[str, Call], last: bool = False) -> dict[str, Any]:
-        """What each call gives, or the `LinkLost` that it raises.  `last`: nothing will be asked any more."""
+        """What each call gives, or a `LinkLost` where it raises anything: nothing that happens with one substation
+        keeps the others from being asked.  `last`: nothing will be asked any more."""
         ...
 
     def close(self) -> None:
@@ -49,6 +55,43 @@ def _answer(call: Call) -> Any:
         return call()
     except LinkLost as lost:
         return lost
+    except Exception as error:  # whatever it is: the others are asked and written all the same
+        return LinkLost(f"it cannot be asked: {in_short(error)}")
+
+
+def in_short(error: Exception) -> str:
+    """An exception that nobody has foreseen, on one line."""
+    return f"{type(error).__name__}: {error}".replace("\n", " ")
+
+
+class _Worker:
+    """The thread of a substation: one call after the other.  The process may end while one of them hangs."""
+
+    def __init__(self, name: str) -> None:
+        self._calls: SimpleQueue[tuple[Future[Any], Call] | None] = SimpleQueue()
+        self._thread = Thread(target=self._work, name=f"substation {name}", daemon=True)
+        self._given_up = False
+        self._thread.start()
+
+    def submit(self, call: Call) -> Future[Any]:
+        """What the call gives, once it has had its turn."""
+        future: Future[Any] = Future()
+        self._calls.put((future, call))
+        return future
+
+    def _work(self) -> None:
+        while (one := self._calls.get()) is not None and not self._given_up:
+            future, call = one
+            future.set_result(_answer(call))
+
+    def ends(self) -> None:
+        """Nothing comes any more."""
+        self._calls.put(None)
+
+    def wait(self, seconds: float) -> None:
+        """Until all is done, for so long at most; what has not begun by then is not done any more."""
+        self._thread.join(seconds)
+        self._given_up = True
 
 
 class Beside:
@@ -61,7 +104,7 @@ class Beside:
 
     def __init__(self, limit_s: float = LIMIT_S, now: Callable[[], float] = time.monotonic) -> None:
         self.limit_s, self.now = limit_s, now
-        self._threads: dict[str, ThreadPoolExecutor] = {}
+        self._workers: dict[str, _Worker] = {}
         self._under_way: dict[str, Future[Any]] = {}
         self._lost: dict[str, LinkLost] = {}
 
@@ -74,7 +117,7 @@ class Beside:
             if before is not None and before.done() and not isinstance(before.result(), LinkLost):
                 self._lost.pop(name, None)
             if before is None or before.done() or last:
-                self._under_way[name] = self._thread(name).submit(_answer, call)
+                self._under_way[name] = self._submit(name, call)
             if name in self._lost and not last:
                 out[name] = self._lost[name]
         for name in calls:
@@ -89,12 +132,21 @@ class Beside:
         done, _ = wait((future,), max(0.0, until - self.now()))
         return future.result() if done else LinkLost("no answer in time")
 
-    def _thread(self, name: str) -> ThreadPoolExecutor:
-        if name not in self._threads:
-            self._threads[name] = ThreadPoolExecutor(1, f"substation {name}")
-        return self._threads[name]
+    def _submit(self, name: str, call: Call) -> Future[Any]:
+        try:
+            if name not in self._workers:
+                self._workers[name] = _Worker(name)
+            return self._workers[name].submit(call)
+        except RuntimeError as error:  # the system gives no more threads
+            failed: Future[Any] = Future()
+            failed.set_result(LinkLost(f"it cannot be asked: {in_short(error)}"))
+            return failed
 
     def close(self) -> None:
-        """See `Poll`.  Calls that are under way end by their own limits."""
-        for thread in self._threads.values():
-            thread.shutdown(wait=True, cancel_futures=True)
+        """See `Poll`.  Calls that are under way end by their own limits; one that has none, such as a name that is
+        looked up, is left behind."""
+        until = time.monotonic() + CLOSE_S
+        for worker in self._workers.values():
+            worker.ends()
+        for worker in self._workers.values():
+            worker.wait(max(0.0, until - time.monotonic()))

@@ -1,0 +1,156 @@
+"""Links that fail in ways that nobody has foreseen: whatever one substation does, every other one is written."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Mapping
+from contextlib import closing
+
+import pytest
+
+from interlock.app.run import Ready, run
+from interlock.field import polling
+from interlock.field.modbus import ModbusLink
+from interlock.field.plc import LinkLost, SoftPlc, runtime_scan
+from interlock.field.polling import Beside, InTurn, Poll
+from tests.panels import unproved
+
+STATION = """
+interlock: 1
+name: two
+boundaries: {W: {approach: ap 600}, E: {trains: out}}
+tracks: {t: [W, q1 200, q2 300, E]}
+signals: {A: {from: W, into: q1}, B: {from: q1, into: q2}}
+"""
+SAID = "0 <= address 72000 <= 65535 !"
+
+
+@pytest.fixture(scope="module")
+def two() -> Ready:
+    """A station with the substations `bad` and `good`."""
+    return unproved(STATION + "substations: {bad: [q1], good: []}\n")
+
+
+class Wire:
+    """A substation that is well, until `breaks` does something else in its place."""
+
+    def __init__(self, ready: Ready, name: str, breaks: Callable[[str, int], None] = lambda what, k: None) -> None:
+        assert ready.allocation is not None
+        self.breaks, self.reads, self.writes, self.closed = breaks, 0, 0, False
+        self.inputs = [c.variable for c in ready.allocation.wires if c.direction == "I" and c.substation == name]
+        self.lit: dict[str, bool] = {}
+
+    def read(self) -> Mapping[str, int]:
+        self.reads += 1
+        self.breaks("read", self.reads)
+        return {n: self.reads & 1 if n.startswith("HB") else 1 for n in self.inputs}
+
+    def write(self, values: Mapping[str, bool], heartbeat: bool) -> None:
+        self.writes += 1
+        self.breaks("write", self.writes)
+        self.lit = dict(values)
+
+    def close(self) -> None:
+        self.breaks("close", 1)
+        self.closed = True
+
+
+def in_the_third(what: str, k: int) -> None:
+    if (what, k) == ("read", 3):
+        raise ValueError(SAID)
+
+
+@pytest.mark.parametrize("poll", [Beside, InTurn])
+def test_an_unforeseen_exception_of_one_substation_is_a_lost_one(two: Ready, poll: Callable[[], Poll]) -> None:
+    links = {"bad": Wire(two, "bad", in_the_third), "good": Wire(two, "good")}
+    with closing(run(two, links, 10, 4, lambda last, dt_ms: {}, poll=poll())) as cycles:
+        done = [c for c, _ in cycles]
+    assert [c.valid for c in done][1:3] == [True, False]
+    assert done[2].lost == (f"bad: it cannot be asked: ValueError: {SAID}",)
+    assert links["good"].writes == 5 and links["good"].closed, "four cycles, and restrictive in the end"
+
+
+@pytest.mark.parametrize("poll", [Beside, InTurn])
+@pytest.mark.parametrize("what", ["write", "close"])
+def test_the_last_write_reaches_every_station(two: Ready, poll: Callable[[], Poll], what: str) -> None:
+    """Whatever another one does while the run ends, and in the scan before it."""
+    assert two.allocation is not None
+
+    def always(done: str, k: int) -> None:
+        if done == what:
+            raise RuntimeError("a defect")
+
+    links = {"bad": Wire(two, "bad", always), "good": Wire(two, "good")}
+    plc = SoftPlc(runtime_scan(two.runtime), two.allocation, links, poll=poll())
+    for _ in range(3):
+        plc.cycle({}, 100)
+    unwritten = plc.close()
+    assert unwritten == ({"bad": "it cannot be asked: RuntimeError: a defect"} if what == "write" else {})
+    assert links["good"].writes == 4 and links["good"].closed
+    assert links["good"].lit == {n: v for n, v in plc.runtime.restrictive.items() if n in links["good"].lit}
+
+
+def test_the_last_write_reaches_the_others_where_there_are_no_more_threads(
+    two: Ready, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert two.allocation is not None
+    links = {"bad": Wire(two, "bad"), "good": Wire(two, "good")}
+    plc = SoftPlc(runtime_scan(two.runtime), two.allocation, links, poll=Beside())
+    start = threading.Thread.start
+
+    def refused(thread: threading.Thread) -> None:
+        if thread.name == "substation bad":
+            raise RuntimeError("can't start new thread")
+        start(thread)
+
+    monkeypatch.setattr(threading.Thread, "start", refused)
+    assert plc.cycle({}, 100).lost[0] == "bad: it cannot be asked: RuntimeError: can't start new thread"
+    assert list(plc.close()) == ["bad"] and links["good"].writes == 2
+
+
+def test_what_hangs_is_left_behind(two: Ready, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A name that is looked up has no limit of its own; nothing is begun that waits behind it."""
+    monkeypatch.setattr(polling, "LAST_S", 0.2)
+    monkeypatch.setattr(polling, "CLOSE_S", 0.2)
+    assert two.allocation is not None
+    gate = threading.Event()
+
+    def hangs(what: str, k: int) -> None:
+        if what != "close":
+            gate.wait(20)
+
+    links = {"bad": Wire(two, "bad", hangs), "good": Wire(two, "good")}
+    plc = SoftPlc(runtime_scan(two.runtime), two.allocation, links, poll=Beside())
+    plc.cycle({}, 100)
+    before = {t for t in threading.enumerate() if t.name == "substation bad"}
+    began = time.monotonic()
+    try:
+        assert list(plc.close()) == ["bad"] and time.monotonic() - began < 5
+        assert links["good"].writes == 2 and links["bad"].closed
+        assert all(t.daemon for t in before), "nor does the process wait for it"
+    finally:
+        gate.set()
+    for t in before:
+        t.join(5)
+    assert links["bad"].writes == 0
+
+
+def test_what_the_library_does_not_take_is_told_not_thrown() -> None:
+    """Its client checks what it is told, with exceptions of any kind."""
+    ready = unproved(STATION)
+    assert ready.allocation is not None
+    link = ModbusLink(ready.allocation, "main", "10.0.0.7", 502)
+
+    class Client:
+        connected = True
+
+        def read_discrete_inputs(self, *args: object, **more: object) -> object:
+            raise ValueError(SAID)
+
+        def close(self) -> None:
+            raise RuntimeError("closed already")
+
+    link._client = Client()
+    with pytest.raises(LinkLost, match=r"10\.0\.0\.7:502 cannot be asked: ValueError: 0 <= address 72000"):
+        link.read()
