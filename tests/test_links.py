@@ -6,10 +6,13 @@ import threading
 import time
 from collections.abc import Callable, Mapping
 from contextlib import closing
+from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 
 from interlock.app.run import Ready, run
+from interlock.cli.main import cli
 from interlock.field import polling
 from interlock.field.modbus import ModbusLink
 from interlock.field.plc import LinkLost, SoftPlc, runtime_scan
@@ -154,3 +157,60 @@ def test_what_the_library_does_not_take_is_told_not_thrown() -> None:
     link._client = Client()
     with pytest.raises(LinkLost, match=r"10\.0\.0\.7:502 cannot be asked: ValueError: 0 <= address 72000"):
         link.read()
+
+
+PINNED = """
+pins: 1
+layout: two
+cards: {main: {1: I9000, 2: Q0}}
+channels:
+  main:
+    q1:
+      CLR_q1: I9000.0
+"""
+
+
+@pytest.mark.parametrize(
+    ("more", "pins", "said"),
+    [
+        (
+            "addresses: {CLR_q1: I8192.0}\n",
+            "",
+            "two.yaml:7: `addresses: {CLR_q1: I8192.0}`: Modbus numbers the bits of",
+        ),
+        (
+            "addresses:\n  CLR_q2: I1.0\n  YS_A: Q9999.7\n  YP_A: Q9999.6\n",
+            "",
+            "two.yaml:9: `addresses: {YS_A: Q9999.7}`",
+        ),
+        ("", PINNED, "two.pins:3: `cards`, slot 1 of main, for HB_main (and 3 more): "),
+        (
+            "",
+            PINNED + "    main: {HB_main: I9000.1}\n",
+            "two.pins:8: `channels`, main, `HB_main: I9000.1` (and 3",
+        ),
+        ("addresses: {CLR_q1: I8191.7}\n", "", ""),
+    ],
+)
+def test_an_address_that_modbus_does_not_reach_is_refused_before_the_proof(
+    more: str, pins: str, said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "two.yaml"
+    path.write_text(STATION.lstrip() + "# where things lie\n" + more, "utf-8")
+    if pins:
+        path.with_suffix(".pins").write_text(pins.lstrip(), "utf-8")
+    monkeypatch.setattr("interlock.app.run.prove_derived", _proving)
+    done = CliRunner().invoke(cli, ["run", str(path), "--modbus", "127.0.0.1:1"])
+    if not said:
+        assert isinstance(done.exception, Proving)
+        return
+    told = " ".join(done.output.replace("│", " ").split())
+    assert done.exit_code == 2 and said in told and "give " in told, done.output
+
+
+class Proving(Exception):
+    """It is being proved."""
+
+
+def _proving(*args: object) -> None:
+    raise Proving

@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable, Generator, Iterable, Mapping
 from dataclasses import replace
 
-from interlock.app.check import derive_file
+from interlock.app.check import Checked, derive_file
 from interlock.app.numbers import Numbers
 from interlock.app.presses import Presses
 from interlock.app.prove import prove_derived
@@ -18,6 +18,7 @@ from interlock.dispatch import Dispatcher
 from interlock.dispatch.commands import BadOrder, errand
 from interlock.dispatch.plan.errands import NoVoyage, TooManyPlaces
 from interlock.dispatch.plan.railway import Railway
+from interlock.field.modbus import MOST_BYTE, beyond
 from interlock.field.plc import Cycle, Link, SoftPlc, runtime_scan
 from interlock.field.polling import InTurn, Poll
 from interlock.logic.cabinet import Allocation, allocate
@@ -48,13 +49,13 @@ def prepare(
     path: str,
     limits: Limits | None = None,
     progress: Progress = quiet,
-    checked: Callable[[Layout], None] = lambda layout: None,
+    checked: Callable[[Checked], None] = lambda found: None,
 ) -> Ready:
-    """Check, prove, and compare the runtime that is going to run; `checked` is told the layout before it is proved."""
+    """Check, prove, and compare the runtime that is going to run; `checked` is told what is going to be proved."""
     began = time.monotonic()
     derived = derive_file(path)
-    if derived.ok and derived.layout is not None:
-        checked(derived.layout)
+    if derived.ok:
+        checked(derived)
     proved, files = prove_derived(derived, limits, progress)
     proved = replace(proved, seconds=time.monotonic() - began)
     found = proved.checked
@@ -64,6 +65,26 @@ def prepare(
         controller = lower(found.layout, found.table)
         allocation = allocate(found.layout, controller)
     return Ready(proved, found.layout, found.table, controller, allocation, files["runtime.py"].decode())
+
+
+def beyond_modbus(found: Checked) -> str:
+    """What is wrong with the first address for which Modbus has no number, and where it stands; empty if all have."""
+    assert found.layout is not None and found.table is not None
+    with interning():
+        far = beyond(allocate(found.layout, lower(found.layout, found.table)))
+    if not far:
+        return ""
+    c, pins, fix = far[0], found.source.pins, f"give {far[0].variable} another address"
+    at, where = found.source.at("addresses", c.variable), f"`addresses: {{{c.variable}: {c.address}}}`"
+    if c.variable not in dict(found.layout.hardware.addresses) and pins is not None:
+        at, where = pins.on_card(c.substation, c.slot), f"`cards`, slot {c.slot} of {c.substation}, for {c.variable}"
+        if c.variable in pins.pins.by_variable:
+            at, where = pins.at(c.variable), f"`channels`, {c.element}, `{c.variable}: {c.address}`"
+        else:
+            fix = "give the card other bytes"
+    more = f" (and {len(far) - 1} more)" if len(far) > 1 else ""
+    why = f"Modbus numbers the bits of bytes 0 to {MOST_BYTE}, and does not reach {c.address}"
+    return f"{at.file}:{at.line}: {where}{more}: {why}; {fix}"
 
 
 class BadCommand(Exception):

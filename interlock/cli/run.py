@@ -19,7 +19,8 @@ from click.core import ParameterSource
 
 from interlock.app.alarms import TRAIN, Watch
 from interlock.app.answers import Answers
-from interlock.app.run import BadCommand, Operator, Ready, prepare, run
+from interlock.app.check import Checked
+from interlock.app.run import BadCommand, Operator, Ready, beyond_modbus, prepare, run
 from interlock.cli.common import exit_code, format_option, progress, proof_body, show_proof
 from interlock.cli.operator_place import answering, parsed
 from interlock.dataclass import dataclass
@@ -74,9 +75,13 @@ def _prepared(layout: str, modbus: tuple[str, ...]) -> tuple[Ready, dict[str, Li
     """The layout, proved, and the links to its substations, whose addresses are looked at before; None without any."""
     places: dict[str, _Place] = {}
 
-    def checked(found: Layout) -> None:
-        if modbus:
-            places.update(_places(found, modbus))
+    def checked(found: Checked) -> None:
+        if not modbus:
+            return
+        assert found.layout is not None
+        places.update(_places(found.layout, modbus))
+        if why := beyond_modbus(found):
+            raise click.UsageError(why)
 
     with progress(layout) as report:
         ready = prepare(layout, None, report, checked)

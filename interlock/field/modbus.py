@@ -13,7 +13,10 @@ from typing import Any
 
 from interlock.field.plc import LinkLost
 from interlock.field.polling import in_short
-from interlock.logic.cabinet import Allocation
+from interlock.logic.cabinet import Allocation, Channel
+
+MOST_BYTE = 8191
+"""The last byte whose bits have a number: a number has 16 bits."""
 
 REFUSALS = {
     1: "it does not know this function",
@@ -99,6 +102,11 @@ class ModbusLink:
     def close(self) -> None:
         """Close the connection."""
         self._client.close()
+
+
+def beyond(a: Allocation) -> tuple[Channel, ...]:
+    """Channels at addresses for which Modbus has no number."""
+    return tuple(c for c in a.wires if c.byte > MOST_BYTE)
 
 
 def _runs(places: Any, most: int, gaps: bool = True) -> list[tuple[int, int]]:

@@ -101,6 +101,10 @@ class PinsRead:
                 return span_of(self.root, (kind, p.substation, p.element, p.variable))
         return self.root.span
 
+    def on_card(self, station: str, slot: int) -> Span:
+        """Where a card stands."""
+        return span_of(self.root, ("cards", station, slot))
+
 
 def beside(layout: str) -> str:
     """The name of the file of pins beside a layout file."""
