@@ -59,14 +59,14 @@ def _places(layout: Layout, given: tuple[str, ...]) -> dict[str, _Place]:
             raise click.UsageError(f"{text}: a port is between 1 and 65535, a device between 0 and 255")
         if station in places:
             raise click.UsageError(f"{text}: --modbus says twice where {station} is")
-        places[station] = _Place(host, int(port), int(device or 1))
+        places[station] = _Place(host.strip("[]"), int(port), int(device or 1))
     missing = sorted(set(stations) - set(places))
     if missing:
         raise click.UsageError(f"--modbus is missing for {', '.join(missing)}")
     try:
         held = hold([f"{p.host}:{p.port}/{p.device}" for p in places.values()])
         click.get_current_context().call_on_close(lambda: [lock.close() for lock in held])
-    except (InUse, OSError) as error:
+    except InUse as error:
         raise click.UsageError(str(error)) from None
     return places
 

@@ -15,7 +15,7 @@ from interlock import __version__
 from interlock.app.alarms import to_release
 from interlock.app.run import Ready
 from interlock.emit.drawing import plan_svg
-from interlock.field.alone import hold
+from interlock.field.alone import hold_file
 from interlock.field.plc import Cycle
 from interlock.model.traversal import topology
 from interlock.panel.event import Event, rules
@@ -65,7 +65,7 @@ class Recorder:
         assert ready.controller is not None and ready.layout is not None and ready.table is not None
         y = ready.controller.symbols
         self.path, self.lost = path, ""
-        self._held = hold([str(path.resolve())], "record")
+        self._held = hold_file(path)
         self._clear: tuple[str, ...] = tuple(y.sections.clear.values())
         self._contacts: tuple[str, ...] = tuple(y.machines.detected.values())
         self._state: tuple[str, ...] = tuple(n for n in views(ready) if n not in {*self._clear, *self._contacts})
