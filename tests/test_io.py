@@ -15,7 +15,7 @@ from interlock.derivation import derive
 from interlock.diag import Sink
 from interlock.emit.io import channels_csv, equipment_csv, tags_xlsx
 from interlock.emit.python.runtime import runtime_py
-from interlock.field.plc import SoftPlc, runtime_scan
+from interlock.field.plc import LATE_CYCLE, SoftPlc, runtime_scan
 from interlock.frontend import load_text
 from interlock.logic.cabinet import BadAddress, allocate
 from interlock.logic.controller import Controller
@@ -293,7 +293,7 @@ def test_mapping_and_soft_plc_see_the_same_health_and_both_tell_that_they_are_al
         assert {o.name: bool(values[o.name]) for o in controller.outputs} == cycle.outputs, k
         assert {bool(values[c.variable]) for c in a.sent} == {links["west"].heartbeat} == {k % 2 == 0}
         seen |= {(int(cycle.valid), tuple(x.split(":")[0] for x in cycle.lost))}
-    assert len(seen) > 6 and (1, ()) in seen and (0, ("cycle",)) in seen
+    assert len(seen) > 6 and (1, ()) in seen and (0, (LATE_CYCLE,)) in seen
 
 
 def test_a_heartbeat_that_stops_is_noticed_in_time_and_one_that_never_came_too() -> None:

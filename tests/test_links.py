@@ -11,12 +11,14 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from interlock.app.alarms import CYCLE, LOST, Watch, possible
 from interlock.app.run import Ready, run
 from interlock.cli.main import cli
 from interlock.field import polling
 from interlock.field.modbus import ModbusLink
-from interlock.field.plc import LinkLost, SoftPlc, runtime_scan
+from interlock.field.plc import LATE_CYCLE, LinkLost, SoftPlc, runtime_scan
 from interlock.field.polling import Beside, InTurn, Poll
+from interlock.frontend.scalars import NAME
 from tests.panels import unproved
 
 STATION = """
@@ -214,3 +216,28 @@ class Proving(Exception):
 
 def _proving(*args: object) -> None:
     raise Proving
+
+
+def test_a_substation_may_be_called_what_a_late_cycle_is() -> None:
+    """Both are told, and both are alarms."""
+    ready = unproved(STATION + "substations: {cycle: [q1], good: []}\n")
+    assert ready.allocation is not None and ready.layout is not None and ready.controller is not None
+
+    def cut(what: str, k: int) -> None:
+        raise LinkLost("no connection")
+
+    links = {"cycle": Wire(ready, "cycle", cut), "good": Wire(ready, "good")}
+    plc = SoftPlc(runtime_scan(ready.runtime), ready.allocation, links)
+    plc.cycle({}, 100)
+    late = plc.cycle({}, 2000)
+    assert sorted(late.lost) == ["cycle: no connection", f"{LATE_CYCLE}: 2000 ms since the last one, more than 1000"]
+    assert NAME.fullmatch(LATE_CYCLE) is None
+    watch = Watch(ready.layout, ready.controller, ready.allocation)
+    watch.after(late, 2000)
+    told = {key: text for key, (text, _) in watch.causes.items() if key in (CYCLE, f"{LOST} cycle")}
+    assert told == {
+        "cycle": f"{LATE_CYCLE}: 2000 ms since the last one, more than 1000",
+        "lost cycle": "substation cycle: no connection",
+    }
+    keys = [p.key for p in possible(ready.layout, ready.controller, ready.allocation)]
+    assert len(keys) == len(set(keys)) and set(told) <= set(keys)

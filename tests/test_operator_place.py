@@ -29,7 +29,7 @@ from interlock.field.operator_place import (
     Registers,
     registers,
 )
-from interlock.field.plc import Cycle, Memory
+from interlock.field.plc import LATE_CYCLE, Cycle, Memory
 from interlock.logic.cabinet import allocate
 from interlock.logic.controller import Controller
 from interlock.model.elements import Position
@@ -201,7 +201,7 @@ def test_whatever_can_be_wrong_after_a_scan_is_listed_and_nothing_else(name: str
     state |= dict.fromkeys((*controller.symbols.machines.command.values(),), False)
     state |= dict.fromkeys(controller.symbols.cancellation.cancelling.values(), False)
     outputs = {str(o.name): True for o in controller.outputs}
-    lost = ("cycle: 1200 ms since the last one", *(f"{s}: does not answer" for s in cabinets.stations))
+    lost = (f"{LATE_CYCLE}: 1200 ms since the last one", *(f"{s}: does not answer" for s in cabinets.stations))
     for _ in range(2):
         closed = watch.after(Cycle({}, outputs, True, lost, Memory(state, {})), 600_000)
     assert not closed  # told once, and standing since

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from interlock.dataclass import dataclass
 from interlock.diag.called import called
-from interlock.field.plc import Cycle
+from interlock.field.plc import LATE_CYCLE, Cycle
 from interlock.logic.cabinet import Allocation
 from interlock.logic.controller import Controller
 from interlock.logic.names import Name
@@ -25,7 +25,7 @@ Causes = dict[str, tuple[str, tuple[str, ...]]]
 SETTLES_MS = 1000
 """Milliseconds after a start in which heartbeats are not yet missed."""
 
-START, HAZARD, RECORD, TRAIN, LOST, CYCLE, FALLEN = "start", "hazard", "record", "train", "lost", "lost cycle", "fallen"
+START, HAZARD, RECORD, TRAIN, LOST, CYCLE, FALLEN = "start", "hazard", "record", "train", "lost", "cycle", "fallen"
 """Keys, or what they begin with."""
 
 
@@ -132,7 +132,6 @@ class Watch:
 
     def __init__(self, layout: Layout, controller: Controller, allocation: Allocation) -> None:
         self._symbols = controller.symbols
-        self._stations = frozenset(allocation.stations)
         self.possible = possible(layout, controller, allocation)
         self._start = next(p for p in self.possible if p.key == START)
         self._restart = to_release(layout, controller.symbols)
@@ -173,8 +172,9 @@ class Watch:
         """Substations that do not answer, and a cycle that came too late."""
         found: Causes = {}
         for text in cycle.lost:
-            station = text.partition(":")[0]
-            found[f"{LOST} {station}"] = (f"{'substation ' if station in self._stations else ''}{text}", ())
+            what = text.partition(":")[0]
+            key, said = (CYCLE, text) if what == LATE_CYCLE else (f"{LOST} {what}", f"substation {text}")
+            found[key] = (said, ())
         return found
 
     def _closed(self, cycle: Cycle) -> Iterator[Fallen]:

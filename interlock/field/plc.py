@@ -24,6 +24,9 @@ from interlock.model.elements import HEARTBEAT_MS, Health
 
 __all__ = ["Cycle", "Link", "LinkLost", "Memory", "Runtime", "SoftPlc", "Watch", "runtime_scan"]
 
+LATE_CYCLE = "the controller's cycle"
+"""What is lost where a cycle came too late.  No substation can have that name (`'` is in none)."""
+
 Scan = Callable[[dict[str, int], int], dict[str, bool]]
 
 
@@ -152,7 +155,7 @@ class SoftPlc:
             if ill := self._ill(h, answer, dt_ms):
                 lost[h.substation] = ill
         if dt_ms > CYCLE_MAX_MS:
-            lost["cycle"] = f"{dt_ms} ms since the last one, more than {CYCLE_MAX_MS}"
+            lost[LATE_CYCLE] = f"{dt_ms} ms since the last one, more than {CYCLE_MAX_MS}"
         valid = not lost
         inputs[self.valid_name] = int(valid)
         outputs = self.scan(inputs, dt_ms)

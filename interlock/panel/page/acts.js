@@ -96,7 +96,7 @@ export function steps(still, state, sys) {
   const occupied = [...restart, ...stale.filter(lost)].filter(s => !clear(s)), ready = [...restart, ...stale].filter(clear);
   return [
     [sys.power, sys.power ? "The controller has power." : "The controller has no power."],
-    [sys.power && sys.valid, sys.valid ? "All substations report." : `Substations that do not report: ${sys.lost.map(l => l.split(":")[0]).filter(l => l !== "cycle").join(", ") || "waiting for heartbeats"}.`],
+    [sys.power && sys.valid, sys.valid ? "All substations report." : `Substations that do not report: ${sys.lost.map(l => l.split(":")[0]).filter(l => still.stations.includes(l)).join(", ") || "waiting for heartbeats"}.`],
     [sys.power && sys.valid && !waiting, waiting ? `The restart delay runs: ${sys.delay} s.  Trains that still ran come to a stand.${still.simulated ? "  To wait less, let time run faster (above)." : ""}` : "The restart delay is over."],
     [sys.valid && !occupied.length, occupied.length ? `Occupied: released when clear: ${occupied.join(", ")}.  Ask who stands there; a false report is a fault to mend.` : "No section that waits for its release is reported occupied."],
     [sys.valid && !ready.length, ready.length ? `Release what is clear: ${ready.join(", ")}.` : "Nothing that is clear is left to be released.",
