@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import signal
 import threading
 import time
 from collections.abc import Callable, Mapping
 from contextlib import closing
 from pathlib import Path
+from typing import Any
 
 import pytest
 from click.testing import CliRunner
 
 from interlock.app.alarms import CYCLE, LOST, Watch, possible
 from interlock.app.run import Ready, run
+from interlock.cli.common import end_as_by_ctrl_c
 from interlock.cli.main import cli
 from interlock.field import polling
 from interlock.field.modbus import ModbusLink
@@ -241,3 +244,17 @@ def test_a_substation_may_be_called_what_a_late_cycle_is() -> None:
     }
     keys = [p.key for p in possible(ready.layout, ready.controller, ready.allocation)]
     assert len(keys) == len(set(keys)) and set(told) <= set(keys)
+
+
+@pytest.mark.parametrize("windows", [False, True])
+def test_a_run_ends_where_there_is_no_sighup(windows: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As on Windows."""
+    kept: dict[int, Any] = {}
+    monkeypatch.setattr(signal, "signal", kept.__setitem__)
+    expected = {signal.SIGTERM} if windows else {signal.SIGTERM, signal.SIGHUP}
+    if windows:
+        monkeypatch.delattr(signal, "SIGHUP")
+    end_as_by_ctrl_c()
+    assert set(kept) == expected
+    with pytest.raises(KeyboardInterrupt):
+        kept[signal.SIGTERM](signal.SIGTERM, None)

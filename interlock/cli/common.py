@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import shutil
+import signal
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -115,6 +116,17 @@ def told(error: Exception, path: Path) -> str:
     if isinstance(error, OSError):
         return f"{path}: {error.strerror}"
     return f"{path}: not UTF-8 text" if isinstance(error, UnicodeDecodeError) else str(error)
+
+
+def end_as_by_ctrl_c() -> None:
+    """From now on whoever asks the process to end does so as by Ctrl-C, so that the outputs are written restrictive."""
+    for name in ("SIGTERM", "SIGHUP"):
+        if (ending := getattr(signal, name, None)) is not None:  # Windows has no SIGHUP
+            signal.signal(ending, _end)
+
+
+def _end(number: int, frame: object) -> None:
+    raise KeyboardInterrupt
 
 
 def took(began: float) -> str:

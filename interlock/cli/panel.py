@@ -6,7 +6,6 @@ import gc
 import ipaddress
 import json
 import secrets
-import signal
 import socket
 import sys
 from collections.abc import Mapping
@@ -16,7 +15,7 @@ from pathlib import Path
 import click
 
 from interlock.app.run import Ready
-from interlock.cli.common import told
+from interlock.cli.common import end_as_by_ctrl_c, told
 from interlock.cli.operator_place import answering
 from interlock.field.alone import InUse
 from interlock.field.operator_place import DOES, Reply
@@ -72,8 +71,7 @@ def run_panel(
             raise click.UsageError(f"the record cannot be written: {told(error, record)}") from None
         desk = Desk(ready, links, cycle_ms, recorder)
         _welcome(sock, access, record, form)
-        for ending in (signal.SIGTERM, signal.SIGHUP):
-            signal.signal(ending, _end)
+        end_as_by_ctrl_c()
         if server is not None:
             desk.publish = server.publish
         try:
@@ -97,11 +95,6 @@ def _welcome(sock: socket.socket, access: Access, record: Path, form: str) -> No
     if ipaddress.ip_address(host).is_unspecified:
         _say({"from elsewhere": f"write the name of this computer instead of {host}"}, form)
     _say({"record": str(record)}, form)
-
-
-def _end(number: int, frame: object) -> None:
-    """Asked to end: as by Ctrl-C."""
-    raise KeyboardInterrupt
 
 
 def _say(event: dict[str, object], form: str) -> None:

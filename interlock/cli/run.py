@@ -6,7 +6,6 @@ import gc
 import importlib.util
 import json
 import queue
-import signal
 import sys
 import threading
 from collections.abc import Callable, Iterable, Mapping
@@ -21,7 +20,7 @@ from interlock.app.alarms import TRAIN, Watch
 from interlock.app.answers import Answers
 from interlock.app.check import Checked
 from interlock.app.run import BadCommand, Operator, Ready, beyond_modbus, prepare, run
-from interlock.cli.common import exit_code, format_option, progress, proof_body, show_proof
+from interlock.cli.common import end_as_by_ctrl_c, exit_code, format_option, progress, proof_body, show_proof
 from interlock.cli.operator_place import answering, parsed
 from interlock.dataclass import dataclass
 from interlock.diag.extras import install
@@ -94,11 +93,6 @@ def _needs(module: str, what: str, extra: str) -> None:
     """An extra that has to be installed."""
     if importlib.util.find_spec(module) is None:
         raise click.UsageError(f"{what} needs the extra `{extra}`: {install(extra)}")
-
-
-def _end(number: int, frame: object) -> None:
-    """Asked to end: as by Ctrl-C, so that the outputs are written restrictive."""
-    raise KeyboardInterrupt
 
 
 Say = Callable[[dict[str, Any]], None]
@@ -218,8 +212,7 @@ def _run(
     typed.begin()
     gc.enable()  # off in the short-lived commands; this one runs on
     threading.Thread(target=typed.listen, daemon=True).start()
-    for ending in (signal.SIGTERM, signal.SIGHUP):
-        signal.signal(ending, _end)
+    end_as_by_ctrl_c()
     before: dict[str, bool] = {}
     said: tuple[object, ...] = ()
     longest = 0.0
