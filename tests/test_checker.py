@@ -71,6 +71,13 @@ def test_what_belongs_together_is_accepted(made: Path, capsys: pytest.CaptureFix
     assert ("VERIFIED" in capsys.readouterr().out) is not bool(found.left)
 
 
+def test_a_name_that_no_folder_can_bear_is_refused_as_that(copy: Path) -> None:
+    layout, folder, _ = files(copy)
+    edit(layout, "name: fig2_2", "name: fig2/2")
+    with pytest.raises(Rejected, match="the name fig2/2 has a /"):
+        check(layout, folder)
+
+
 OWN_TIMER = """FUNCTION_BLOCK TON
 VAR_INPUT IN : BOOL; PT : TIME; END_VAR
 VAR_OUTPUT Q : BOOL; END_VAR

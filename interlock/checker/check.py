@@ -92,6 +92,7 @@ def _body(layout: Path, text: str) -> dict[str, Any]:
         raise Rejected(f"{layout} is no YAML, or none with one meaning: {what}") from e
     if not isinstance(body, dict) or not isinstance(body.get("name"), str):
         raise Rejected(f"{layout} is no layout with a name")
+    need("/" not in body["name"], f"{layout}: the name {body['name']} has a /, and no folder of outputs can bear it")
     return body
 
 

@@ -34,6 +34,15 @@ def _name(value: object) -> object:
     return value
 
 
+def _folder_name(value: object) -> object:
+    """A name that is that of a folder and of files, too."""
+    if isinstance(value, str) and NAME.fullmatch(value) and "/" in value:
+        said = f"'{value}' cannot be the layout's name: its outputs lie in a folder of that name, so it has no /"
+        fix = f"write `{value.replace('/', '-')}`; `title` takes any text"
+        raise PydanticCustomError("name", "{said}", {"v": value, "said": said, "fix": fix})
+    return _name(value)
+
+
 def no_name(text: str) -> str:
     """Why a text cannot be a name."""
     if not text.strip():
@@ -292,6 +301,7 @@ _TEXT_SCHEMA = {"type": ["string", "number", "boolean", "null"]}
 _LETTER = r"[0-9A-Za-z\u00AA-\uFFFF]"  # every script; patterns of JSON Schema know no classes of letters
 _PLAIN = f"{_LETTER}+#?(?:[ _/-]{_LETTER}+#?)*"
 _NAME_SCHEMA = {"type": ["string", "integer"], "pattern": f"^{_PLAIN}$"}
+_FOLDER_SCHEMA = {"type": ["string", "integer"], "pattern": f"^{_PLAIN.replace('/', '')}$"}
 _ENDS = "start|end|toe|normal|reverse|1a|1b|2a|2b|outer|inner"
 _END_SCHEMA = {"type": ["string", "integer"], "pattern": rf"^{_PLAIN}(?:\.(?:{_ENDS}))?$"}
 _LONG = r"(?:\d+(?:\.\d*)?|\.\d+)"
@@ -302,6 +312,7 @@ _ITEM_SCHEMA = {"type": ["string", "integer"], "pattern": rf"^(?:{_PLAIN}(?: +\+
 _APPROACH_SCHEMA = {"type": "string", "pattern": rf"^{_PLAIN} +\+?{_LONG}$"}
 PATTERNS = {
     str(_NAME_SCHEMA["pattern"]): "name",
+    str(_FOLDER_SCHEMA["pattern"]): "name without `/`",
     str(_END_SCHEMA["pattern"]): "end",
     str(_ITEM_SCHEMA["pattern"]): "`NAME LENGTH`, or a boundary, a buffer, an end, a position, or a name between two",
     str(_KM_SCHEMA["pattern"]): "`KM+METRES`",
@@ -310,6 +321,7 @@ PATTERNS = {
 """What texts of these patterns are, in words."""
 
 Name = Annotated[str, BeforeValidator(_name), WithJsonSchema(_NAME_SCHEMA)]
+FolderName = Annotated[str, BeforeValidator(_folder_name), WithJsonSchema(_FOLDER_SCHEMA)]
 Text = Annotated[str, BeforeValidator(_text), WithJsonSchema(_TEXT_SCHEMA)]
 Reason = Annotated[
     str, BeforeValidator(_text), AfterValidator(_some_text), WithJsonSchema({**_TEXT_SCHEMA, "minLength": 1})

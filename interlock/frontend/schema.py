@@ -17,6 +17,7 @@ from interlock.frontend.scalars import (
     Approach,
     Count,
     End,
+    FolderName,
     Item,
     Kilometre,
     Kmh,
@@ -434,7 +435,7 @@ class LayoutFile(Part):
     """A track layout for interlock."""
 
     interlock: Annotated[int, BeforeValidator(version), WithJsonSchema({"const": 1})] = key("version of the language")
-    name: Name = key("the layout's name: folder of its outputs, name of its PLC block")
+    name: FolderName = key("the layout's name: folder of its outputs, name of its PLC block")
     title: Text = key("free text, printed on plans and forms", "")
     profile: Annotated[str, choice("profile", tuple(PROFILES)), WithJsonSchema({"enum": list(PROFILES)})] = key(
         "a named set of principles", "generic"
