@@ -265,6 +265,22 @@ def test_what_nobody_sees_is_refused_with_a_fix(name: str, why: str) -> None:
     assert why in found.message and f"write `{near}`" in found.fix
 
 
+@pytest.mark.parametrize("sign", ["\\0", "\\a", "\\r", "\\e", "\\x7f", "\\N", "\\uFFFE", "\\uFFFF"])
+@pytest.mark.parametrize("where", ["title: %s", "title_block: {author: %s}", "exclude: [{from: X1, reason: %s}]"])
+def test_a_text_that_not_every_output_can_hold_is_refused(where: str, sign: str) -> None:
+    sink = Sink()
+    load_text("t", LINE % ("q1 200", "q1", "q1") + where % f'"halt{sign} 1"' + "\n", sink)
+    (found,) = sink.diagnostics
+    assert found.code == "IL1012" and found.span is not None and found.span.line == 9, found
+    assert "has the character U+" in found.message and found.fix.startswith("leave it out")
+
+
+def test_a_text_of_several_lines_with_tabs_stands() -> None:
+    sink = Sink()
+    layout, _ = load_text("t", LINE % ("q1 200", "q1", "q1") + 'title: "halt\\n\\tat km 12"\n', sink)
+    assert layout is not None and layout.printed.title == "halt\n\tat km 12"
+
+
 @pytest.mark.parametrize(
     ("item", "section", "metres"),
     [

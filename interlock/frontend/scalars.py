@@ -14,6 +14,7 @@ from pydantic import AfterValidator, BeforeValidator, Field, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
 _UNSEEN = "\u115f\u1160\u3164\uffa0"  # letters to Unicode, and drawn as nothing
+_NO_XML = "\ufffe\uffff"  # beside control characters
 _WORD = rf"[^\W_{_UNSEEN}]+#?"
 NAME = re.compile(rf"{_WORD}([ _/-]{_WORD})*")
 """Letters and digits of any script, a `#` after them, and single signs or spaces between."""
@@ -267,6 +268,11 @@ def _kmh(text: str) -> float:
 def _text(value: object) -> object:
     if not isinstance(value, str):
         raise PydanticCustomError("shape", "a text is expected")
+    found = next((s for s in value if s not in "\n\t" and (unicodedata.category(s) in ("Cc", "Cs") or s in _NO_XML)), "")
+    if found:
+        said = f"the text has the character U+{ord(found):04X} in it, which not every output can hold"
+        fix = "leave it out; a text may have tabs and several lines"
+        raise PydanticCustomError("sign", "{said}", {"said": said, "fix": fix})
     return value
 
 

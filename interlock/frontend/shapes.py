@@ -25,6 +25,7 @@ _CODES = {
     "number": "IL1013",
     "range": "IL1014",
     "version": "IL1015",
+    "sign": "IL1012",
     "name": "IL1016",
     "choice": "IL1017",
     "reason": "IL2009",
@@ -223,7 +224,7 @@ def _missing(root: Node, path: Loc, sink: Sink) -> None:
 def _value(root: Node, kind: str, path: Loc, on_key: bool, text: str, ctx: Map[str, Any], sink: Sink) -> None:
     """Report a value (or key) that has the wrong shape, or cannot be."""
     code, where = _CODES.get(kind, "IL1012"), ".".join(map(str, path))
-    if code == "IL1012":
+    if code == "IL1012" and kind != "sign":
         want = "a list of at least one" if ctx.get("min_length") == 1 else _WANT.get(kind, "another shape")
         node = node_at(root, path)
         fix = _shape_fix(path, want, node)
