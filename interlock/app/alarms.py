@@ -17,7 +17,7 @@ from interlock.logic.symbols import RouteSymbols, Symbols
 from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
-from interlock.model.times import supervision_s
+from interlock.model.times import supervision_s, whole_ms
 
 Causes = dict[str, tuple[str, tuple[str, ...]]]
 """By key: what is wrong, and the elements that it is about."""
@@ -210,7 +210,7 @@ class Idle:
             (
                 str(m),
                 _idle(layout, m),
-                round(1000 * supervision_s(layout, m)),
+                whole_ms(supervision_s(layout, m)),
                 tuple(y.detected[m, x] for x in Position if (m, x) in y.detected),
                 tuple(y.command[m, x] for x in Position if (m, x) in y.command),
             )

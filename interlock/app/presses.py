@@ -15,7 +15,7 @@ from interlock.dataclass import dataclass
 from interlock.logic.symbols import Symbols
 from interlock.model.elements import Position
 from interlock.model.layout import Layout
-from interlock.model.times import supervision_s
+from interlock.model.times import supervision_s, whole_ms
 
 PRESS_MS = 2000
 """Milliseconds for which a button is pressed: more than one cycle, however long cycles are."""
@@ -54,8 +54,8 @@ class Presses:
         """For how long it is pressed at most: the special manual change of direction for its delay, too (R12); a move
         of points for their supervision, since in a blocked section they turn as long as they are ordered to (R10)."""
         if (m := self._moves.get(name)) is not None:  # type: ignore[call-overload]
-            return round(1000 * supervision_s(self.layout, m))
-        return PRESS_MS + (round(1000 * self.layout.principles.token_delay_s) if name in self._token else 0)
+            return whole_ms(supervision_s(self.layout, m))
+        return PRESS_MS + (whole_ms(self.layout.principles.token_delay_s) if name in self._token else 0)
 
     def press(self, name: str, value: int) -> None:
         """Press a button, or with 0 let go of it."""

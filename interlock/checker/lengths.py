@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
+from math import ceil
 
 from interlock.checker.drawing import Diamond, Edge
 from interlock.checker.kilometres import item_parts
@@ -61,6 +63,11 @@ class Approach:
     further: tuple[tuple[Way, Approach], ...] = ()
 
 
+def whole_ms(seconds: float) -> int:
+    """A delay as the layout states it: a controller counts whole milliseconds, and no fewer."""
+    return ceil(Fraction(repr(seconds)) * 1000)
+
+
 class Lengths(Overlaps):
     """Of one railway."""
 
@@ -68,7 +75,7 @@ class Lengths(Overlaps):
         """When the overlap of a signal may be released: as stated, by length, or as the principles have it."""
         told = (self.r.body.get("overlaps") or {}).get(g.name) or {}
         if "release" in told:
-            return round(1000 * float(told["release"]))
+            return whole_ms(float(told["release"]))
         if told.get("release_by_length") in ("yes", "true"):
             before = self.before(g)
             kmh = self.kmh(before)
@@ -77,7 +84,7 @@ class Lengths(Overlaps):
             ways = self.r.track.ways[before] if before else []
             longest = max((w.length for w in ways if w.exit == g.node), default=0.0)
             return 1000 * -(-(round(1000 * longest / (slowest / 3.6 / 2)) + self.halt(kmh)) // 1000)
-        return round(1000 * self._d.rule("overlap_release_s"))
+        return whole_ms(self._d.rule("overlap_release_s"))
 
     # --- foul joints ---
 

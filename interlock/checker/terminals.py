@@ -9,7 +9,7 @@ from typing import Any
 from interlock.checker.ahead import Overlap
 from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, names, no, some
 from interlock.checker.lamps import CALL_ON, IDENTIFIER, MAIN, WHITE, Lamps
-from interlock.checker.lengths import Approach
+from interlock.checker.lengths import Approach, whole_ms
 from interlock.checker.railway import Calling, Path, Signal, safe
 from interlock.checker.track import Way
 from interlock.checker.words import fact
@@ -416,7 +416,7 @@ class Terminals(Lamps):
         return f"RT_{safe(s)}"
 
     def w_supervision_of(self, m: str) -> int:
-        return round(1000 * self.lengths.supervision(m))
+        return whole_ms(self.lengths.supervision(m))
 
     def w_late_timer(self, m: str) -> str:
         return f"ST_{safe(m)}"
@@ -467,7 +467,7 @@ class Terminals(Lamps):
 
     def seconds(self, name: str) -> int:
         """A principle that is a time, in milliseconds."""
-        return round(1000 * self.r.drawn.rule(name))
+        return whole_ms(self.r.drawn.rule(name))
 
     def word(self, name: str) -> Any:
         """Principles that are times are words, too."""
@@ -485,7 +485,7 @@ class Terminals(Lamps):
     def w_approach_release(self, g: Signal) -> int:
         own = self.r.body["signals"][g.name].get("release")
         if own is not None:
-            return round(1000 * float(own))
+            return whole_ms(float(own))
         return self._kinds(g, self.seconds("approach_release_s"), self.seconds("shunt_release_s"))
 
     def w_overlap_release(self, g: Signal) -> int:

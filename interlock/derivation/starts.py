@@ -15,7 +15,7 @@ from interlock.dataclass import dataclass
 from interlock.diag import Element, Sink
 from interlock.model.elements import MachineId, RouteId
 from interlock.model.layout import Layout
-from interlock.model.times import supervision_s
+from interlock.model.times import supervision_s, whole_ms
 from interlock.table.rows import RouteRow
 
 
@@ -36,7 +36,7 @@ def check_starts(layout: Layout, rows: Sequence[RouteRow], sink: Sink) -> None:
     own = dict(layout.pointwork.supervision)
     principle: _Wait | None = None
     for w in _longest(layout, rows):
-        if round(1000 * supervision_s(layout, w.machine)) >= round(1000 * (w.before * gap + run)):
+        if whole_ms(supervision_s(layout, w.machine)) >= w.before * whole_ms(gap) + whole_ms(run):
             continue
         if w.machine in own:
             _report(layout, w, f"the supervision of {w.machine}", Element("points", _point(layout, w.machine)), sink)
@@ -74,7 +74,7 @@ def _point(layout: Layout, machine: MachineId) -> str:
 def _report(layout: Layout, w: _Wait, what: str, about: Element, sink: Sink) -> None:
     rules, own = layout.principles, supervision_s(layout, w.machine)
     gap, run = rules.point_start_gap_s, rules.point_run_s
-    waits, need = w.before * gap, w.before * gap + run
+    waits, need = w.before * gap, (w.before * whole_ms(gap) + whole_ms(run)) / 1000
     others = "another machine" if w.before == 1 else f"{w.before} others"
     bearable = floor(10 * (own - run) / w.before) / 10
     shorter = f", or a `point_start_gap_s` of at most {bearable:g} s, if the supply bears it" if bearable > 0 else ""
@@ -83,6 +83,6 @@ def _report(layout: Layout, w: _Wait, what: str, about: Element, sink: Sink) -> 
         f"{what} is {own:g} s, and {need:.1f} s are needed for {w.machine}: where {w.route} turns it after {others}, "
         f"{gap:g} s apart, it starts {waits:g} s after it is commanded, and runs for {run:g} s",
         None,
-        f"state at least {ceil(round(need, 3))} s{shorter}",
+        f"state at least {ceil(need)} s{shorter}",
         about=about,
     )

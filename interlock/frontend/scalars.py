@@ -268,12 +268,17 @@ def _kmh(text: str) -> float:
 def _text(value: object) -> object:
     if not isinstance(value, str):
         raise PydanticCustomError("shape", "a text is expected")
-    found = next((s for s in value if s not in "\n\t" and (unicodedata.category(s) in ("Cc", "Cs") or s in _NO_XML)), "")
+    found = next((s for s in value if _not_held(s)), "")
     if found:
         said = f"the text has the character U+{ord(found):04X} in it, which not every output can hold"
         fix = "leave it out; a text may have tabs and several lines"
         raise PydanticCustomError("sign", "{said}", {"said": said, "fix": fix})
     return value
+
+
+def _not_held(sign: str) -> bool:
+    """Whether plans, tables or PLC texts lose a character, or are broken by it."""
+    return sign in _NO_XML or (sign not in "\n\t" and unicodedata.category(sign) in ("Cc", "Cs"))
 
 
 def _some_text(value: str) -> str:

@@ -15,7 +15,7 @@ from interlock.model.elements import BoundaryKind, MachineId, Position, SectionI
 from interlock.model.layout import Layout
 from interlock.model.overlap import overlap_paths
 from interlock.model.principles import Principles
-from interlock.model.times import supervision_s
+from interlock.model.times import supervision_s, whole_ms
 from interlock.model.traversal import Traversal, topology
 
 
@@ -93,8 +93,8 @@ def needs(layout: Layout) -> Needs:
         stop=at,
         shunt=halt_ms(rules, rules.shunt_speed_kmh),
         stand=at,
-        agreed=round(1000 * rules.token_agreed_s),
-        run=round(1000 * rules.point_run_s),
+        agreed=whole_ms(rules.token_agreed_s),
+        run=whole_ms(rules.point_run_s),
         restart=_restart(layout),
         swings=frozenset(o.signal for o in layout.overlaps.all if o.swing and _turns_in_time(layout, o.signal)),
     )

@@ -2,8 +2,16 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
+from math import ceil
+
 from interlock.model.elements import MachineId, SignalId
 from interlock.model.layout import Layout
+
+
+def whole_ms(seconds: float) -> int:
+    """Seconds as they were stated, in whole milliseconds: rounded up, so that no delay is shorter than ordered."""
+    return ceil(1000 * Decimal(repr(float(seconds))))
 
 
 def supervision_s(layout: Layout, machine: MachineId) -> float:

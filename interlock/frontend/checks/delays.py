@@ -11,7 +11,7 @@ from interlock.model.elements import SignalId
 from interlock.model.layout import Layout
 from interlock.model.needs import before, needs, standing_s, turning_s
 from interlock.model.overlap import overlap_length
-from interlock.model.times import overlap_release_s
+from interlock.model.times import overlap_release_s, whole_ms
 
 OTHERWISE = {
     "restart_delay_s": "",
@@ -47,7 +47,7 @@ def check_delays(ctx: Context, layout: Layout) -> None:
     for name, found, words in ordered:
         own = float(getattr(rules, name))
         need = max(found, default=0)
-        if round(own * 1000) < need:
+        if whole_ms(own) < need:
             spoken = "principles" in ctx.file.model_fields_set
             wanted = f"{name}: {-(-need // 1000)}"
             slower = OTHERWISE.get(name, ", or the lower speeds that are run there")
@@ -58,7 +58,7 @@ def check_delays(ctx: Context, layout: Layout) -> None:
                 f"state {f'`{wanted}` under `principles`' if spoken else f'`principles: {{{wanted}}}`'}{slower}",
             )
     for g, own in layout.overlaps.releases:
-        if round(own * 1000) < least.stand[g]:
+        if whole_ms(own) < least.stand[g]:
             needed = f"{least.stand[g] / 1000:.1f} s are needed until a train before it stands: {why}"
             at_least = f"state at least {-(-least.stand[g] // 1000)} s, or the lower speed that is run before {g}"
             ctx.add(
@@ -68,7 +68,7 @@ def check_delays(ctx: Context, layout: Layout) -> None:
                 at_least,
             )
     for m, own in layout.pointwork.supervision:
-        if round(own * 1000) < least.run:
+        if whole_ms(own) < least.run:
             text = f"the supervision of {m} is {own:g} s, and {least.run / 1000:.1f} s are needed for a machine to run"
             room = "level_crossings" if m in ctx.file.level_crossings else "interlocks"
             where = Element("points", layout.machines.ends[m][0].id) if m in layout.machines.ends else Element(room, m)
@@ -143,7 +143,7 @@ def _signals(ctx: Context, layout: Layout) -> None:
         signal = layout.signalling.signal[g]
         trains = least.stop[g] if signal.main and g not in layout.signalling.stops else 0
         need = max(trains, least.shunt if signal.shunt else 0)
-        if round(own * 1000) < need:
+        if whole_ms(own) < need:
             until = f"{need / 1000:.1f} s are needed until whoever saw proceed stands or has passed"
             why = f"{rules.output_delay_s:g} s until stop is seen, {rules.reaction_s:g} s of reaction, and braking"
             text = f"the routes of {g} are held for {own:g} s, and {until}: {why}"

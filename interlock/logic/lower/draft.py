@@ -9,6 +9,7 @@ from interlock.logic.expr import Expr, var
 from interlock.logic.lower.index import MachineIndex, OverlapIndex, RouteIndex, SectionIndex, SignalIndex
 from interlock.logic.names import Name
 from interlock.model.layout import Layout
+from interlock.model.times import whole_ms
 from interlock.model.traversal import Topology, topology
 from interlock.table.rows import InterlockingTable
 
@@ -37,8 +38,8 @@ class Draft:
         return var(name)
 
     def timer(self, name: Name, input_: Name, seconds: float, note: str) -> Expr:
-        """Add an on-delay timer; returns its output."""
-        self.steps.append(Timer(name, input_, round(seconds * 1000), note))
+        """Add an on-delay timer, never shorter than so many seconds; returns its output."""
+        self.steps.append(Timer(name, input_, whole_ms(seconds), note))
         return var(name)
 
     def kept(self, name: Name, initial: bool, note: str, join: Join, terms: Iterable[Term], group: str) -> None:

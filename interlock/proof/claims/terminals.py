@@ -12,7 +12,7 @@ from interlock.logic.controller import LONGEST_MS
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, iff, implies, neg, var
 from interlock.logic.names import Name
 from interlock.model.elements import Position, SignalId
-from interlock.model.times import overlap_release_s, supervision_s
+from interlock.model.times import overlap_release_s, supervision_s, whole_ms
 from interlock.proof.claims.kinds import Facts
 
 
@@ -106,7 +106,7 @@ def _delays(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     if f.sym.machines.start_timer is not None:
         ordered[f.sym.machines.start_timer] = [rules.point_start_gap_s]
     for name, seconds in ordered.items():
-        counts = round(1000 * max(seconds)) <= f.timers[name].preset_ms <= LONGEST_MS
+        counts = whole_ms(max(seconds)) <= f.timers[name].preset_ms <= LONGEST_MS
         yield "D-PRESET", name, TRUE if counts else FALSE
     for name in sorted(f.timers.keys() - ordered.keys()):
         yield "D-PRESET", name, FALSE  # nothing says how long this timer must be

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, iff, neg, var
 from interlock.logic.names import Name
 from interlock.model.elements import Position, SignalId
+from interlock.model.times import whole_ms
 from interlock.proof.functions.words import Words
 
 
@@ -44,7 +45,7 @@ def delays(w: Words) -> Iterator[tuple[str, str, Expr]]:
         yield (
             "F-DELAY",
             f"{name} as its signal's kind",
-            TRUE if f.timers[name].preset_ms >= round(1000 * ordered) else FALSE,
+            TRUE if f.timers[name].preset_ms >= whole_ms(ordered) else FALSE,
         )
     yield "F-DELAY", f"{sym.start.restart_timer} goes on", w.after(var(sym.start.running))
 

@@ -16,6 +16,7 @@ from interlock.logic import names
 from interlock.logic.expr import variables
 from interlock.logic.symbols import RouteSymbols, Symbols
 from interlock.model.elements import MachineId, Position
+from interlock.model.times import whole_ms
 from interlock.proof.system.loop import ClosedLoop
 
 SET, LOCKED, OPEN = 1, 2, 3
@@ -100,7 +101,7 @@ def steps(
     """
     needed = machines_of(railway, r)
     n = len(needed) if moved is None else moved
-    gap_ms = railway.layout.principles.point_start_gap_s * 1000
+    gap_ms = whole_ms(railway.layout.principles.point_start_gap_s)
     if not n:
         return OPEN
     if gap_ms > 0:

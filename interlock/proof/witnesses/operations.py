@@ -20,6 +20,7 @@ from interlock.logic import names
 from interlock.logic.plant import lies
 from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import Position, RouteId
+from interlock.model.times import whole_ms
 from interlock.proof.system.loop import ClosedLoop
 from interlock.proof.witnesses.routes import (
     MAX_STEPS,
@@ -125,7 +126,7 @@ def _refused(railway: ClosedLoop, r: RouteSymbols, lane: Lane) -> Part:
 
 def _steadily_clear(railway: ClosedLoop, lane: Lane) -> Generator[Wish, None, None]:
     """Until what is reported clear has been so for the release delay (R15)."""
-    for _ in range(-(-round(1000 * railway.layout.principles.release_delay_s) // lane.lanes.dt_ms) + 1):
+    for _ in range(-(-whole_ms(railway.layout.principles.release_delay_s) // lane.lanes.dt_ms) + 1):
         yield NOTHING
 
 
