@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import lru_cache
+from itertools import permutations
 from random import Random
 
 import pytest
@@ -131,6 +133,49 @@ def test_a_lost_train_is_named() -> None:
     y.at.clear()
     y.see()
     assert y.d.alarms == {"7": "it is lost: q6 became clear, and nothing beside it is occupied"}
+
+
+@pytest.mark.parametrize("sections", [IN[:2], IN[:3], IN])
+def test_of_sections_that_become_clear_at_once_the_first_in_its_direction_decides(sections: tuple[str, ...]) -> None:
+    """Whatever the order in which a set is gone through: a train that was inside has not left over the boundary."""
+    for order in permutations(sections):
+        y = Yard()
+        y.drive("7", sections[0])
+        for s in sections[1:]:
+            y.at["7"].append(s)
+            y.see()
+        y.d._occupied = _Ordered(order)
+        y.at.clear()
+        y.see()
+        assert y.d.alarms == {"7": f"it is lost: {sections[-1]} became clear, and nothing beside it is occupied"}
+        assert y.d.trains == []
+
+
+def test_a_train_that_leaves_over_the_boundary_in_one_scan_is_not_lost() -> None:
+    for order in permutations(("q1", "ap_W")):
+        y = Yard()
+        y.d.expected = {SectionId("ap_E"): ["9"]}
+        y.drive("9", "ap_E", "q11", "q9", "q7", "q5", "q3", "q2", "q1")
+        y.at["9"].append("ap_W")
+        y.see()
+        y.d._occupied = _Ordered(order)
+        y.at.clear()
+        y.see()
+        assert y.d.alarms == {} and y.d.trains == []
+
+
+class _Ordered(set[SectionId]):
+    """A set that is gone through in a given order, as another seed of hashes would do."""
+
+    def __init__(self, order: tuple[str, ...]) -> None:
+        super().__init__(map(SectionId, order))
+        self.order = order
+
+    def __sub__(self, other: object) -> _Ordered:
+        return _Ordered(tuple(s for s in self.order if s not in other))  # type: ignore[operator]
+
+    def __iter__(self) -> Iterator[SectionId]:
+        return iter(map(SectionId, self.order))
 
 
 def test_a_doubled_number_is_named() -> None:

@@ -84,11 +84,11 @@ class Describer:
             some = next((s for s in entered if self._heads(s)), entered[0])
             entered.remove(some)
             self._enter(some)
-        for s in left:
-            for t in [t for t in self.trains if s in t.under]:
-                t.under.remove(s)
-                if not t.under:
-                    self._vanished(t, s)
+        for t in [t for t in self.trains if not left.isdisjoint(t.under)]:
+            head = t.under[-1]
+            t.under[:] = [s for s in t.under if s not in left]
+            if not t.under:
+                self._vanished(t, head)
 
     def _heads(self, s: SectionId) -> list[Described]:
         """The trains that may have come into a section: at the edge none that a route leads elsewhere."""
