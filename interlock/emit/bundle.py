@@ -63,7 +63,8 @@ def _same(name: str, there: bytes, wanted: bytes) -> bool:
 
 
 def write_folder(target: Path, files: Mapping[str, bytes]) -> None:
-    """Replace a folder by the files: all of them, or (on an error) none.  Raises OSError."""
+    """Replace a folder by the files: all of them, or (on an error) none, and then the folder is as it was.  Raises
+    OSError."""
     target.parent.mkdir(parents=True, exist_ok=True)
     fresh = Path(tempfile.mkdtemp(prefix=f".{target.name}.", dir=target.parent))
     try:
@@ -72,16 +73,25 @@ def write_folder(target: Path, files: Mapping[str, bytes]) -> None:
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(data)
         fresh.chmod(0o755)
-        if target.exists():
-            old = fresh.with_name(fresh.name + ".old")
-            os.rename(target, old)
-            os.rename(fresh, target)
-            shutil.rmtree(old)
-        else:
-            os.rename(fresh, target)
+        _replace(target, fresh)
     except BaseException:
         shutil.rmtree(fresh, ignore_errors=True)
         raise
+
+
+def _replace(target: Path, fresh: Path) -> None:
+    """Let a folder take the place of another; that one stays where this fails."""
+    if not target.exists():
+        os.rename(fresh, target)
+        return
+    old = fresh.with_name(fresh.name + ".old")
+    os.rename(target, old)
+    try:
+        os.rename(fresh, target)
+    except BaseException:
+        os.rename(old, target)
+        raise
+    shutil.rmtree(old, ignore_errors=True)
 
 
 def strangers(target: Path) -> list[str]:
