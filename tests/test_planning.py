@@ -278,6 +278,7 @@ BAD: tuple[tuple[str, str], ...] = (
         "objective[0]: the key 'operation' is missing",
     ),
     ("[" * 100_000, "this is nested too deeply"),
+    (f'{{"trains": [], "objective": {"9" * 5000}}}', "this has a number in it of more digits than are read"),
 )
 
 

@@ -13,8 +13,10 @@ from random import Random
 import pytest
 from click.testing import CliRunner
 
+from interlock.cli.main import cli
 from interlock.cli.record import command
 from interlock.record import Chain, Log, LogExists, read, read_file
+from interlock.record.log import link
 from interlock.record.tables import BadQuery, query, write_parquet
 from tests.campaigns.record import MOMENTS, killed
 
@@ -124,6 +126,42 @@ def test_any_other_change_is_told_with_its_line(seed: int) -> None:
     assert found.problem is not None and found.problem.line <= k + 2
     assert [e["n"] for e in found.events] == list(range(len(found.events))), "what is told before it holds"
     assert not found.ended
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        '{"n":1,"t":1,"kind":"x","a":' + "[" * 5000 + "]" * 5000,
+        '{"n":1,"t":1,"kind":"x","a":' + "[" * 500 + "]" * 500,
+        '{"n":1,"t":1,"kind":"x","a":' + "9" * 5000,
+        '{"n":1,"t":"1","kind":"x"',
+        '{"n":1,"t":1.5,"kind":"x"',
+        '{"n":1,"t":true,"kind":"x"',
+        '{"n":1,"t":-1,"kind":"x"',
+        '{"n":1,"t":99999999999999999,"kind":"x"',
+        '{"n":1,"t":1,"kind":["x"]',
+        '{"n":true,"t":1,"kind":"x"',
+    ],
+    ids=lambda x: x[:40],
+)
+def test_an_event_of_another_kind_is_told_with_its_line(tmp_path: Path, body: str) -> None:
+    """Whoever can compute digests can write one; no command ends in an internal error for it."""
+    first, file = made(1)[0], tmp_path / "a.log"
+    digest = read(first).chain.digest
+    chain = link(digest, body.encode())
+    file.write_bytes(first + body.encode() + f',"chain":"{chain}"}}\n'.encode())
+    found = read_file(file)
+    assert found.problem is not None and found.problem.line == 2 and len(found.events) == 1
+    for verb in ("record", "play"):
+        done = CliRunner().invoke(cli, [verb, str(file)])
+        assert done.exit_code == 1 and f"{file}:2" in " ".join(done.output.split()), done.output
+
+
+def test_what_an_event_holds_may_be_nested_as_far_as_is_needed() -> None:
+    chain, log = Chain(), b""
+    for k in range(3):
+        log += chain.line(k, "x", {"a": [{"b": [[c, [c]] for c in range(100)]}]})
+    assert read(log).problem is None and len(read(log).events) == 3
 
 
 def test_a_damaged_log_is_not_gone_on_with(tmp_path: Path) -> None:

@@ -70,7 +70,7 @@ def command(
 def _solution(path: Path) -> bool:
     try:
         data = json.loads(path.read_bytes())
-    except (OSError, ValueError):
+    except (OSError, ValueError, RecursionError):
         return False
     return isinstance(data, dict) and data.keys() == KEYS
 

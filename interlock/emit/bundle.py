@@ -111,7 +111,7 @@ def _named(manifest: Path) -> set[str]:
         body = json.loads(manifest.read_bytes())
         ours = str(body["schema"]).startswith("interlock-")
         return {MANIFEST, *body["files"]} if ours else set()
-    except (OSError, ValueError, TypeError, KeyError):
+    except (OSError, ValueError, TypeError, KeyError, RecursionError):
         return set()
 
 

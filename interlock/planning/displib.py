@@ -39,6 +39,10 @@ def _json(path: Path) -> Any:
         raise BadFile(f"byte {error.start}", "this is no UTF-8") from None
     except json.JSONDecodeError as error:
         raise BadFile(f"line {error.lineno}, column {error.colno}", f"this is no JSON: {error.msg}") from None
+    except BadFile:
+        raise
+    except ValueError:
+        raise BadFile("", "this has a number in it of more digits than are read") from None
     except RecursionError:
         raise BadFile("", "this is nested too deeply") from None
 

@@ -29,6 +29,12 @@ END = "end"
 
 NO_EVENT = "this is no event of a log"
 
+LATEST_MS = 250_000_000_000_000
+"""The latest time of an event: that of a calendar, whose last year is 9999."""
+
+DEEPEST = 40
+"""Objects and lists within each other; events of panels and shifts have a few."""
+
 Event = dict[str, Any]
 
 _TAIL = re.compile(rb'(?s)(.*),"chain":"([0-9a-f]{64})"\}')
@@ -100,11 +106,8 @@ def read(data: bytes) -> Recorded:
         if link(chain.digest, body) != digest:
             text = "this event does not follow the one before it: something was changed, or lines are missing"
             return Recorded(tuple(events), chain, 0, Problem(k, text))
-        try:
-            event = json.loads(body + b"}")
-        except ValueError:
-            event = None
-        if not isinstance(event, dict) or event.get("n") != chain.number or not {"t", "kind"} <= event.keys():
+        event = _event(body + b"}")
+        if event is None or event["n"] != chain.number:
             return Recorded(tuple(events), chain, 0, Problem(k, NO_EVENT))
         events.append(event)
         chain = Chain(chain.number + 1, digest)
@@ -112,6 +115,28 @@ def read(data: bytes) -> Recorded:
     if not (rest_of.startswith(begun) or begun.startswith(rest_of)):
         return Recorded(tuple(events), chain, 0, Problem(len(lines) + 1, NO_EVENT))
     return Recorded(tuple(events), chain, len(rest))
+
+
+def _event(text: bytes) -> Event | None:
+    """An event with a number, a time and a kind, nested no deeper than whoever reads it can follow."""
+    try:
+        event = json.loads(text)
+    except (ValueError, RecursionError):
+        return None
+    if not isinstance(event, dict) or type(event.get("n")) is not int or type(event.get("kind")) is not str:
+        return None
+    t = event.get("t")
+    return event if type(t) is int and 0 <= t <= LATEST_MS and not _deep(text, event) else None
+
+
+def _deep(text: bytes, event: Event) -> bool:
+    """Whether objects and lists stand within each other more than DEEPEST times."""
+    if text.count(b"[") + text.count(b"{") <= DEEPEST:
+        return False
+    level: list[Any] = [event]
+    for _ in range(DEEPEST):
+        level = [y for x in level if isinstance(x, dict | list) for y in (x.values() if isinstance(x, dict) else x)]
+    return bool(level)
 
 
 def read_file(path: Path) -> Recorded:

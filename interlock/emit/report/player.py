@@ -27,7 +27,7 @@ def player_html(itf: str) -> str:
         texts = [str(s["#meta"]["text"]) for s in states]
         shown = [sorted(n for n in trace["vars"] if _true(s[n])) for s in states]
         plan, views = str(meta["plan"]), dict(meta["views"])
-    except (ValueError, KeyError, TypeError, AttributeError):
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         raise BadTrace("not an ITF trace with a plan, as `prove` and `compile` write them, nor a record") from None
     if not states or not plan.startswith("<svg") or "<script" in plan.lower():
         raise BadTrace("the trace has no states, or its plan is no drawing")
