@@ -11,7 +11,7 @@ from interlock.diag.codes import CODES
 from interlock.frontend.published import WITHOUT, language_keys
 from interlock.frontend.schema import LayoutFile
 from interlock.logic.plant import ASSUMPTIONS, OF_TIMERS
-from interlock.model.principles import MEANING, PROFILES
+from interlock.model.principles import MEANING, PROFILES, written
 from interlock.proof.claims import CLAIMS
 from interlock.proof.functions import FUNCTIONS
 
@@ -138,14 +138,10 @@ def _page(found: Topic) -> str:
             f"{found.title}\n\nEvery claim is proved under this assumption and the others (`interlock explain` lists "
             "them): where it does not hold on the ground, nothing that rests on it is proved.\n"
         )
-    values = [f"| {profile} | {_word(getattr(p, found.code))} |" for profile, p in PROFILES.items()]
+    values = [f"| {profile} | {written(getattr(p, found.code))} |" for profile, p in PROFILES.items()]
     table = "\n".join(["| profile | value |", "|---|---|", *values])
     told = found.title[0].upper() + found.title[1:]
     return f"{told}.\n\n{table}\n\nA layout overrides it: `principles: {{{found.code}: ...}}`.\n"
-
-
-def _word(x: object) -> str:
-    return ("yes" if x else "no") if isinstance(x, bool) else f"{x:g}" if isinstance(x, float) else str(x)
 
 
 def _docs(name: str) -> resources.abc.Traversable:

@@ -9,24 +9,20 @@ from pydantic import Field
 
 from interlock.frontend.keys import Part
 from interlock.frontend.scalars import Amount, Seconds, YesNo, choice
-from interlock.model.principles import MEANING, PROFILES, Caution, Closes, FlankChoice, Local
+from interlock.model.principles import MEANING, PROFILES, Caution, Closes, FlankChoice, Local, written
 
 
 def knob(name: str) -> Any:
     """A key of `principles`: its meaning stands where the principle does, and its values in the profiles."""
     told, values = MEANING[name], {profile: getattr(p, name) for profile, p in PROFILES.items()}
     usual = values.pop("generic")
-    others = ", ".join(f"{profile} {_word(v)}" for profile, v in values.items() if v != usual)
-    text = f"{told}; without it, the profile's: {_word(usual)}" + (f" ({others})" if others else "")
+    others = ", ".join(f"{profile} {written(v)}" for profile, v in values.items() if v != usual)
+    text = f"{told}; without it, the profile's: {written(usual)}" + (f" ({others})" if others else "")
     return Field(None, description=text, json_schema_extra=None if others else {"default": _plain(usual)})
 
 
 def _plain(x: Any) -> Any:
     return str(x) if isinstance(x, StrEnum) else x
-
-
-def _word(x: Any) -> str:
-    return ("yes" if x else "no") if isinstance(x, bool) else f"{x:g}" if isinstance(x, float) else str(x)
 
 
 class PrinciplesSpec(Part):

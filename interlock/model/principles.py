@@ -206,3 +206,8 @@ PROFILES: dict[str, Principles] = {
 }
 
 KNOBS: tuple[str, ...] = tuple(f.name for f in fields(Principles))
+
+
+def written(x: object) -> str:
+    """A value of a principle as a layout states it."""
+    return ("yes" if x else "no") if isinstance(x, bool) else f"{x:g}" if isinstance(x, float) else str(x)

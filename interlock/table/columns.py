@@ -8,7 +8,7 @@ from interlock.dataclass import dataclass
 from interlock.model.elements import RouteId
 from interlock.table.cells import Because, FoulCell, Hostile, HostileClass, PointDemand, Role
 from interlock.table.printed import Part, PrintedRoute, grouped, joined, parts
-from interlock.table.rows import RouteRow, VoyageRow
+from interlock.table.rows import RouteRow, VoyageRow, leads_to
 from interlock.table.runs import in_runs
 
 Reasons = list[tuple[str, Because]]
@@ -138,10 +138,6 @@ def _closing(r: RouteRow) -> Reasons:
     return [("first axle" if whole is None else f"{whole} clear", r.signal.closing.because)]
 
 
-def _leads(r: RouteRow) -> str:
-    return r.exit if r.path.passed is None else f"{r.path.destination} past {', '.join(r.path.passed)}"
-
-
 COLUMNS: tuple[Column, ...] = (
     Column("number", "No.", "进路号码", "Nr.", lambda r: [(str(r.number), r.because)]),
     Column(
@@ -155,7 +151,7 @@ COLUMNS: tuple[Column, ...] = (
     Column("kind", "Kind", "进路性质", "Art", lambda r: [(r.kind, r.because)]),
     Column("names", "Name", "名称", "Name", _names, lambda w, _: [n for r in w.rows for n in _names(r)]),
     Column("entry", "Entry signal", "始端信号机", "Start", lambda r: [(r.entry, r.because)]),
-    Column("exit", "Exit", "终端", "Ziel", lambda r: [(_leads(r), r.because)]),
+    Column("exit", "Exit", "终端", "Ziel", lambda r: [(leads_to(r), r.because)]),
     Column(
         "variant",
         "Alternative",

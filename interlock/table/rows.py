@@ -185,6 +185,11 @@ class RouteRow:
         return (*(c.condition for c in asked.external), *token, *zones, *lamps)
 
 
+def leads_to(r: RouteRow) -> str:
+    """Where a route leads, with the signals that it passes."""
+    return r.exit if r.path.passed is None else f"{r.path.destination} past {', '.join(r.path.passed)}"
+
+
 def last_left(r: RouteRow) -> TraversalKey:
     """The way whose lock a train leaves behind when it is wholly in the last section; the last one, where it leaves the
     layout or there is no other."""

@@ -16,7 +16,7 @@ from interlock.emit.drawing.names import put_names
 from interlock.emit.drawing.narrowest import narrowest
 from interlock.emit.drawing.slips import double_slips
 from interlock.emit.drawing.strands import Plan, Strand
-from interlock.model.elements import EdgeId, NodeId, SectionId, Signal
+from interlock.model.elements import EdgeId, NodeId, SectionId
 from interlock.model.layout import Layout
 
 
@@ -32,10 +32,6 @@ def named_edges(plan: Plan) -> dict[EdgeId, SectionId]:
         if old is None or key > (old not in diagonal, layout.track.edge[old].length):
             best[e.section] = e.id
     return {e: s for s, e in best.items()}
-
-
-def _signals_at(layout: Layout, node: NodeId) -> list[Signal]:
-    return [g for e in layout.track.edges_at[node] if (g := layout.signalling.facing.get((node, e.id))) is not None]
 
 
 def _content(plan: Plan, s: Strand, k: int, named: dict[EdgeId, SectionId]) -> float:

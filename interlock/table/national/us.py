@@ -11,7 +11,7 @@ from interlock.model.times import supervision_s
 from interlock.table.cells import ExitKind, Role, RouteKind, Shows
 from interlock.table.national.reading import Reading
 from interlock.table.national.sheet import Field, Heading, Sheet, by_way, filled
-from interlock.table.rows import InterlockingTable, RouteRow
+from interlock.table.rows import InterlockingTable, RouteRow, leads_to
 from interlock.table.runs import in_runs, legend, natural
 
 SOURCE = "after usual American practice; no worked example was at hand, and no standard was read"
@@ -39,7 +39,7 @@ def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
     fields: tuple[Field[RouteRow], ...] = (
         Field(Heading("Route", "进路", "Fahrstraße"), lambda r: x.printed.ways[r.id].id),
         Field(Heading("Entering signal", "始端", "Start"), lambda r: r.entry),
-        Field(Heading("Exit", "终端", "Ziel"), _leads),
+        Field(Heading("Exit", "终端", "Ziel"), leads_to),
         Field(Heading("Movement", "性质", "Art"), lambda r: _KINDS[r.kind]),
         Field(Heading("Switches normal", "道岔定位", "Weichen +"), lambda r: x.machines.points(r, Position.NORMAL)),
         Field(Heading("Switches reverse", "道岔反位", "Weichen −"), lambda r: x.machines.points(r, Position.REVERSE)),
@@ -60,10 +60,6 @@ def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
     headings, rows = by_way(fields, x.printed.listed)
     title = Heading("Route locking sheet", "进路锁闭表", "Verschlussblatt")
     return Sheet("us_locking", "en", title, headings, rows, True, SOURCE, legend=legend(rows))
-
-
-def _leads(r: RouteRow) -> str:
-    return r.exit if r.path.passed is None else f"{r.path.destination} past {', '.join(r.path.passed)}"
 
 
 def _over(x: Reading, r: RouteRow) -> str:
