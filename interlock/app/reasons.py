@@ -132,7 +132,12 @@ class Reasons:
         """The drives that a block has stopped, and that no route commands that is set already."""
         y, path = self.symbols, self.symbols.routes.number[number].path
         ways = [*path.ways, *([path.berth] if path.berth is not None else [])]
-        ways += y.overlaps.ways[path.overlap] if path.overlap is not None else []
+        held = (
+            ways
+            for o, ways in y.overlaps.ways.items()
+            if path.overlap is not None and o[0] == path.overlap[0] and moment.before.state.get(y.overlaps.held[o])
+        )
+        ways += [way for those in held for way in those]
         found = {}
         for m, x in (*(d for way in ways for d in y.ways.demands[way]), *path.demands):
             off = m in y.machines.kept_off and moment.before.state.get(y.machines.kept_off[m])

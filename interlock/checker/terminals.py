@@ -311,6 +311,10 @@ class Terminals(Lamps):
         need(r in self._runs, f"nothing tells over which path the route with number {r} leads")
         return self._runs[r]
 
+    def w_unhindered(self, r: int) -> Formula:
+        """The controller's own wire: nothing in its way is blocked or was trailed."""
+        return leaf(f"UH_R{r}")
+
     def w_path_of_route(self, r: int) -> list[Path]:
         return [self.run_of(r)[1]]
 

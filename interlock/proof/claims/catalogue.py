@@ -11,6 +11,7 @@ from itertools import chain, starmap
 from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, eq, iff, implies, neg, var
 from interlock.logic.plant import accepted, came, has_token, o, rests, shunting
+from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import SignalId
 from interlock.model.principles import Caution
 from interlock.model.traversal import zone_joints
@@ -436,9 +437,19 @@ def _boards(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                 yield "S-BOARD", f"{g}:{s}:{n}", implies(new, past)
 
 
+def _hindered(f: Facts, r: RouteSymbols) -> Expr:
+    """A section in the path of a route is blocked, or a point in it was trailed."""
+    ways = [*r.path.ways, *([r.path.berth] if r.path.berth is not None else [])]
+    points = [p for s, n in ways for p, _ in f.topo.traversals[s][n - 1].points]
+    machines = dict.fromkeys(f.layout.pointwork.point[p].machine for p in points)
+    hinder = [var(f.sym.sections.blocked[s]) for s, _ in ways if s in f.sym.sections.blocked]
+    return disj((*hinder, *(var(f.sym.machines.trailed[m]) for m in machines if m in f.sym.machines.trailed)))
+
+
 def _again(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for r in f.sym.routes:
         yield "S-AGAIN", r.id, implies(f.seen.shut(r.number), neg(f.after(var(r.proceed))))
+        yield "S-AGAIN", f"{r.id} hindered", implies(_hindered(f, r), neg(var(names.UNHINDERED(r.number))))
         if r.call_on:
             seen = conj((var(r.shown), var(r.active), neg(var(r.proceed))))
             yield "S-CALL-ON", f"{r.id} once", implies(seen, neg(f.after(var(r.proceed))))

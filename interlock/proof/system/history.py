@@ -17,7 +17,6 @@ from collections.abc import Iterable
 from interlock.logic import names
 from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
 from interlock.logic.names import Name
-from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import NodeId, SectionId
 from interlock.proof.system.clocks import Tie
 from interlock.proof.system.loop import ClosedLoop
@@ -28,7 +27,8 @@ def history(loop: ClosedLoop, ties: Iterable[Tie]) -> dict[Name, Expr]:
     symbols, plant = loop.controller.symbols, loop.plant
     out: dict[Name, Expr] = {}
     for r in symbols.routes:
-        was_open = disj((var(names.SHUT(r.number)), var(r.proceed), var(r.shown), _hindered(loop, r)))
+        hindered = conj((var(r.active), neg(var(names.UNHINDERED(r.number)))))  # S-AGAIN tells what that comes to
+        was_open = disj((var(names.SHUT(r.number)), var(r.proceed), var(r.shown), hindered))
         asked = symbols.requests.asked_for(r, symbols.routes)
         out[names.SHUT(r.number)] = conj((was_open, neg(var(r.proceed.next)), var(r.active.next), neg(asked)))
     for s in loop.topo.sections:
@@ -37,17 +37,6 @@ def history(loop: ClosedLoop, ties: Iterable[Tie]) -> dict[Name, Expr]:
     for t in ties:
         out[t.covered] = disj((neg(var(t.timer.input)), conj((plant.clocks[t.clock], var(t.covered)))))
     return out
-
-
-def _hindered(loop: ClosedLoop, r: RouteSymbols) -> Expr:
-    """The route is set, and a section in its path is blocked, or a point in it was trailed."""
-    symbols = loop.controller.symbols
-    ways = [*r.path.ways, *([r.path.berth] if r.path.berth is not None else [])]
-    points = [p for s, n in ways for p, _ in loop.topo.traversals[s][n - 1].points]
-    machines = dict.fromkeys(loop.layout.pointwork.point[p].machine for p in points)
-    hinder = [var(symbols.sections.blocked[s]) for s, _ in ways if s in symbols.sections.blocked]
-    hinder += [var(symbols.machines.trailed[m]) for m in machines if m in symbols.machines.trailed]
-    return conj((var(r.active), disj(hinder)))
 
 
 def _beyond(loop: ClosedLoop, s: SectionId, j: NodeId) -> str:
