@@ -64,10 +64,10 @@ class Three:
                 assert value is None
 
     def past_restart(self) -> None:
-        """The restart delay is over, and what is clear has been clear all the while."""
-        for _ in range(2):
-            self.scan({}, 100)
+        """The restart delay is over, what is clear has been clear all the while, and nothing was blocked."""
         symbols = self.controller.symbols
+        for _ in range(2):
+            self.scan(dict.fromkeys(symbols.sections.blocked.values(), 0), 100)
         self.over(dict.fromkeys([symbols.start.restart_timer, *symbols.sections.release_timer.values()], True))
 
     def scan(self, inputs: dict[str, int], dt_ms: int) -> dict[str, bool]:

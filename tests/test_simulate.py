@@ -33,7 +33,7 @@ HARM = {
     "early release": ("mine11", 0),
     "ungated grant": ("mine11", 0),
     "points moved while locked": ("mine11", 0),
-    "cancel without delay": ("passing_loop", 6),
+    "cancel without delay": ("passing_loop", 10),
     "signal not closed": ("mine11", 0),
     "points wired the wrong way round": ("mine11", 0),
     "lamps swapped": ("mine11", 0),
