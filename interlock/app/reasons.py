@@ -129,7 +129,7 @@ class Reasons:
         return [*found, Reason(f"{once} opens only {again}")]
 
     def _kept_off(self, number: int, moment: Moment) -> list[Reason]:
-        """The drives that a block has stopped, and that no route commands that is set already."""
+        """Drives that a block has stopped: a route that is set already does not command them again."""
         y, path = self.symbols, self.symbols.routes.number[number].path
         ways = [*path.ways, *([path.berth] if path.berth is not None else [])]
         held = (
