@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from interlock.app.answers import Answers
+from interlock.app.reasons import Moment, Reasons
 from interlock.app.run import BadCommand, Operator, Ready, prepare
 from interlock.cli.run import _text
 from interlock.field.plc import Cycle, SoftPlc, runtime_scan
@@ -180,6 +181,30 @@ def test_a_route_whose_way_past_a_signal_was_cancelled_says_what_to_do() -> None
     assert desk.last is not None and desk.last.outputs["YI_Y"]
 
 
+def test_a_train_on_its_way_past_a_signal_whose_identifier_light_goes_out() -> None:
+    """Nobody can ask for its route again: it stops at the signal, and goes on with a route from there."""
+    ready = prepare("tests/layouts_for_tests/identifier.yaml")
+    assert ready.proved.green and ready.layout is not None
+    desk = Desk(ready)
+    desk.cycles(round(ready.layout.principles.restart_delay_s * 1000 / STEP_MS) + 50)
+    desk.type("release")
+    assert desk.type("set X-Y-Z") == []
+    desk.field.stock.bring("W", 80, "T")
+    desk.operator.type("set A-X")
+    assert any(desk.cycles(1) == [] and desk.last and not desk.last.inputs["CLR_T1"] for _ in range(500))
+    desk.field.faults.fail("lamp", "NL_Y", True)
+    says = [
+        "the identifier lamp of Y is out",
+        "its train has passed the signal before Y: cancel Y, then set a route from Y",
+    ]
+    assert desk.cycles(300) == [{"route": "Y-Z.i", "at_stop": says}]
+    desk.type("cancel Y")
+    desk.cycles(5 * 200)
+    desk.operator.type("set Y-Z")
+    assert desk.cycles(100) == [] and desk.last is not None
+    assert not desk.last.inputs["CLR_p2"], "the train goes on"
+
+
 CROSSOVER = """
 interlock: 1
 name: crossover
@@ -227,6 +252,34 @@ def test_a_point_of_a_blocked_section_moves_by_hand_and_for_no_route(tmp_path: P
     assert driven() == [], "as long as they order it"
     assert desk.type("set XA1-B1") == [] and desk.last is not None
     assert not desk.last.outputs["YS_XA1"], "where it lies it is used"
+
+
+def test_a_drive_that_has_not_started_says_what_it_waits_for(tmp_path: Path) -> None:
+    """Two machines that start one after the other; before the turn of the second its section is occupied."""
+    text = CROSSOVER.replace("kmh: 40", "kmh: 40, point_start_gap_s: 4").replace('machine: "1/2", ', "")
+    (tmp_path / "apart.yaml").write_text(text, "utf-8")
+    ready = prepare(str(tmp_path / "apart.yaml"))
+    assert ready.proved.green and ready.layout is not None
+    desk = Desk(ready)
+    desk.cycles(round(ready.layout.principles.restart_delay_s * 1000 / STEP_MS) + 50)
+    desk.type("release")
+    assert ready.controller is not None
+    reasons = Reasons(ready.layout, ready.controller)
+    number = next(r.number for r in ready.controller.symbols.routes if str(r.id) == "XA1-B2")
+
+    def waits() -> list[str]:
+        assert desk.last is not None
+        return [reason.text for reason in reasons.of_stop(number, Moment(desk.last.inputs, desk.last.memory, STEP_MS))]
+
+    desk.operator.type("set XA1-B2")
+    desk.cycles(10)
+    assert waits()[-1] == "the drive of 2 waits for its turn to start"
+    desk.field.faults.fail("section", "x2", True)
+    desk.cycles(50)
+    assert waits()[-1] == "the drive of 2 has not started: section x2 is occupied"
+    desk.field.faults.fail("section", "x2", False)
+    desk.cycles(100)
+    assert desk.last is not None and not desk.last.outputs["YS_XA1"]
 
 
 def test_a_blocked_overlap_is_the_reason_not_that_it_is_held() -> None:

@@ -155,6 +155,31 @@ def test_what_a_block_has_stopped_starts_one_after_the_other_too() -> None:
     assert yard.blades == {"1A": 1.0, "1B": 1.0}
 
 
+def test_no_route_is_granted_over_points_that_a_block_has_stopped_half_way() -> None:
+    """One machine moves both ends of a crossover; it was on its way back to normal when the other track was blocked."""
+    text = CROSSOVER.format(profile="generic")
+    for end in ("1A", "1B"):
+        text = text.replace(f"{end}: {{section", f"{end}: {{machine: 1, section")
+    yard = Yard(text)
+    yard.again("X2", "X2-E2")
+    assert yard.blades == {"1": 1.0}
+    yard.seconds(1, CAN_X2=1)
+    yard.ask("X2-E1")
+    yard.seconds(2)
+    yard.inputs["BLK_s2"] = 1
+    yard.seconds(2, CAN_X2=1)
+    assert 0 < yard.blades["1"] < 1
+    yard.ask("X2-E1")
+    yard.seconds(10)
+    assert yard.one.status("X2-E1") != "SET", "its points would never come to lie"
+    yard.scan(**yard.one.request("X2-E1"))
+    assert "s2 is blocked" in str(yard.one.why_not("X2-E1"))
+    yard.inputs["BLK_s2"] = 0
+    yard.again("X2", "X2-E1")
+    assert yard.blades == {"1": 0.0}
+    assert yard.seconds(1)[-1]["YP_X2"]
+
+
 def test_a_block_that_is_taken_off_opens_no_signal() -> None:
     """The route waits for points that do not turn; meanwhile somebody blocks its last section, for hours."""
     yard = Yard(CROSSOVER.format(profile="generic"))

@@ -119,7 +119,11 @@ class Reasons:
             return [gone]
         state = moment.before.state
         wire = names.OPENS(number) if state.get(names.LOCKED(number)) else names.LOCKS(number)
-        found = [*self._told(wire, moment, {"active", "wanted"}), *self._kept_off(number, moment)]
+        on_the_way = self._on_the_way(number, state)
+        leave = {"active", "wanted", *(["identifier wanted", "rear locked"] if on_the_way else ())}
+        found = [*self._told(wire, moment, leave), *self._drives(number, moment)]
+        if on_the_way is not None:
+            return [*found, on_the_way]
         if _Look(self, moment).value(computed(names.WANTED(number))):
             return found
         been = state.get(names.SHOWN(number))
@@ -128,23 +132,50 @@ class Reasons:
         again = "once it is cancelled and set again" if call_on else "when it is asked for again"
         return [*found, Reason(f"{once} opens only {again}")]
 
-    def _kept_off(self, number: int, moment: Moment) -> list[Reason]:
-        """Drives that a block has stopped: a route that is set already does not command them again."""
+    def _drives(self, number: int, moment: Moment) -> list[Reason]:
+        """Drives that a block has stopped, which a route that is set does not command again, and those that have not
+        started yet (R10)."""
+        found = {}
+        for m, x in self._demanded(number, moment):
+            reason = None if _Look(self, moment).value(names.DETECTED(m, x)) else self._drive(m, x, moment)
+            if reason is not None:
+                found[m] = reason
+        return [*found.values()]
+
+    def _demanded(self, number: int, moment: Moment) -> Iterator[tuple[MachineId, Position]]:
+        """The machines that a route needs, with those of the overlap that is held beyond it."""
         y, path = self.symbols, self.symbols.routes.number[number].path
         ways = [*path.ways, *([path.berth] if path.berth is not None else [])]
-        held = (
-            ways
-            for o, ways in y.overlaps.ways.items()
-            if path.overlap is not None and o[0] == path.overlap[0] and moment.before.state.get(y.overlaps.held[o])
+        for o, over in y.overlaps.ways.items():
+            if path.overlap is not None and o[0] == path.overlap[0] and moment.before.state.get(y.overlaps.held[o]):
+                ways += over
+        yield from (d for way in ways for d in y.ways.demands[way])
+        yield from path.demands
+
+    def _drive(self, m: MachineId, x: Position, moment: Moment) -> Reason | None:
+        """Why a machine that is not where it is needed does not turn."""
+        y, state = self.symbols.machines, moment.before.state
+        if m in y.kept_off and state.get(y.kept_off[m]):
+            return Reason(f"the drive of {m} was stopped by a block: cancel the route and set it again", (f"m:{m}",))
+        if m not in y.turn or state.get(y.turn[m]) or not state.get(names.COMMAND(m, x)):
+            return None
+        holds = "; ".join(reason.text for reason in self._told(names.MAY_START(m), moment, set()))
+        text = (
+            f"the drive of {m} has not started: {holds}" if holds else f"the drive of {m} waits for its turn to start"
         )
-        ways += [way for those in held for way in those]
-        found = {}
-        for m, x in (*(d for way in ways for d in y.ways.demands[way]), *path.demands):
-            off = m in y.machines.kept_off and moment.before.state.get(y.machines.kept_off[m])
-            if off and not _Look(self, moment).value(names.DETECTED(m, x)):
-                text = f"the drive of {m} was stopped by a block: cancel the route and set it again"
-                found[m] = Reason(text, (f"m:{m}",))
-        return [*found.values()]
+        return Reason(text, (f"m:{m}",))
+
+    def _on_the_way(self, number: int, state: Mapping[str, bool]) -> Reason | None:
+        """Past a signal whose identifier light is out: the train of the longer route is on its way, so that nobody can
+        ask for that again, and the train stops there."""
+        r = self.symbols.routes.number[number]
+        longer = [x for x in self.symbols.routes if x.path.onward == number]
+        if not longer or any(state.get(x.active) for x in longer):
+            return None
+        return Reason(
+            f"its train has passed the signal before {r.entry}: cancel {r.entry}, then set a route from {r.entry}",
+            (f"g:{r.entry}",),
+        )
 
     def _gone(self, number: int, moment: Moment) -> Reason | None:
         """What lies past a signal that a route leads past was cancelled or used, and comes back only with the whole."""

@@ -79,7 +79,7 @@ def movable(d: Draft) -> None:
                 Join.ANY,
                 (
                     *closes,
-                    Term(d.machines.command(m, x), "commanded"),
+                    Term(_comes_to_lie(d, m, x), "commanded", f"commanded {x}, and lies there or is on its way"),
                     Term(conj((var(names.MOVABLE(m)), *(t.expr for t in ways.unblocked(d, m)))), "free to move"),
                     Term(
                         conj((d.machines.detected(m, x), *(neg(d.machines.command(m, y)) for y in Position))),
@@ -89,6 +89,13 @@ def movable(d: Draft) -> None:
                 f"point {m}",
                 f"machine {m} can be demanded {x}",
             )
+
+
+def _comes_to_lie(d: Draft, m: MachineId, x: Position) -> Expr:
+    """The machine is commanded there already, and lies there or its drive is not kept off: what a block has stopped
+    half-way does not come by itself, so that a route would be granted whose points never lie."""
+    arrives = disj((d.machines.detected(m, x), neg(d.machines.kept_off(m))))
+    return conj((d.machines.command(m, x), arrives))
 
 
 def _closing(d: Draft, m: MachineId, x: Position) -> bool:

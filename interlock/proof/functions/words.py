@@ -264,7 +264,13 @@ class PointWords:
         if self.closing(m, x):
             return TRUE
         lies = conj((self.detected(m, x), *(neg(self.commanded(m, y)) for y in Position)))
-        return disj((self.commanded(m, x), conj((self.movable(m), self.unblocked(m))), lies))
+        off = self._w.sym.machines.kept_off.get(m)
+        arrives = (
+            self.commanded(m, x)
+            if off is None
+            else conj((self.commanded(m, x), disj((self.detected(m, x), neg(var(off))))))
+        )
+        return disj((arrives, conj((self.movable(m), self.unblocked(m))), lies))
 
     def swings(self, m: MachineId) -> Expr:
         """An overlap over the machine swings from one alternative to another."""
