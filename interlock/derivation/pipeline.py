@@ -31,6 +31,7 @@ from interlock.derivation.reached import check_reached
 from interlock.derivation.routes import Path, find_routes
 from interlock.derivation.shown import check_shown
 from interlock.derivation.starts import check_starts
+from interlock.derivation.through import check_through
 from interlock.derivation.voyages import derive_voyages
 from interlock.diag import Element, Sink
 from interlock.diag.called import called
@@ -120,6 +121,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     _never_set(layout, paths, rows, by_key, sink)
     voyages, automatic = derive_voyages(layout, rows, by_key, sink), derive_automatic(layout, paths, sink)
     check_practice(layout, paths, by_key, sink)
+    check_through(layout, paths, hostile, voyages, sink)
     check_shown(layout, rows, sink)
     check_starts(layout, rows, sink)
     beside.report(sink)

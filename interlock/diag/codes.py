@@ -172,6 +172,8 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL7011": (_W, "a point that another route may keep from moving"),
     "IL7012": (_W, "an overlap that the end of the layout cuts short"),
     "IL7013": (_W, "nothing marks where shunting movements end before a line with a direction token"),
+    "IL7014": (_W, "an overlap that leads past the next signal, so that no train runs through"),
+    "IL7015": (_W, "a voyage that sets all its routes first, two of which are hostile"),
 }
 
 LINTS: tuple[str, ...] = ("IL3012", "IL4017", "IL4020", *(code for code in CODES if code.startswith("IL7")))
