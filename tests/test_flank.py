@@ -90,14 +90,7 @@ def test_a_partner_that_may_lie_reverse_is_seen_by_claim_and_audit(path: str) ->
         c.requester: str(c.providers[0].name) for t in table.locks for c in t.flank if "partner" in c.because.text
     }
 
-    def without(points: tuple[PointDemand, ...]) -> tuple[PointDemand, ...]:
-        return tuple(p for p in points if not (p.role is Role.FLANK and p.machine in partners.values()))
-
-    weak = replace(
-        table,
-        routes=tuple(replace(r, locking=replace(r.locking, points=without(r.locking.points))) for r in table.routes),
-        locks=tuple(replace(t, points=without(t.points)) for t in table.locks),
-    )
+    weak = without_flank(table, {str(x) for x in partners.values()})
     assert any("scissors" in f.text for f in audit(layout, weak))
     result = prove(System(layout, lower(layout, weak)), Limits(search_depth=0))
     assert {"T-SCISSORS", "S-SCISSORS"} <= {c.id for c in result.claims if c.verdict is not Verdict.PROVED}
@@ -195,6 +188,19 @@ def test_what_has_overrun_a_signal_is_protected_on_its_flanks_whatever_the_contr
         assert (run is not None) == harm
 
 
+def without_flank(table: InterlockingTable, machines: set[str]) -> InterlockingTable:
+    """A table that demands no flank protection of some machines."""
+
+    def without(points: tuple[PointDemand, ...]) -> tuple[PointDemand, ...]:
+        return tuple(p for p in points if not (p.role is Role.FLANK and str(p.machine) in machines))
+
+    return replace(
+        table,
+        routes=tuple(replace(r, locking=replace(r.locking, points=without(r.locking.points))) for r in table.routes),
+        locks=tuple(replace(t, points=without(t.points)) for t in table.locks),
+    )
+
+
 @pytest.mark.parametrize(
     ("old", "new", "warned"),
     [
@@ -235,6 +241,30 @@ def test_a_derailer_in_a_spur_is_laid_for_the_route_past_it() -> None:
         ("D", "R"),
     }
     assert prove(System(made[0], lower(made[0], table)), limits=Limits(search_s=0)).proved
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "seen"),
+    [
+        ("", "", True),
+        ("buffers: [B]", "traps: [B]", False),
+        ("signals:", "signals:\n  S: {from: b1, into: p, kind: main}", False),
+    ],
+    ids=["derailer", "trap", "signal"],
+)
+def test_the_proof_sees_a_derailer_that_is_not_laid_for_the_vehicles_behind_it(old: str, new: str, seen: bool) -> None:
+    """They are left there by hand, or stand there on no route: whoever puts a derailer does not trust them to stay."""
+    text = Path("tests/diagnostics/IL4017.yaml").read_text("utf-8").replace("reverse: spur.start, ", "")
+    text = text.replace("W: {approach: wa 600, trains: in}", "W: {approach: wa 600}").replace(old, new, 1)
+    made = grown(
+        text.replace("signals:", "derailers:\n  D: {section: p, inner: P.reverse, outer: spur.start}\nsignals:")
+    )
+    assert made is not None and not made[2].has_errors
+    weak = without_flank(made[1], {"D"})
+    result = prove(System(made[0], lower(made[0], weak)), Limits(search_depth=0))
+    assert {"T-FLANK", "S-FLANK"} & {c.id for c in result.claims if c.verdict is not Verdict.PROVED} == (
+        {"T-FLANK", "S-FLANK"} if seen else set()
+    )
 
 
 def test_the_flank_space_of_an_overlap_is_kept_where_the_next_section_is_beyond_it() -> None:

@@ -194,20 +194,29 @@ class Protection(Added):
         return [x for x in self.w_flanks(w) if asked and not x.waived]
 
     def w_exposed(self, x: Flank) -> Formula:
-        """A vehicle could roll over a flank, from beyond the next signal that could hold it, as everything lies."""
-        return self._rolls(x.edge, x.node, 0.0, x.needed, frozenset({x.node}))
+        """A vehicle could roll over a flank, from beyond the next signal that could hold it, or from a buffer behind
+        a derailer, as everything lies."""
+        return self._rolls(x.edge, x.node, 0.0, x.needed, frozenset({x.node}), False)
 
-    def _rolls(self, e: Edge, node: str, gone: float, needed: float, seen: frozenset[str]) -> Formula:
+    def _rolls(self, e: Edge, node: str, gone: float, needed: float, seen: frozenset[str], derailer: bool) -> Formula:
+        """derailer: one has been passed that holds what comes from further out."""
         far, gone = e.far(node), gone + e.length
         if (e.one_way and e.a == node) or far in seen or far in self.r.drawn.buffers:
-            return FALSE
+            stops = {str(x) for x in self.r.body.get("buffers") or ()} - seen
+            return TRUE if derailer and far in stops and not (e.one_way and e.a == node) else FALSE
         g = self._holding(e, far, gone, needed)
         if g is not None:
             return self._lets_pass(g)
         if far in self.r.drawn.boundaries:
             return FALSE if self.r.drawn.boundaries[far].get("trains") == "out" else TRUE
-        rolls = some(self._rolls(x, far, gone, needed, seen | {far}) for x in self.r.drawn.onward(far, e))
+        kept = self.r.drawn.points[far].position(e.name) if far in self._derailers else None
+        derailer = derailer or kept is not None
+        rolls = some(self._rolls(x, far, gone, needed, seen | {far}, derailer) for x in self.r.drawn.onward(far, e))
         return every((rolls, no(self._turned_away(e, far))))
+
+    @cached_property
+    def _derailers(self) -> frozenset[str]:
+        return frozenset(str(x) for x in self.r.body.get("derailers") or ())
 
     def _turned_away(self, e: Edge, node: str) -> Formula:
         """A point that would be trailed lies for its other leg."""

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from interlock.dataclass import dataclass
 from interlock.model.approach import approach
-from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, SignalId
+from interlock.model.elements import BoundaryKind, BufferKind, EdgeId, MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.foul import CrossedSection, FoulBeside, FoulJoint, crossed_sections, foul_beside, foul_joints
 from interlock.model.layout import Layout
 from interlock.model.needs import Needs, needs
@@ -26,6 +26,7 @@ class Beyond:
     one_way: no vehicle comes over the edge towards the place.  closed: a buffer, or where the search has been before.
     signal: the next signal that a vehicle towards the place meets, far enough away to stand behind it.  boundary: the
     kind of the boundary at the far end.  trailed: a machine, and where it must lie for a vehicle to come from `onward`.
+    spur: the end of a track behind a derailer, which stands for the vehicles that are left there, by whatever way.
     """
 
     section: SectionId
@@ -35,6 +36,7 @@ class Beyond:
     boundary: BoundaryKind | None = None
     trailed: tuple[MachineId, Position] | None = None
     onward: tuple[Beyond, ...] = ()
+    spur: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,15 +94,18 @@ def measured(layout: Layout) -> Measured:
     )
 
 
-def _beyond(layout: Layout, edge: EdgeId, node: NodeId, gone: float, needed: float, seen: frozenset[NodeId]) -> Beyond:
-    """`gone`: metres from the place to `node`; `needed`: how far away a vehicle must stand."""
+def _beyond(
+    layout: Layout, edge: EdgeId, node: NodeId, gone: float, needed: float, seen: frozenset[NodeId], spur: bool = False
+) -> Beyond:
+    """`gone`: metres from the place to `node`; `needed`: how far away a vehicle must stand; `spur`: past a derailer."""
     e = layout.track.edge[edge]
     if e.one_way and e.a == node:
         return Beyond(e.section, one_way=True)
     far = layout.track.far(edge, node)
     gone += e.length
     if far in seen or far in layout.track.buffer_at:
-        return Beyond(e.section, closed=True)
+        stop = far not in seen and layout.track.buffer_at[far].kind is BufferKind.STOP
+        return Beyond(e.section, closed=True, spur=spur and stop)
     facing = layout.signalling.facing.get((far, edge))
     signal = facing.id if facing is not None and gone >= needed else None
     boundary = layout.track.boundary_at.get(far)
@@ -111,9 +116,10 @@ def _beyond(layout: Layout, edge: EdgeId, node: NodeId, gone: float, needed: flo
         position = point.position_of(edge)
         ways = [point.normal, point.reverse] if position is None else [point.toe]
         trailed = None if position is None else (point.machine, position)
+        spur = spur or (trailed is not None and point.derailer)
     elif crossing is not None:
         ways = [b if edge == a else a for a, b in crossing.arms if edge in (a, b)]
     else:
         ways = [x.id for x in layout.track.edges_at[far] if x.id != edge]
-    onward = tuple(_beyond(layout, x, far, gone, needed, seen | {far}) for x in ways)
+    onward = tuple(_beyond(layout, x, far, gone, needed, seen | {far}, spur) for x in ways)
     return Beyond(e.section, trailed=trailed, onward=onward)

@@ -167,8 +167,8 @@ ASSUMPTIONS: dict[str, str] = {
     "telephone: the line is empty, the neighbour has no direction, and no telegram that gives it, or that says he has "
     "it, is under way.",
     "A-LINE": "A line is not reported clear while a train is on it before and after a step.",
-    "A-STANDS": "A vehicle inside the layout that is not on a route stands still; others may roll in only from "
-    "beyond the next stop signal, and a signal at stop stops them.",
+    "A-STANDS": "A vehicle inside the layout that is not on a route stands still, but behind a derailer; others may "
+    "roll in only from beyond the next stop signal, and a signal at stop stops them.",
 }
 
 

@@ -21,10 +21,10 @@ from interlock.proof.claims.paths import ground_of, shown_over, signal_paths
 
 
 def exposed(f: Facts, beyond: Beyond) -> Expr:
-    """Whether a vehicle could roll over a track towards the place, from beyond the next signal, as everything really
-    lies."""
+    """Whether a vehicle could roll over a track towards the place, from beyond the next signal or from the end of a
+    track behind a derailer, as everything really lies."""
     if beyond.one_way or beyond.closed:
-        return FALSE
+        return TRUE if beyond.spur else FALSE
     if beyond.signal is not None:
         g = f.layout.signalling.signal[beyond.signal]
         called = [
