@@ -261,10 +261,22 @@ def test_the_proof_sees_a_derailer_that_is_not_laid_for_the_vehicles_behind_it(o
     )
     assert made is not None and not made[2].has_errors
     weak = without_flank(made[1], {"D"})
+    assert ("a vehicle can reach P.R" in {x.text for x in audit(made[0], weak)}) == seen
     result = prove(System(made[0], lower(made[0], weak)), Limits(search_depth=0))
     assert {"T-FLANK", "S-FLANK"} & {c.id for c in result.claims if c.verdict is not Verdict.PROVED} == (
         {"T-FLANK", "S-FLANK"} if seen else set()
     )
+
+
+def test_a_derailer_that_its_own_route_moves_off_protects_nothing_nor_does_the_end_of_the_track_behind_it() -> None:
+    text = Path("tests/diagnostics/IL4017.yaml").read_text("utf-8").replace("reverse: spur.start, ", "machine: M, ")
+    text = text.replace("toe: west.end, normal: main.start", "toe: west.end, reverse: main.start")
+    derailer = "derailers:\n  D: {section: p, inner: P.normal, outer: spur.start, machine: M}\nsignals:"
+    made = grown(text.replace("signals:", derailer))
+    assert made is not None
+    assert "P.normal cannot be protected in route X2-E: M would have to lie N, and lies R on the path" in {
+        d.message for d in made[2].diagnostics if d.code == "IL4002"
+    }
 
 
 def test_the_flank_space_of_an_overlap_is_kept_where_the_next_section_is_beyond_it() -> None:

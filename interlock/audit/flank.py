@@ -7,7 +7,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from interlock.audit.walk import Frozen, Move, Trip, signal_distance, signal_facing, steps_to
-from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId
+from interlock.model.elements import BoundaryKind, BufferKind, EdgeId, MachineId, NodeId, Position, SectionId
 from interlock.model.layout import Layout, of_layout
 from interlock.table.rows import RouteRow
 
@@ -80,28 +80,32 @@ class Walk(NamedTuple):
 def _walk(
     layout: Layout, place: Place, lying: tuple[tuple[MachineId, Position], ...], told: frozenset[str] | None
 ) -> Walk:
-    """The walk back from a place with points lying so, up to signals, or to some signals only."""
+    """The walk back from a place with points lying so, up to signals, or to some signals only.  Outside is the end of a
+    track, too, from where a vehicle comes over a derailer (`spur`)."""
     frozen = dict(lying)
-    todo, seen, outside = [Move(place.edge, place.node)], set[Move](), False
+    todo, seen, outside = [(Move(place.edge, place.node), False)], set[tuple[Move, bool]](), False
     met: dict[MachineId, None] = {}
     while todo:
-        here = todo.pop()
+        here, spur = todo.pop()
         e = layout.track.edge[here.edge]
-        if here in seen or (e.one_way and here.node != e.b):
+        if (here, spur) in seen or (e.one_way and here.node != e.b):
             continue
-        seen.add(here)
+        seen.add((here, spur))
         rear = layout.track.far(here.edge, here.node)
         g = signal_facing(layout, rear, here.edge)
         if g is not None and (told is None or g.id in told) and _stops(layout, rear, here.edge, place):
             continue
         boundary = layout.track.boundary_at.get(rear)
         outside = outside or (boundary is not None and boundary.kind is not BoundaryKind.OUT)
-        if boundary is None and rear != place.node and rear not in layout.track.buffer_at:
+        end = layout.track.buffer_at.get(rear)
+        outside = outside or (spur and end is not None and end.kind is BufferKind.STOP)
+        if boundary is None and rear != place.node and end is None:
             for before, faced in steps_to(layout, here):
                 if faced is not None:
                     met[faced[0]] = None
                 if faced is None or frozen.get(*faced) is faced[1]:
-                    todo.append(before)
+                    kept = faced is not None and layout.pointwork.point_at[rear].derailer
+                    todo.append((before, spur or kept))
     return Walk(outside, tuple(met))
 
 

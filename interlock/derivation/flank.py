@@ -21,6 +21,7 @@ from interlock.dataclass import dataclass
 from interlock.diag.called import called
 from interlock.model.elements import (
     BoundaryKind,
+    BufferKind,
     Crossing,
     EdgeId,
     MachineId,
@@ -139,7 +140,14 @@ Outward = tuple[EdgeId, NodeId]
 
 
 def _outward(
-    layout: Layout, r: Requester, allowed: Allowed, edge: EdgeId, node: NodeId, gone: float, seen: frozenset[Outward]
+    layout: Layout,
+    r: Requester,
+    allowed: Allowed,
+    edge: EdgeId,
+    node: NodeId,
+    gone: float,
+    seen: frozenset[Outward],
+    spur: bool = False,
 ) -> Iterator[tuple[Provider, ...]]:
     e = layout.track.edge[edge]
     if e.one_way and e.a == node:
@@ -152,26 +160,24 @@ def _outward(
         return
     seen = seen | {(edge, node)}  # round a balloon loop it comes back the other way, as a vehicle could
     if far in layout.track.buffer_at:
-        yield (Provider(ProviderKind.BUFFER, far),)
+        yield from _end(layout, far, spur)
         return
     signal = layout.signalling.facing.get((far, edge))
     if signal is not None and gone >= r.clear_of:
         yield (Provider(ProviderKind.SIGNAL, signal.id),)
         return
-    boundary = layout.track.boundary_at.get(far)
-    if boundary is not None:
-        if boundary.kind is BoundaryKind.OUT:
-            yield (Provider(ProviderKind.BOUNDARY, far),)
+    if far in layout.track.boundary_at:
+        yield from _end(layout, far, spur)
         return
     point = layout.pointwork.point_at.get(far)
     if point is None:
         for nxt in onward_edges(layout, far, edge):
-            yield from _outward(layout, r, allowed, nxt, far, gone, seen)
+            yield from _outward(layout, r, allowed, nxt, far, gone, seen, spur)
         return
     position = point.position_of(edge)
     if position is None:
-        for left in _outward(layout, r, allowed, point.normal, far, gone, seen):
-            for right in _outward(layout, r, allowed, point.reverse, far, gone, seen):
+        for left in _outward(layout, r, allowed, point.normal, far, gone, seen, spur):
+            for right in _outward(layout, r, allowed, point.reverse, far, gone, seen, spur):
                 yield tuple(dict.fromkeys(left + right))
         return
     turned: tuple[Provider, ...] | None = (Provider(ProviderKind.POINT, point.machine, position.other),)
@@ -179,7 +185,7 @@ def _outward(
         turned = None  # a key locks a hand-worked point in normal only
     elif not allowed(point.machine, position.other):
         turned = None
-    beyond = _outward(layout, r, allowed, point.toe, far, gone, seen)
+    beyond = _outward(layout, r, allowed, point.toe, far, gone, seen, spur or point.derailer)
     first = next(beyond, None)
     by_signal = layout.principles.flank_by is FlankChoice.SIGNAL and r.node not in layout.pointwork.crossing_at
     preferred = _BY_SIGNAL if by_signal else _PASSIVE
@@ -192,6 +198,16 @@ def _outward(
     if first is not None:
         yield first
     yield from beyond
+
+
+def _end(layout: Layout, node: NodeId, spur: bool) -> Iterator[tuple[Provider, ...]]:
+    """The end of a track, or a boundary where no train comes in.  `spur`: a derailer has been passed; the end of the
+    track behind it protects from nothing, since vehicles stand there that nobody trusts to stay."""
+    buffer, boundary = layout.track.buffer_at.get(node), layout.track.boundary_at.get(node)
+    if buffer is not None and not (spur and buffer.kind is BufferKind.STOP):
+        yield (Provider(ProviderKind.BUFFER, node),)
+    if boundary is not None and boundary.kind is BoundaryKind.OUT:
+        yield (Provider(ProviderKind.BOUNDARY, node),)
 
 
 def space(layout: Layout, r: Requester, providers: Sequence[Provider]) -> dict[tuple[str, bool], str]:
