@@ -12,6 +12,9 @@ from typing import Any
 
 import pytest
 from click.testing import CliRunner
+from pymodbus.exceptions import ModbusIOException
+from pymodbus.pdu import ExceptionResponse, ModbusPDU
+from pymodbus.pdu.bit_message import WriteMultipleCoilsResponse
 
 from interlock.app.alarms import CYCLE, LOST, Watch, possible
 from interlock.app.run import Ready, run
@@ -162,6 +165,88 @@ def test_what_the_library_does_not_take_is_told_not_thrown() -> None:
     link._client = Client()
     with pytest.raises(LinkLost, match=r"10\.0\.0\.7:502 cannot be asked: ValueError: 0 <= address 72000"):
         link.read()
+
+
+class Coils:
+    """A client whose substation has cards that do not take their coils, or do not answer."""
+
+    connected = True
+
+    def __init__(self) -> None:
+        self.held: dict[int, bool] = {}
+        self.refused: set[int] = set()
+        self.silent: set[int] = set()
+
+    def write_coils(self, first: int, bits: list[bool], device_id: int) -> ModbusPDU:
+        places = range(first, first + len(bits))
+        if self.silent.intersection(places):
+            raise ModbusIOException("No response received after 0 retries, continue with next request")
+        if self.refused.intersection(places):
+            return ExceptionResponse(15, 4)
+        self.held |= zip(places, bits, strict=True)
+        return WriteMultipleCoilsResponse(address=first, count=len(bits))
+
+    def close(self) -> None:
+        pass
+
+
+def test_our_heartbeat_follows_only_when_every_output_was_taken() -> None:
+    """Wherever it lies: a substation whose outputs are old lets go of them when it stands still."""
+    ready = unproved(STATION + "addresses: {HO_main: Q0.0, YP_A: Q5.0, YS_A: Q5.1, YP_B: Q9.0, YS_B: Q9.1}\n")
+    assert ready.allocation is not None
+    link = ModbusLink(ready.allocation, "main", "10.0.0.7", 502)
+    link._client = client = Coils()
+    outputs = {c.variable: 8 * c.byte + c.bit for c in ready.allocation.channels if c.direction == "Q"}
+    link.write(dict.fromkeys(outputs, True), heartbeat=True)
+    assert client.held == dict.fromkeys([0, *outputs.values()], True)
+
+    client.refused = {40}
+    with pytest.raises(LinkLost, match="refuses the coils 40 to 41: it has failed inside"):
+        link.write(dict.fromkeys(outputs, False), heartbeat=False)
+    assert client.held[0] and client.held[40], "it still holds an old output, and no heartbeat says that all is well"
+    assert not client.held[72], "what lies on another card is written all the same"
+
+    client.refused, client.silent = set(), {72}
+    with pytest.raises(LinkLost, match="does not answer"):
+        link.write(dict.fromkeys(outputs, False), heartbeat=False)
+    assert client.held[0]
+
+    client.silent = set()
+    link.write(dict.fromkeys(outputs, False), heartbeat=False)
+    assert client.held == dict.fromkeys([0, *outputs.values()], False)
+
+
+def test_the_last_write_leaves_the_heartbeat_where_it_is_when_an_output_is_refused() -> None:
+    ready = unproved(STATION + "health: {main: {by: diagnosis}}\naddresses: {HO_main: Q0.0, YP_A: Q5.0, YS_A: Q5.1}\n")
+    assert ready.allocation is not None
+    link = ModbusLink(ready.allocation, "main", "10.0.0.7", 502)
+    link._client = client = Coils()
+    plc = SoftPlc(runtime_scan(ready.runtime), ready.allocation, {"main": link})
+    plc.cycle({}, 100)
+    before = client.held[0]
+    client.refused = {40}
+    plc.cycle({}, 100)
+    assert list(plc.close()) == ["main"]
+    assert client.held[0] == before
+
+
+@pytest.mark.parametrize("health", ["heartbeat", "diagnosis", "both"])
+@pytest.mark.parametrize("poll", [Beside, InTurn])
+def test_a_substation_that_was_not_written_is_lost_in_the_next_cycle(health: str, poll: Callable[[], Poll]) -> None:
+    """Also where no heartbeat has to come back: in every second cycle its inputs were valid."""
+    ready = unproved(STATION + f"health: {{main: {{by: {health}}}}}\n")
+
+    def refuses(what: str, k: int) -> None:
+        if what == "write" and 4 <= k < 8:
+            raise LinkLost("refuses the coils")
+
+    link = Wire(ready, "main", refuses)
+    with closing(run(ready, {"main": link}, 10, 14, lambda last, dt_ms: {}, poll=poll())) as cycles:
+        done = [c for c, _ in cycles]
+    broken = [k for k, c in enumerate(done) if "main: refuses the coils" in c.lost]
+    assert broken == list(range(broken[0], broken[-1] + 1)) and len(broken) > 4
+    assert not any(c.valid for c in done[broken[0] + 1 : broken[-1] + 1])
+    assert done[-1].valid, "it is well again"
 
 
 PINNED = """

@@ -1,7 +1,7 @@
 """A substation on Modbus TCP: its inputs are discrete inputs, its outputs coils, numbered byte times 8 plus bit.
 
-One of its coils (`HO_...`) is our heartbeat: it changes in every cycle, and a substation should let go of its outputs
-when it does not.  Needs the extra `field` (pymodbus).
+One of its coils (`HO_...`) is our heartbeat: it changes in every cycle in which the substation has taken all its other
+outputs, and a substation should let go of its outputs when it does not.  Needs the extra `field` (pymodbus).
 """
 
 from __future__ import annotations
@@ -28,6 +28,10 @@ REFUSALS = {
     11: "its gateway gets no answer from the device",
 }
 """What the exceptions of Modbus say."""
+
+
+class _Refused(LinkLost):
+    """It answers, and does not do it; the connection is well."""
 
 
 class ModbusLink:
@@ -63,7 +67,7 @@ class ModbusLink:
         if answer.isError():
             code = getattr(answer, "exception_code", 0)
             why = f"{REFUSALS.get(code, 'it does not say why')} (Modbus exception {code})"
-            raise LinkLost(f"{self._place} refuses {which}: {why}")
+            raise _Refused(f"{self._place} refuses {which}: {why}")
         return answer
 
     def _said(self, error: Exception) -> str:
@@ -92,12 +96,24 @@ class ModbusLink:
         return {n: int(bits[at]) for n, at in self._inputs.items()}
 
     def write(self, values: Mapping[str, bool], heartbeat: bool) -> None:
-        """All outputs of the substation, our heartbeat among them; coils between them are not ours."""
-        told = {**values, **dict.fromkeys(self._beats, heartbeat)}
-        wanted = {at: told[n] for n, at in self._outputs.items()}
+        """All outputs of the substation; our heartbeat behind them, and only if it has taken every one: while any
+        output may be an old one the heartbeat stands still.  Coils between them are not ours."""
+        refused = self._put({at: values[n] for n, at in self._outputs.items() if n not in self._beats})
+        if refused is None:
+            refused = self._put({self._outputs[n]: heartbeat for n in self._beats})
+        if refused is not None:
+            raise refused
+
+    def _put(self, wanted: Mapping[int, bool]) -> _Refused | None:
+        """Write coils; what is refused first.  The others are written all the same: they may belong to another card."""
+        refused = None
         for first, count in _runs(wanted, 1900, gaps=False):
             which = f"the coils {first} to {first + count - 1}"
-            self._ask("write_coils", which, first, [wanted[first + k] for k in range(count)])
+            try:
+                self._ask("write_coils", which, first, [wanted[first + k] for k in range(count)])
+            except _Refused as error:
+                refused = refused or error
+        return refused
 
     def close(self) -> None:
         """Close the connection."""

@@ -2,9 +2,9 @@
 
 A cycle: (1) read each substation; (2) the inputs are valid only if all of them answered, are seen to be well by their
 heartbeats and diagnosis bits, and the cycle was not too long; (3) one scan of the runtime; (4) write each substation,
-with a heartbeat of ours, so that it can let go of its outputs when we are gone.  A run that ends, however it ends,
-writes every output restrictive before it lets go.  What could not be read or written counts as lost, and lost inputs
-are not valid (R16).
+then, if it has taken all of its outputs, a heartbeat of ours, so that it can let go of them when we are gone or when
+some do not arrive.  A run that ends, however it ends, writes every output restrictive before it lets go.  What could
+not be read, or not be written in the cycle before, counts as lost, and lost inputs are not valid (R16).
 """
 
 from __future__ import annotations
@@ -133,6 +133,7 @@ class SoftPlc:
         self._beats = {c.substation: c.variable for c in self.allocation.heartbeats}
         self._bits = {c.substation: c.variable for c in self.allocation.diagnoses}
         self.watches = {}
+        self._unwritten: dict[str, str] = {}
         for h in self.allocation.health:
             self._forget(h)
 
@@ -152,19 +153,20 @@ class SoftPlc:
                 lost[h.substation] = str(answer)
                 continue
             inputs |= {n: v for n, v in answer.items() if n not in self._signs}
-            if ill := self._ill(h, answer, dt_ms):
-                lost[h.substation] = ill
+            ill = self._ill(h, answer, dt_ms)
+            if why := self._unwritten.get(h.substation, ill):
+                lost[h.substation] = why
         if dt_ms > CYCLE_MAX_MS:
             lost[LATE_CYCLE] = f"{dt_ms} ms since the last one, more than {CYCLE_MAX_MS}"
         valid = not lost
         inputs[self.valid_name] = int(valid)
         outputs = self.scan(inputs, dt_ms)
         self.heartbeat = not self.heartbeat
-        unwritten = self._write(outputs)
+        self._unwritten = self._write(outputs)
         for h in self.allocation.health:
-            if h.substation in unwritten:
+            if h.substation in self._unwritten:
                 self._forget(h)
-        told = tuple(f"{name}: {why}" for name, why in {**unwritten, **lost}.items())
+        told = tuple(f"{name}: {why}" for name, why in {**self._unwritten, **lost}.items())
         return Cycle(inputs, outputs, valid, told, self.runtime.remembers(), self.runtime.words)
 
     def _ill(self, h: Health, values: Mapping[str, int], dt_ms: int) -> str:
@@ -184,7 +186,7 @@ class SoftPlc:
         return {station: str(answer) for station, answer in answers.items() if isinstance(answer, LinkLost)}
 
     def close(self) -> dict[str, str]:
-        """Write every output restrictive, with a heartbeat that changes no more, and let go of all substations.
+        """Write every output restrictive, with the heartbeat of the last cycle, and let go of all substations.
 
         Returns the substations that could not be written, and why: those have to let go by themselves.
         """
