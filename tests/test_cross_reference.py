@@ -63,7 +63,7 @@ def test_it_says_what_the_text_says(name: str) -> None:
     for block, body in re.findall(r'FUNCTION(?:_BLOCK)? "(\w+)".*?\nBEGIN\n(.*?)\nEND_FUNCTION', text, re.DOTALL):
         short = block.removeprefix(f"IL_{name}_")
         body = re.sub(r"\(\*.*?\*\)", "", body, flags=re.DOTALL)
-        body = re.sub(r'RESTART := "\w+"\.RESTART(?=[,)])', "", body)  # handed on
+        body = re.sub(r'RESTART := "\w+"\.RESTART(ING)?(?=[,)])', "", body)  # handed on
         for n in re.findall(r'(?:^ *|THEN |ELSE )(?:"\w+"\.)?"?(\w+)"? :=', body, re.MULTILINE):
             written[n].add(short) if n in found else None
         for n in re.findall(r"\w+", re.sub(r'[\w."]+ :=', "", body)):

@@ -7,6 +7,7 @@ import random
 import re
 import warnings
 import zipfile
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -20,7 +21,7 @@ from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.proof.equivalence.cabinet import compare_delivery
 from interlock.proof.equivalence.tags import BadTags, read_tags
-from interlock.st.ast import Unit
+from interlock.st.ast import Assign, Bool, Declaration, If, Name, Unit
 from interlock.st.delivery import write_delivery
 from interlock.st.dialects import BY_NAME
 from interlock.st.meaning import Execution, Numbers
@@ -127,12 +128,13 @@ STL = [
     ('      CALL  "IL_fig2_2";\n', ""),
     ('      CALL  "IL_fig2_2";\n', '      CALL  "IL_fig2_2";\nNETWORK\n      CALL  "IL_fig2_2";\n'),
     ('      CALL  "IL_fig2_2_WATCH", "DB_W_main"', '      CALL  "IL_fig2_2_CYCLE", "DB_W_main"'),
-    ('(RESTART := "IL_fig2_2_HMI".RESTART, ', "("),
+    ('(RESTART := "IL_fig2_2_HMI".RESTARTING, ', "("),
     ('      CALL  "IL_fig2_2_S01";\n', '      CALL  "IL_fig2_2_B02";\n'),
     ('      CALL  "IL_fig2_2_S01";\n', '      UC    "IL_fig2_2_S01";\n'),
     ('      CALL  "IL_fig2_2_S01";\n', '      BEC;\n      CALL  "IL_fig2_2_S01";\n'),
     ('      CALL  "IL_fig2_2_S01";\n', '      CALL  "IL_fig2_2_S01";\n      SET;\n      =     "IL_fig2_2_D".K_DP;\n'),
     ('      CLR;\n      =     "IL_fig2_2_HMI".RESTART;\n', '      SET;\n      =     "IL_fig2_2_HMI".RESTART;\n'),
+    ('      A     "IL_fig2_2_HMI".RESTARTING;\n', '      A     "IL_fig2_2_HMI".RESTART;\n'),
     ("      SET;\n", "      CLR;\n"),
     ("      ==I;\n", "      >I;\n"),
     ("      ON    ", "      O     "),
@@ -156,6 +158,7 @@ STL = [
     ("END_FUNCTION\n", 'END_FUNCTION\nFUNCTION "other" : VOID\nBEGIN\nNETWORK\nEND_FUNCTION\n'),
     ('"CLR_SA","I 0.2"', '"CLR_SA","I 0.7"'),
     ("ORGANIZATION_BLOCK OB 100", "ORGANIZATION_BLOCK OB 101"),
+    ("ORGANIZATION_BLOCK OB 101", "ORGANIZATION_BLOCK OB 102"),
     ('      =     "IL_fig2_2_HMI".TC_P1;\n', ""),
     (
         '      =     "IL_fig2_2_HMI".TC_P1;\n',
@@ -260,10 +263,12 @@ CHANGES = {
         ('  "IL_fig2_2_HMI".REL_DP := FALSE;\n', '  "IL_fig2_2_HMI".BLK_DP := FALSE;\n'),
         *CLASSIC,
         ('"IL_fig2_2_HMI".RESTART := TRUE', '"IL_fig2_2_HMI".RESTART := FALSE'),
-        ('  "IL_fig2_2_HMI".RESTART := FALSE;', ""),
+        (' "IL_fig2_2_HMI".RESTART := FALSE;', ' "IL_fig2_2_HMI".RESTART := TRUE;'),
+        ('IF "IL_fig2_2_HMI".RESTARTING THEN', 'IF "IL_fig2_2_HMI".RESTART THEN'),
+        ('  "IL_fig2_2_HMI".RESTARTING := "IL_fig2_2_HMI".RESTART;', '  "IL_fig2_2_HMI".RESTARTING := FALSE;'),
         ("RESTART : BOOL := TRUE", "RESTART : BOOL := FALSE"),
         ('"IL_fig2_2_WATCH"."DB_W_main"(', '"IL_fig2_2_CYCLE"."DB_W_main"('),
-        ('(RESTART := "IL_fig2_2_HMI".RESTART', "("),
+        ('(RESTART := "IL_fig2_2_HMI".RESTARTING', "("),
         ("    RUNS := FALSE;\n", ""),
         ('"CLR_SA","I 0.2"', '"CLR_SA","I 0.7"'),
         ('"CLR_SA","I 0.2"', '"CLR_SA","M 0.2"'),
@@ -279,9 +284,10 @@ def test_a_changed_delivery_is_refuted(dialect: str) -> None:
     files = files_of(dialect)
     assert wrong(dialect, files) == ()
     for old, new in CHANGES[dialect]:
-        name = next((n for n in sorted(files, reverse=True) if old in files[n]), None)
-        assert name is not None, old
-        assert wrong(dialect, {**files, name: files[name].replace(old, new, 1)}), (old, new)
+        names = [n for n in files if old in files[n]]
+        assert names, old
+        for name in names:
+            assert wrong(dialect, {**files, name: files[name].replace(old, new, 1)}), (name, old, new)
     for name in files if dialect != "twincat" else ("IL_fig2_2_TASK.TcTTO", "IL_fig2_2_IO.TcPOU"):
         assert wrong(dialect, {n: t for n, t in files.items() if n != name}), name
 
@@ -416,13 +422,47 @@ def test_a_restart_resets_what_an_operator_had_pressed_and_keeps_blocks(dialect:
     layout, _, controller = built("passing_loop")
     a = allocate(layout, controller)
     files = write_delivery(controller, a, BY_NAME[dialect], [])
-    (text,) = (text for name, text in files.items() if "_ob." in name)
-    startup = text[text.index("OB100" if dialect == "scl300" else "OB 100") :]
-    written = re.findall(r"""(?:=|T) +"IL_passing_loop_HMI"\.(\w+);|"\.(\w+) := (?:FALSE|0);""", startup)
-    assert {x for pair in written for x in pair} - {"", "RESTART", "VALID"} == {
-        str(i) for i in a.written if not i.startswith("BLK_")
-    }
+    text = "".join(files[n] for n in files if "_ob" in n)
     assert {"REQ", "RELALL"} < set(a.written)
+    for block in ("OB100", "OB101") if dialect == "scl300" else ("OB 100", "OB 101"):
+        startup = text.partition(f"ORGANIZATION_BLOCK {block}\n")[2].partition("END_ORGANIZATION_BLOCK")[0]
+        written = re.findall(r"""(?:=|T) +"IL_passing_loop_HMI"\.(\w+);|"\.(\w+) := (?:FALSE|0);""", startup)
+        assert {x for pair in written for x in pair} - {"", "RESTART", "VALID"} == {
+            str(i) for i in a.written if not i.startswith("BLK_")
+        }
+
+
+@pytest.mark.parametrize("dialect", ["scl300", "awl"])
+def test_a_hot_restart_forgets_what_was_kept_wherever_the_power_was_cut(dialect: str) -> None:
+    """An S7-400 carries out OB101, then the rest of the call in which its power was cut, then goes on."""
+    _, controller, _ = smallest()
+    *blocks, program = BY_NAME[dialect].read(files_of(dialect)).blocks
+    start = {o.name: o.restrictive for o in controller.outputs}
+    for at in range(len(program.body) + 1):
+        cut = If(Name(("CUT",)), (Assign(Name((RESTART,)), Bool(True)),))
+        body = (*program.body[:at], cut, *program.body[at:])
+        locals_ = (*program.locals, Declaration("CUT", "BOOL", Bool(False)))
+        run, _ = run_of(Unit((*blocks, replace(program, body=body, locals=locals_))))
+        rng = random.Random(at)
+
+        def scan(k: int, rng: random.Random = rng, run: Execution[int] = run, **more: int) -> dict[str, int]:
+            given = {
+                str(i.name): rng.randrange(i.size) if i.size else int(rng.random() < 0.9) for i in controller.inputs
+            }
+            run.main.values.update({n: v for n, v in given.items() if n != "VALID"}, HB_main=k % 2, **more)
+            run.scan({})
+            return given
+
+        for k in range(100):
+            scan(k)
+        scan(100, CUT=1)
+        if run.main.values[RESTART]:
+            scan(101, CUT=0)
+        assert {n: bool(run.main.values[n]) for n in start} == start, at
+        machine = Machine(controller)
+        for k in range(50):
+            given = scan(k, CUT=0) | {"VALID": int(k > 0)}
+            assert {n: bool(run.main.values[n]) for n in start} == machine.scan(given, 100), (at, k)
 
 
 def run_of(unit: Unit) -> tuple[Execution[int], Numbers]:

@@ -15,8 +15,24 @@ from interlock.logic.on_delay import CYCLE_MAX_MS
 from interlock.logic.words import UNKNOWN
 from interlock.model.elements import HEARTBEAT_MS
 from interlock.model.portable import portable
-from interlock.st.ast import Assign, Block, Bool, Call, Declaration, Expression, Int, Name, Nary, Not, Task, Time, Unit
-from interlock.st.restart import RESTART, restarted
+from interlock.st.ast import (
+    Assign,
+    Block,
+    Bool,
+    Call,
+    Declaration,
+    Expression,
+    If,
+    Int,
+    Name,
+    Nary,
+    Not,
+    Statement,
+    Task,
+    Time,
+    Unit,
+)
+from interlock.st.restart import RESTART, RESTARTING, restarted
 
 CYCLE_MS = 100  # our choice
 INSTANCE = "RUN"
@@ -160,7 +176,8 @@ def io_program(
     declared += [Declaration(w.name, "INT", Int(UNKNOWN), w.note) for w in words]
     declared.append(Declaration(valid, "BOOL", Bool(False), sizes[valid].note))
     if restart:
-        declared.append(Declaration(RESTART, "BOOL", Bool(True), "true until the first call after a restart"))
+        declared.append(Declaration(RESTART, "BOOL", Bool(True), "true until the first call after a restart is over"))
+        declared.append(Declaration(RESTARTING, "BOOL", Bool(False), "true in the first call after a restart"))
     within = {h.substation: h.within_ms for h in a.health}
     watched = [(c, f"W_{portable(c.substation)}") for c in a.heartbeats]
     for c, w in watched:
@@ -170,10 +187,13 @@ def io_program(
     declared.append(Declaration(INSTANCE, prefix, None, "the interlocking"))
     if a.sent:
         declared.append(Declaration(BEAT, "BOOL", Bool(False), "changes in every cycle"))
-    told: tuple[tuple[str, Expression], ...] = ((RESTART, Name((RESTART,))),) if restart else ()
+    told: tuple[tuple[str, Expression], ...] = ((RESTART, Name((RESTARTING,))),) if restart else ()
     well: list[Expression] = [Name(("CYC", "OK")), *(Name((w, "OK")) for _, w in watched)]
     well += [Name((c.variable,)) for c in a.diagnoses]
-    body: list[Assign | Call] = [Call("CYC", told)]
+    body: list[Statement] = []
+    if restart:
+        body.append(Assign(Name((RESTARTING,)), Name((RESTART,)), "looked at once: it may be set while this runs"))
+    body.append(Call("CYC", told))
     body += [Call(w, (*told, ("HB", Name((c.variable,))))) for c, w in watched]
     body.append(Assign(Name((valid,)), Nary("AND", tuple(well))))
     body.append(Call(INSTANCE, (*told, *((i.name, Name((i.name,))) for i in controller.inputs))))
@@ -183,7 +203,7 @@ def io_program(
         body.append(Assign(Name((BEAT,)), Not(Name((BEAT,)))))
         body += [Assign(Name((c.variable,)), Name((BEAT,))) for c in a.sent]
     if restart:
-        body.append(Assign(Name((RESTART,)), Bool(False), "the restart is over"))
+        body.append(If(Name((RESTARTING,)), (Assign(Name((RESTART,)), Bool(False), "the restart is over"),)))
     note = "inputs, interlocking, outputs: run it in one task with a constant cycle"
     program = Block(f"{prefix}_IO", (), (), tuple(declared), tuple(body), note, "PROGRAM")
     return Unit((*blocks, program), tuple(header), task=io_task(controller, runs, restart))

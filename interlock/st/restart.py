@@ -2,6 +2,10 @@
 
 While RESTART is true the scan ends in the initial state with all timers stopped, whatever was kept; the outputs follow
 from it, and the words say that nothing is known.
+
+The mapping program looks at RESTART once, in RESTARTING, and clears it only in a call that has begun with it: an S7-400
+that goes on where its power was cut (hot restart) carries out the rest of a call that has begun without it, and must
+not forget it there.
 """
 
 from __future__ import annotations
@@ -11,7 +15,7 @@ from dataclasses import replace
 from interlock.logic.words import UNKNOWN
 from interlock.st.ast import Assign, Block, Bool, Call, Declaration, If, Int, Name, Nary, Not, Statement, Unit
 
-RESTART = "RESTART"
+RESTART, RESTARTING = "RESTART", "RESTARTING"
 
 
 def with_restart(unit: Unit) -> Unit:

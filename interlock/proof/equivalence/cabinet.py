@@ -20,11 +20,11 @@ from interlock.logic.words import UNKNOWN
 from interlock.model.portable import portable
 from interlock.proof.equivalence.structured_text import Difference, compare_unit
 from interlock.proof.equivalence.tags import BadTags, read_tags
-from interlock.st.ast import Assign, Block, Bool, Call, Expression, Name, Nary, Not, Unit
+from interlock.st.ast import Assign, Block, Bool, Call, Expression, If, Name, Nary, Not, Statement, Unit
 from interlock.st.dialects.dialect import Dialect, Files
 from interlock.st.parser import NotInSubset, parse_unit
 from interlock.st.program import BEAT, INSTANCE, Runs, io_task, parted, watch_name, watches
-from interlock.st.restart import RESTART
+from interlock.st.restart import RESTART, RESTARTING
 from interlock.st.shared import label
 from interlock.st.structures import plain
 
@@ -92,15 +92,16 @@ def compare_mapping(
     return tuple(wrong)
 
 
-def _steps(controller: Controller, a: Allocation, restart: bool) -> list[Assign | Call]:
+def _steps(controller: Controller, a: Allocation, restart: bool) -> list[Statement]:
     """What the program has to do, in this order."""
-    told: tuple[tuple[str, Expression], ...] = ((RESTART, Name((RESTART,))),) if restart else ()
+    told: tuple[tuple[str, Expression], ...] = ((RESTART, Name((RESTARTING,))),) if restart else ()
     beats = {c.substation: c.variable for c in a.heartbeats}
     bits = {c.substation: c.variable for c in a.diagnoses}
     watched = [(f"W_{portable(h.substation)}", beats[h.substation]) for h in a.health if h.beats]
     well: list[Expression] = [Name(("CYC", "OK")), *(Name((w, "OK")) for w, _ in watched)]
     well += [Name((bits[h.substation],)) for h in a.health if h.diagnosed]
-    steps: list[Assign | Call] = [Call("CYC", told)]
+    steps: list[Statement] = [Assign(Name((RESTARTING,)), Name((RESTART,)))] if restart else []
+    steps.append(Call("CYC", told))
     steps += [Call(w, (*told, ("HB", Name((hb,))))) for w, hb in watched]
     steps.append(Assign(Name((controller.symbols.valid,)), Nary("AND", tuple(well))))
     steps.append(Call(INSTANCE, (*told, *((i.name, Name((i.name,))) for i in controller.inputs))))
@@ -109,7 +110,7 @@ def _steps(controller: Controller, a: Allocation, restart: bool) -> list[Assign 
     if a.sent:
         steps.append(Assign(Name((BEAT,)), Not(Name((BEAT,)))))
     steps += [Assign(Name((c.variable,)), Name((BEAT,))) for c in a.sent]
-    return [*steps, Assign(Name((RESTART,)), Bool(False))] if restart else steps
+    return [*steps, If(Name((RESTARTING,)), (Assign(Name((RESTART,)), Bool(False)),))] if restart else steps
 
 
 def _declared(
@@ -147,8 +148,8 @@ def _beginnings(controller: Controller, a: Allocation, program: Block, restart: 
     words = dict.fromkeys(controller.words.routes.values(), UNKNOWN)
     start, sizes = start | words, sizes | dict.fromkeys(words, 1)
     wires: set[str] = {*a.written, controller.symbols.valid, *words}
-    for name, first in ((BEAT, 0), (RESTART, 1)):
-        if restart if name == RESTART else a.sent:
+    for name, first, there in ((BEAT, 0, a.sent), (RESTART, 1, restart), (RESTARTING, 0, restart)):
+        if there:
             start[name], sizes[name] = first, 0
             wires.add(name)
     plain = {*a.read, *(c.variable for c in a.wires)}

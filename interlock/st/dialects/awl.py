@@ -201,12 +201,12 @@ def _cycle(function: str) -> list[str]:
     return _organization("OB 1", _line("CALL", f'"{function}"'))
 
 
-def _startup(data: str, variable: str, reset: Sequence[Declaration]) -> list[str]:
+def _startup(number: int, data: str, variable: str, reset: Sequence[Declaration]) -> list[str]:
     numbers = [d.name for d in reset if d.type == "INT"]
     lines = [_line("SET"), _line("=", f'"{data}".{variable}'), _line("CLR")]
     lines += [_line("=", f'"{data}".{d.name}') for d in reset if d.type != "INT"]
     lines += [x for n in numbers for x in (_line("L", "0"), _line("T", f'"{data}".{n}'))]
-    return _organization("OB 100", *lines)
+    return _organization(f"OB {number}", *lines)
 
 
 def _organization(name: str, *lines: str) -> list[str]:

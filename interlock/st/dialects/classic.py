@@ -30,6 +30,12 @@ def unprintable(text: str, also: str = "") -> bool:
     return any(not x.isprintable() for x in set(text) - {"\n", *also})
 
 
+WARM, HOT = 100, 101
+"""The organization blocks that a controller calls before it begins anew, and before it goes on where it was cut."""
+ONLY_400 = (
+    "For an S7-400 alone, whose hot restart goes on with all values where the power was cut; better allow none.  "
+    "An S7-300 has no OB101."
+)
 ONLY = "One interlocking in one controller: the symbol table of another gives the same numbers to its blocks."
 
 
@@ -37,18 +43,18 @@ ONLY = "One interlocking in one controller: the symbol table of another gives th
 class Language:
     """How a language of Siemens is written.
 
-    suffix: of a source.  comment: a line of it.  block: the lines of a block.  cycle, startup: the lines of OB1, which
-    calls a function, and of OB100, which sets a variable, and resets others.  read: the blocks of a source, given what
-    is defined elsewhere.  uncommented: its text without comments.  tags: for TIA Portal, where addresses stand in a
-    table of tags beside the text, data blocks forget their values over a restart, and a controller may hold several
-    interlockings.
+    suffix: of a source.  comment: a line of it.  block: the lines of a block.  cycle: the lines of OB1, which calls a
+    function.  startup: those of an organization block of a number, which sets a variable, and resets others.  read: the
+    blocks of a source, given what is defined elsewhere.  uncommented: its text without comments.  tags: for TIA Portal,
+    where addresses stand in a table of tags beside the text, data blocks forget their values over a restart, and a
+    controller may hold several interlockings.
     """
 
     suffix: str
     comment: Callable[[str], str]
     block: Callable[[Block, Frame], list[str]]
     cycle: Callable[[str], list[str]]
-    startup: Callable[[str, str, Sequence[Declaration]], list[str]]
+    startup: Callable[[int, str, str, Sequence[Declaration]], list[str]]
     read: Callable[[str, Sequence[Block]], list[Block]]
     uncommented: Callable[[str], str]
     tags: bool = False
@@ -67,9 +73,9 @@ class Language:
         *program, wires = rest
         files[f"{name}_io{self.suffix}"] = self._text(head, program, known)
         only = [] if self.tags else [self.comment(ONLY)]
-        files[f"{name}_ob{self.suffix}"] = "\n".join(
-            [*head, *only, "", *self._organization(f"IL_{name}", made.blocks), ""]
-        )
+        for ending, note, lines in self._organization(f"IL_{name}", made.blocks):
+            notes = [*head, *only, *map(self.comment, note)]
+            files[f"{name}{ending}{self.suffix}"] = "\n".join([*notes, "", *lines, ""])
         return files if self.tags else files | {f"{name}.sdf": symbol_table((*core, *program), wires)}
 
     def _text(self, head: Sequence[str], blocks: Sequence[Block], known: Frame) -> str:
@@ -78,28 +84,30 @@ class Language:
             lines += ["", *self.block(b, known)]
         return "\n".join([*lines, ""])
 
-    def _organization(self, main: str, blocks: Sequence[Block]) -> list[str]:
+    def _organization(self, main: str, blocks: Sequence[Block]) -> list[tuple[str, Sequence[str], list[str]]]:
+        """The files with organization blocks: ending, notes at the head, lines."""
         cycle = self.cycle(f"{main}_IO")
         if self.tags:
-            return cycle
-        return [*cycle, "", *self.startup(main + OPERATOR, RESTART, _buttons(main, blocks))]
+            return [("_ob", (), cycle)]
+        warm, hot = (self.startup(k, main + OPERATOR, RESTART, _buttons(main, blocks)) for k in (WARM, HOT))
+        return [("_ob", (), [*cycle, "", *warm]), (f"_ob{HOT}", (ONLY_400,), hot)]
 
     def _task(self, program: str) -> Task:
-        """OB1 runs the program; OB100 tells it of a restart, where data outlive one."""
+        """OB1 runs the program; OB100, or OB101, tells it of a restart, where data outlive one."""
         return Task("", "", Runs.CYCLE.value, 0, "", program, "" if self.tags else RESTART)
 
     def read_files(self, files: Files) -> Unit:
         """What the files do, as in all dialects; a mapping program is last."""
-        sources = [n for n in files if n.endswith(self.suffix) and not re.search(r"_(io|ob)\.\w+$", n)]
-        if len(sources) != 1:
-            raise NotInSubset("not one file with the interlocking")
-        core = self.read(files[sources[0]], ())
+        source = min((n for n in files if n.endswith(self.suffix)), key=len, default="")
+        if not source:
+            raise NotInSubset("no file with the interlocking")
+        core = self.read(files[source], ())
         name = core[0].name.removeprefix("IL_").removesuffix(INPUTS)
         if len(files) == 1:
             self._check_names(core)
             return flat(Unit(tuple(core)), self.tags)
-        suffixes = (self.suffix, f"_io{self.suffix}", f"_ob{self.suffix}", *(() if self.tags else (".sdf",)))
-        expected = {f"{name}{x}" for x in suffixes}
+        endings = ("", "_io", "_ob", *(() if self.tags else (f"_ob{HOT}",)))
+        expected = {f"{name}{x}{self.suffix}" for x in endings} | (set() if self.tags else {f"{name}.sdf"})
         if set(files) != expected:
             raise NotInSubset(f"files are not {', '.join(sorted(expected))}")
         program = self.read(files[f"{name}_io{self.suffix}"], core)
@@ -107,9 +115,9 @@ class Language:
         _, mine, rest = _parted((*core, *program))
         if [*mine] != core or [*rest] != program:
             raise NotInSubset("blocks that do not stand in their own file")
-        ob = self.uncommented(files[f"{name}_ob{self.suffix}"])
-        if ob != self.uncommented("\n".join([*self._organization(f"IL_{name}", (*core, *program)), ""])):
-            raise NotInSubset("organization blocks that do something else")
+        for ending, _, lines in self._organization(f"IL_{name}", (*core, *program)):
+            if self.uncommented(files[f"{name}{ending}{self.suffix}"]) != self.uncommented("\n".join([*lines, ""])):
+                raise NotInSubset("organization blocks that do something else")
         tagged = _terminals(program)
         held = tagged if self.tags else read_symbols(files[f"{name}.sdf"], (*core, *program))
         wires = Block("", (), (), held, (), kind="WIRES")

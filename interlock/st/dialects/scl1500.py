@@ -22,7 +22,7 @@ STYLE = Style(
     timer_note="{InstructionName := 'TON_TIME'; LibVersion := '1.0'}",
 )
 ATTRIBUTES = ("{ S7_Optimized_Access := 'TRUE' }", "VERSION : 0.1")
-_SCL = Scl(STYLE, "Void", ATTRIBUTES, (*ATTRIBUTES, "NON_RETAIN"), False, '"Main"', '"Startup"', ())
+_SCL = Scl(STYLE, "Void", ATTRIBUTES, (*ATTRIBUTES, "NON_RETAIN"), False, '"Main"', ())
 LANGUAGE = replace(_SCL.language(), tags=True)
 
 DIALECT = Dialect(

@@ -1,7 +1,7 @@
 """SCL of Siemens S7-300 and S7-400: sources for STEP 7 classic, with their symbol table.
 
 Its data blocks keep their values over a restart: among the inputs is RESTART (see `interlock.st.restart`), which OB100
-sets.  Blocks are small, since a CPU 313 takes 8 KB a block.
+and OB101 set.  Blocks are small, since a CPU 313 takes 8 KB a block.
 """
 
 from __future__ import annotations

@@ -29,8 +29,8 @@ class Scl:
     """What a tool wants.
 
     style: of declarations and names.  void: the type of a function without a result.  attributes: after the name of a
-    block; data: after that of a data block of its own.  named: a call of an instance names its block too.  cycle,
-    startup: what the organization blocks are called; taken: what they declare.
+    block; data: after that of a data block of its own.  named: a call of an instance names its block too.  cycle:
+    what the organization block of each cycle is called; taken: what such blocks declare.
     """
 
     style: Style
@@ -39,7 +39,6 @@ class Scl:
     data: tuple[str, ...] = ()
     named: bool = True
     cycle: str = "OB1"
-    startup: str = "OB100"
     taken: tuple[str, ...] = ("VAR_TEMP", "  START_INFO : ARRAY[0..19] OF BYTE;", "END_VAR")
 
     def language(self) -> Language:
@@ -82,11 +81,11 @@ class Scl:
         """What calls a function in each cycle."""
         return self._organization(self.cycle, f'"{function}"();')
 
-    def set(self, data: str, variable: str, reset: Sequence[Declaration]) -> list[str]:
-        """What sets a variable after a restart, and resets others."""
+    def set(self, number: int, data: str, variable: str, reset: Sequence[Declaration]) -> list[str]:
+        """What sets a variable after a restart, and resets others: an organization block of a number."""
         to = {d.name: "0" if d.type == "INT" else "FALSE" for d in reset}
         values = {variable: "TRUE", **to}
-        return self._organization(self.startup, *(f'"{data}".{n} := {x};' for n, x in values.items()))
+        return self._organization(f"OB{number}", *(f'"{data}".{n} := {x};' for n, x in values.items()))
 
     def _organization(self, name: str, *statements: str) -> list[str]:
         head = [f"ORGANIZATION_BLOCK {name}", *self.attributes, *self.taken]
