@@ -24,6 +24,7 @@ from interlock.proof.equivalence.tags import BadTags, read_tags
 from interlock.st.ast import Assign, Bool, Declaration, If, Name, Unit
 from interlock.st.delivery import write_delivery
 from interlock.st.dialects import BY_NAME
+from interlock.st.lint import AVOID
 from interlock.st.meaning import Execution, Numbers
 from interlock.st.program import parted
 from interlock.st.restart import RESTART
@@ -54,7 +55,7 @@ XML = [
     (' address="%IX0.1"', ""),
     ("INP.CLR_SA := CLR_SA", "INP.CLR_SA := CLR_SB"),
     ("YN_P1 := OUTP.YN_P1", "YN_P1 := OUTP.YR_P1"),
-    ("VALID := CYC.OK AND W_main.OK", "VALID := CYC.OK"),
+    ("VALID := CYC.WELL AND W_main.WELL", "VALID := CYC.WELL"),
     ('interval="T#100ms"', 'interval="T#900ms"'),
     ('interval="T#100ms"', 'interval="T#100ms" single="x"'),
     ('priority="0"', 'priority="1"'),
@@ -85,7 +86,7 @@ CLASSIC = [
     ('"YN_P1" := "IL_fig2_2_Q".YN_P1', '"YN_P1" := "DB_CYC".YN_P1'),
     ('"YN_P1" := "IL_fig2_2_Q".YN_P1', '"YN_P1" := "IL_fig2_2_D".YN_P1'),
     ('"YN_P1" := "IL_fig2_2_Q".YN_P1', '"IL_fig2_2_Q".YN_P1 := "YN_P1"'),
-    ('AND "DB_W_main".OK', ""),
+    ('AND "DB_W_main".WELL', ""),
     ('  "IL_fig2_2_IN01"();\n  "IL_fig2_2"();\n', '  "IL_fig2_2"();\n  "IL_fig2_2_IN01"();\n'),
     ('  "IL_fig2_2"();\n', '  "IL_fig2_2"();\n  "IL_fig2_2"();\n'),
     ('  "IL_fig2_2"();\n', '  "IL_fig2_2_G01"();\n  "IL_fig2_2"();\n'),
@@ -124,7 +125,7 @@ STL = [
     ('      A     "IL_fig2_2_Q".YN_P1;\n', '      L     "IL_fig2_2_Q".YN_P1;\n'),
     ('      T     "IL_fig2_2_HMI".YX_R1;', '      =     "IL_fig2_2_HMI".YX_R1;'),
     ('      L     "IL_fig2_2_HMI".REQ;', '      L     "REQ";'),
-    ('      A     "DB_W_main".OK;\n', ""),
+    ('      A     "DB_W_main".WELL;\n', ""),
     ('      CALL  "IL_fig2_2";\n', ""),
     ('      CALL  "IL_fig2_2";\n', '      CALL  "IL_fig2_2";\nNETWORK\n      CALL  "IL_fig2_2";\n'),
     ('      CALL  "IL_fig2_2_WATCH", "DB_W_main"', '      CALL  "IL_fig2_2_CYCLE", "DB_W_main"'),
@@ -414,6 +415,13 @@ def test_two_stations_in_one_controller_have_no_name_in_common() -> None:
         assert all(x in own | tags | {"Main"} for x in re.findall(r'"(\w+)"', text))
         found.append(own | tags)
     assert not found[0] & found[1]
+
+
+@pytest.mark.parametrize("dialect", ["scl300", "awl"])
+def test_nothing_is_called_by_a_word_that_step_7_keeps_for_itself(dialect: str) -> None:
+    """OK is the flag of S7-SCL that says whether a computation went well, and no variable may have its name."""
+    declared = set(re.findall(r"^ +(\w+) : ", "".join(files_of(dialect).values()), re.MULTILINE))
+    assert "WELL" in declared and not {n for n in declared if n.upper() in AVOID}
 
 
 @pytest.mark.parametrize("dialect", ["scl300", "awl"])

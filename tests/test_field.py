@@ -335,7 +335,7 @@ def test_the_watch_is_the_one_of_the_mapping_program() -> None:
     for _ in range(2000):
         beat ^= rng.random() < 0.3
         numbers.dt_ms = rng.choice((50, 100, 400))
-        assert own.step(beat, numbers.dt_ms) == bool(text.scan({"HB": beat})["OK"])
+        assert own.step(beat, numbers.dt_ms) == bool(text.scan({"HB": beat})["WELL"])
 
 
 def test_what_the_operator_types(ready: Ready) -> None:

@@ -85,7 +85,7 @@ def test_substations_and_stated_addresses() -> None:
     assert max(west) < min(east)
     assert compare_program(controller, a, print_unit(structured(io_program(controller, a, [])))) == ()
     text = print_unit(structured(io_program(controller, a, [])))
-    assert "VALID := CYC.OK AND W_west.OK AND W_east.OK;" in text and "CLR_q1 AT %IX0.3 : BOOL;" in text
+    assert "VALID := CYC.WELL AND W_west.WELL AND W_east.WELL;" in text and "CLR_q1 AT %IX0.3 : BOOL;" in text
 
 
 @pytest.mark.parametrize(
@@ -155,7 +155,7 @@ def test_a_changed_mapping_is_refuted() -> None:
         ("%IX0.3", "%IX0.4"),
         ("INP.CLR_q1 := CLR_q1", "INP.CLR_q1 := CLR_q2"),
         ("YN_P1 := OUTP.YN_P1", "YN_P1 := OUTP.YR_P1"),
-        ("VALID := CYC.OK AND W_main.OK", "VALID := W_main.OK"),
+        ("VALID := CYC.WELL AND W_main.WELL", "VALID := W_main.WELL"),
         ("INTERVAL := T#100ms", "INTERVAL := T#10s"),
         ("TURN1 := TURN0", "TURN1 := TURN2"),
         ("  YS_X1 := OUTP.YS_X1;\n", ""),
@@ -221,12 +221,12 @@ def test_health_is_declared_proved_and_read_restrictive() -> None:
     assert {c.variable: c.address for c in a.diagnoses}["OK_mid"] == "I90.0"
     assert [c.variable for c in a.sent] == ["HO_west", "HO_east"]
     text = print_unit(structured(io_program(controller, a, [])))
-    assert "VALID := CYC.OK AND W_west.OK AND W_east.OK AND OK_west AND OK_mid;" in text
+    assert "VALID := CYC.WELL AND W_west.WELL AND W_east.WELL AND OK_west AND OK_mid;" in text
     assert "W_west : IL_mine11_H500;" in text and "W_east : IL_mine11_WATCH;" in text
     assert compare_program(controller, a, text) == ()
     for old, new in (
         (" AND OK_mid;", ";"),
-        ("W_west.OK AND W_east.OK", "W_east.OK AND W_east.OK"),
+        ("W_west.WELL AND W_east.WELL", "W_east.WELL AND W_east.WELL"),
         ("W_west : IL_mine11_H500", "W_west : IL_mine11_WATCH"),
         ("T#500ms", "T#5s"),
         ("OK_west AND OK_mid", "OK_mid AND OK_mid"),
@@ -299,12 +299,12 @@ def test_mapping_and_soft_plc_see_the_same_health_and_both_tell_that_they_are_al
 def test_a_heartbeat_that_stops_is_noticed_in_time_and_one_that_never_came_too() -> None:
     numbers = Numbers(dt_ms=100)
     run: Execution[int] = Execution(Unit((watch("W"),)), numbers)
-    assert [run.scan({"HB": 1})["OK"] for _ in range(30)] == [0] * 30  # stuck since the restart
-    assert [run.scan({"HB": k % 2})["OK"] for k in range(6)] == [1] * 6
-    still = [run.scan({"HB": 1})["OK"] for _ in range(20)]
+    assert [run.scan({"HB": 1})["WELL"] for _ in range(30)] == [0] * 30  # stuck since the restart
+    assert [run.scan({"HB": k % 2})["WELL"] for k in range(6)] == [1] * 6
+    still = [run.scan({"HB": 1})["WELL"] for _ in range(20)]
     assert still == [1] * 9 + [0] * 11 or still == [1] * 10 + [0] * 10
     assert still.index(0) * 100 <= HEARTBEAT_MS
-    assert run.scan({"HB": 0})["OK"] == 1
+    assert run.scan({"HB": 0})["WELL"] == 1
 
 
 def test_a_long_cycle_is_noticed_in_the_very_next_scan() -> None:
@@ -312,7 +312,7 @@ def test_a_long_cycle_is_noticed_in_the_very_next_scan() -> None:
     run: Execution[int] = Execution(Unit((cycle("C"),)), numbers)
     for k in range(500):
         numbers.dt_ms = rng.choice((20, 100, CYCLE_MAX_MS - 1, CYCLE_MAX_MS, 3000))
-        assert run.scan({})["OK"] == int(k == 0 or numbers.dt_ms <= CYCLE_MAX_MS)
+        assert run.scan({})["WELL"] == int(k == 0 or numbers.dt_ms <= CYCLE_MAX_MS)
 
 
 def test_the_lists_say_the_same_as_the_allocation() -> None:

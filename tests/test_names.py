@@ -19,6 +19,7 @@ from interlock.frontend.scalars import NAME
 from interlock.logic.lower import lower
 from interlock.logic.names import Kind, families
 from interlock.model.portable import LONGEST, portable
+from interlock.st.lint import AVOID
 from tests.layouts import grown
 
 TEXT = """interlock: 1
@@ -107,7 +108,17 @@ def test_families_that_are_written_alike_belong_to_elements_that_never_are() -> 
     assert {frozenset(kinds) for kinds in written.values() if len(kinds) > 1} == {frozenset((Kind.SECTION, Kind.LINE))}
 
 
+def test_no_variable_of_an_element_is_a_word_that_tools_use() -> None:
+    """Whatever the element is called: a section called TRIG would have the variable F_TRIG."""
+    tails = {word[k:] for word in AVOID for k in range(len(word)) if NAME.fullmatch(word[k:])}
+    for f in families():
+        if f.portable and f.pattern.count("{") == 1:
+            assert not {f.pattern.format(portable(tail)).upper() for tail in (*tails, "trig")} & AVOID, f
+    assert portable("TRIG") == safe("TRIG") != "TRIG" and portable("edge") == safe("edge") != "edge"
+
+
 @given(NAMES)
+@example("TRIG")
 @example("\u2474")  # (1) in one sign
 @example("7\u2488")  # 1 and a full stop in one sign
 def test_any_letters_become_a_short_identifier_and_both_writers_agree(name: str) -> None:

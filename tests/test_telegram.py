@@ -66,7 +66,7 @@ def test_the_text_is_proved_for_every_telegram(form: Form) -> None:
     assert compare_telegram("demo", form.machines, form.tagged, text) == ()
     for old, new in (
         ("D_1 XOR D_2;", "D_1 OR D_2;"),
-        ("OK := ", "OK := NOT "),
+        ("WELL := ", "WELL := NOT "),
         ("AND D_1;", "AND D_2;"),
         ("NOT T_2", "T_2"),
     ):
@@ -86,7 +86,7 @@ def _with_memory(block: str) -> str:
 
 FORGED: dict[str, Callable[[str], str]] = {
     "a block of the same name before it, which the controller's tool may take": lambda x: (
-        x.replace("OK := ", "OK := NOT ") + x
+        x.replace("WELL := ", "WELL := NOT ") + x
     ),
     "what is kept from the telegram before commands a machine": _with_memory,
     "a machine is driven before the first telegram": lambda x: x.replace("CN_P1 : BOOL;", "CN_P1 : BOOL := TRUE;"),
@@ -137,7 +137,7 @@ def test_text_and_python_accept_the_same_telegrams(form: Form) -> None:
             positions: dict[MachineId, Position] = decode(form, bytes(telegram))
         except BadTelegram:
             positions = {}
-        assert bool(out["OK"]) is bool(positions)
+        assert bool(out["WELL"]) is bool(positions)
         for m in form.machines:
             assert out[f"CN_{m}"] == (positions.get(m) is N) and out[f"CR_{m}"] == (positions.get(m) is R)
         accepted += bool(positions)

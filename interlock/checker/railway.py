@@ -108,7 +108,7 @@ class Run:
 def safe(name: str) -> str:
     """A layout's name as part of a variable: what the page of the language says under "Names in PLC text"."""
     text = re.sub("[-/ ]", "_", name)
-    return text if re.fullmatch("[A-Za-z0-9_]{1,14}", text) else _read(name, text)
+    return text if re.fullmatch("(?!(?i:trig|edge)$)[A-Za-z0-9_]{1,14}", text) else _read(name, text)
 
 
 @lru_cache(maxsize=1024)

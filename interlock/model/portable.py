@@ -12,6 +12,8 @@ from collections.abc import Iterable
 from functools import lru_cache
 from hashlib import sha256
 
+TAKEN = frozenset({"TRIG", "EDGE"})
+"""What no name is written as, in any case: with the F_ of a section it is a word of IEC 61131-3."""
 LONGEST = 14  # characters: a name of this length with what stands around it is an identifier in every dialect
 _CHECK = 4
 _SIGNS = "abcdefghijkmnpqrstuvwxyz23456789"  # 32, none like another
@@ -33,12 +35,12 @@ def beside(names: Iterable[str]) -> str:
 
 
 def portable(name: str) -> str:
-    """The name with `-`, `/` and spaces as `_`, if short and ASCII; else its first letters and digits and a check.
+    """The name with `-`, `/` and spaces as `_`, if short, ASCII and not taken; else what can be read, and a check.
 
     `22ｲT` is written `22IT_` with four signs of its digest.  Names that become equal are reported by the front end.
     """
     plain = name.replace("-", "_").replace("/", "_").replace(" ", "_")
-    if len(plain) <= LONGEST and plain.isascii() and "#" not in plain:
+    if len(plain) <= LONGEST and plain.isascii() and "#" not in plain and plain.upper() not in TAKEN:
         return plain
     return _shortened(name, plain)
 

@@ -40,15 +40,15 @@ BEAT = "BEAT"
 
 
 def watch(name: str, within_ms: int = HEARTBEAT_MS) -> Block:
-    """OK while the heartbeat changes at least once in the time; never before it has changed once since the restart."""
-    hb, last, run, ok = (Name((n,)) for n in ("HB", "LAST", "RUNS", "OK"))
+    """WELL while the heartbeat changes at least once in the time; never before it has changed since the restart."""
+    hb, last, run, ok = (Name((n,)) for n in ("HB", "LAST", "RUNS", "WELL"))
     same = Name(("SAME",))
     both = Nary("OR", (Nary("AND", (hb, last)), Nary("AND", (Not(hb), Not(last)))))
     alive = Nary("AND", (run, Not(Name(("STILL", "Q"))), Nary("OR", (ok, Not(same)))))
     return Block(
         name,
         (Declaration("HB", "BOOL", None, "heartbeat of a substation"),),
-        (Declaration("OK", "BOOL", Bool(False), "the substation is alive"),),
+        (Declaration("WELL", "BOOL", Bool(False), "the substation is alive"),),
         (
             Declaration("LAST", "BOOL", Bool(False), "heartbeat in the last scan"),
             Declaration("RUNS", "BOOL", Bool(False), "false in the first scan after a restart"),
@@ -67,11 +67,11 @@ def watch(name: str, within_ms: int = HEARTBEAT_MS) -> Block:
 
 
 def cycle(name: str) -> Block:
-    """OK while no cycle takes too long: three timers in turn, each running from one scan to the next.
+    """WELL while no cycle takes too long: three timers in turn, each running from one scan to the next.
 
     After a longer cycle nobody knows what happened meanwhile; its inputs count as lost, as in the Python runtime.
     """
-    ok = Name(("OK",))
+    ok = Name(("WELL",))
     turns = tuple(Name((f"TURN{n}",)) for n in range(3))
     runs = tuple(Name((f"RUN{n}",)) for n in range(3))
     body: list[Assign | Call] = []
@@ -88,7 +88,7 @@ def cycle(name: str) -> Block:
     return Block(
         name,
         (),
-        (Declaration("OK", "BOOL", Bool(False), "the last cycle was short enough"),),
+        (Declaration("WELL", "BOOL", Bool(False), "the last cycle was short enough"),),
         (
             *(Declaration(f"TURN{n}", "BOOL", first[n]) for n in range(3)),
             *(Declaration(f"RUN{n}", "BOOL", Bool(False)) for n in range(3)),
@@ -188,7 +188,7 @@ def io_program(
     if a.sent:
         declared.append(Declaration(BEAT, "BOOL", Bool(False), "changes in every cycle"))
     told: tuple[tuple[str, Expression], ...] = ((RESTART, Name((RESTARTING,))),) if restart else ()
-    well: list[Expression] = [Name(("CYC", "OK")), *(Name((w, "OK")) for _, w in watched)]
+    well: list[Expression] = [Name(("CYC", "WELL")), *(Name((w, "WELL")) for _, w in watched)]
     well += [Name((c.variable,)) for c in a.diagnoses]
     body: list[Statement] = []
     if restart:

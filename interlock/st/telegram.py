@@ -141,16 +141,16 @@ def _receive(name: str, machines: Sequence[MachineId], tagged: bool) -> Block:
         for k in range(1, count + 1):
             check = body.temp(_xor(check, _n(f"D_{k * 8 + b + 1}")))
         right.append(Not(check))
-    body.statements.append(Assign(_n("OK"), body.every(right, "codes, places and check"), "the answer"))
+    body.statements.append(Assign(_n("WELL"), body.every(right, "codes, places and check"), "the answer"))
     for n, m in enumerate(machines):
         at = _place(tagged, n)
         for x, b in (("CN", at), ("CR", at + 1)):
-            body.statements.append(Assign(_n(f"{x}_{portable(m)}"), Nary("AND", (_n("OK"), _n(f"D_{b + 1}")))))
+            body.statements.append(Assign(_n(f"{x}_{portable(m)}"), Nary("AND", (_n("WELL"), _n(f"D_{b + 1}")))))
     return Block(
         name,
         _bits(count),
         (
-            Declaration("OK", "BOOL", None, "codes, unused places and check byte are right"),
+            Declaration("WELL", "BOOL", None, "codes, unused places and check byte are right"),
             *_inputs(machines, (("CN", "drive to normal"), ("CR", "drive to reverse"))),
         ),
         tuple(body.locals),

@@ -98,7 +98,7 @@ def _steps(controller: Controller, a: Allocation, restart: bool) -> list[Stateme
     beats = {c.substation: c.variable for c in a.heartbeats}
     bits = {c.substation: c.variable for c in a.diagnoses}
     watched = [(f"W_{portable(h.substation)}", beats[h.substation]) for h in a.health if h.beats]
-    well: list[Expression] = [Name(("CYC", "OK")), *(Name((w, "OK")) for w, _ in watched)]
+    well: list[Expression] = [Name(("CYC", "WELL")), *(Name((w, "WELL")) for w, _ in watched)]
     well += [Name((bits[h.substation],)) for h in a.health if h.diagnosed]
     steps: list[Statement] = [Assign(Name((RESTARTING,)), Name((RESTART,)))] if restart else []
     steps.append(Call("CYC", told))

@@ -1,6 +1,6 @@
 """The text of the telegram blocks does what document C asks for: proved for every telegram, not tried on some.
 
-RECV says OK exactly when every point has 10 or 01, every unused place is 00, every tag is the byte's number, and the
+RECV says WELL exactly when every point has 10 or 01, every unused place is 00, every tag is the byte's number, and the
 exclusive or of all bytes is zero; it commands exactly what the telegram says, and nothing otherwise.  SEND is ready
 exactly when the host agrees on every machine, what it then sends is such a telegram for these commands, and what it
 holds otherwise is none.  Neither remembers anything: that is proved for every value that a variable may have kept from
@@ -109,12 +109,12 @@ def _bits(count: int, tagged: bool, of: Mapping[str, Expr] | None) -> dict[tuple
 
 def _receiving(machines: Sequence[MachineId], tagged: bool, out: Mapping[str, Expr]) -> dict[str, Expr]:
     bits = _bits(len(machines), tagged, None)
-    claims = {"RECV OK": iff(out["OK"], right(len(machines), tagged, bits))}
+    claims = {"RECV WELL": iff(out["WELL"], right(len(machines), tagged, bits))}
     for byte, place, point in places(len(machines), tagged):
         if point is not None and point >= 0:
             m = portable(machines[point])
             for word, bit in (("CN", 2 * place), ("CR", 2 * place + 1)):
-                claims[f"RECV {word}_{m}"] = iff(out[f"{word}_{m}"], conj((out["OK"], bits[byte, bit])))
+                claims[f"RECV {word}_{m}"] = iff(out[f"{word}_{m}"], conj((out["WELL"], bits[byte, bit])))
     return claims
 
 
