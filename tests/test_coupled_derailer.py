@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import json
+
 from interlock.audit import audit
 from interlock.checker import specification
 from interlock.checker.check import agree
 from interlock.diag import Sink
+from interlock.emit.tables.railml import railml_json
 from interlock.frontend import load_text
 from interlock.logic.lower import lower
-from interlock.model.elements import MachineId, Position
+from interlock.model.elements import Hand, MachineId, Position
 from interlock.proof.engines.limits import Limits
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
+from interlock.table.national import national_sheets
 from interlock.table.national.reading import Reading
 from tests.layouts import grown
 from tests.written import told
@@ -71,6 +75,43 @@ def test_it_is_proved_and_the_second_checker_reads_it_so() -> None:
     assert (over, past) == ({"R"}, {"N"})
 
 
+def forms(profile: str) -> dict[str, list[dict[str, str]]]:
+    """The national sheets of SPUR by key: rows by English heading."""
+    made = grown(SPUR.replace("name: spur", f"name: spur\nprofile: {profile}"))
+    assert made is not None
+    return {
+        s.key: [dict(zip([h.en for h in s.headings], row, strict=True)) for row in s.rows]
+        for s in national_sheets(made[0], made[1])
+    }
+
+
+def test_every_form_tells_how_it_lies() -> None:
+    """By its own name; its machine stands among the points."""
+    sheet = forms("generic")
+    locked = {
+        r["Entering signal"]: (r["Derails"], r["Switches normal"], r["Switches reverse"]) for r in sheet["us_locking"]
+    }
+    assert (locked["S1"], locked["S2"]) == (("Vk1 on", "3/Vk1", ""), ("Vk1 off", "", "3/Vk1"))
+    assert {r["Switch"]: r["Kind"] for r in sheet["us_switches"]} == {"3/Vk1": "switch, with derail"}
+    remarks = {r["Route"][:2]: r["Remarks"] for r in forms("uk")["uk_routes"]}
+    assert "Vk1 on" in remarks["S1"] and "Vk1 off" in remarks["S2"]
+    lying = {r["Route"][:2]: r["Derailers"] for r in forms("de")["de_verschluss"]}
+    assert (lying["S1"], lying["S2"]) == ("Vk1 aufgelegt", "Vk1 abgelegt")
+    made = grown(SPUR)
+    assert made is not None
+    told = {
+        r["refersToRoute"]: r["requiredDerailerPosition"]
+        for r in json.loads(railml_json(made[0], made[1]))["routeRelations"]
+    }
+    assert told["S1-W"] == [{"refersTo": "Vk1", "inPosition": "on"}]
+
+
+def test_the_hand_of_its_points_is_told() -> None:
+    made = grown(SPUR.replace("machine: 3/Vk1}\nderail", "machine: 3/Vk1, hand: left}\nderail"))
+    assert made is not None
+    assert Reading(made[0], made[1]).machines.machine_side(MachineId("3/Vk1"), Position.REVERSE) is Hand.LEFT
+
+
 def test_a_layout_whose_derailer_has_a_machine_of_its_own_is_another() -> None:
     assert agree(*told(SPUR), specification.shipped()).left == ()
     apart = SPUR.replace("side.start, machine: 3/Vk1}", "side.start}")
@@ -78,14 +119,14 @@ def test_a_layout_whose_derailer_has_a_machine_of_its_own_is_another() -> None:
     assert made is not None and list(made[0].machines.ends) == ["3/Vk1", "Vk1"]
 
 
-def test_forms_and_lists_tell_it_as_points() -> None:
-    """Its machine stood in no column of points: what has a derailer was taken for nothing else."""
+def test_forms_and_lists_tell_its_machine_as_points() -> None:
+    """It stood in no column of points: what has a derailer was taken for nothing else."""
     made = grown(SPUR)
     assert made is not None
     layout, table, _ = made
     reading = Reading(layout, table).machines
     r = next(r for r in table.routes if r.entry == "S1")
-    assert reading.points(r, Position.NORMAL) == "3/Vk1" and reading.derailers(r) == ""
+    assert reading.points(r, Position.NORMAL) == "3/Vk1" and reading.derailers_lie(r) == ["Vk1 on"]
     assert layout.machines.word(MachineId("3/Vk1"), Position.REVERSE) == "reverse"
 
 

@@ -14,7 +14,7 @@ from interlock.model.elements import DeviceKind, Position
 from interlock.model.layout import Layout
 from interlock.model.times import overlap_release_s
 from interlock.table.cells import Hostility, ProviderKind, Role
-from interlock.table.national.reading import Reading
+from interlock.table.national.reading import DERAILER, Reading
 from interlock.table.rows import InterlockingTable, RouteRow
 
 IN = {Position.NORMAL: "normal", Position.REVERSE: "reverse"}
@@ -103,9 +103,7 @@ def _relation(x: Reading, r: RouteRow, groups: _Groups) -> dict[str, object]:
             {"refersTo": p.machine, "inPosition": IN[p.position]} for p in flank if x.machines.is_machine(p)
         ],
         "requiredDerailerPosition": [
-            {"refersTo": p.machine, "inPosition": x.layout.machines.word(p.machine, p.position)}
-            for p in r.locking.points
-            if x.machines.is_derailer(p.machine)
+            {"refersTo": d, "inPosition": DERAILER[position]} for d, position in x.machines.derailers(r).items()
         ],
         "requiredSectionState": [
             {

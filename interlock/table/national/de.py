@@ -20,6 +20,7 @@ from interlock.table.rows import InterlockingTable, RouteRow
 SOURCE = "after {} of the PT1 planning tables; columns as named in the public code of Eclipse SET"
 SIDES = {Hand.LEFT: "L", Hand.RIGHT: "R"}
 SIGNS = {Position.NORMAL: "+", Position.REVERSE: "−"}
+AUF = {Position.NORMAL: "aufgelegt", Position.REVERSE: "abgelegt"}
 LAGE = (
     ("L, R", "Lage links, rechts, vom Weichenanfang gesehen"),
     ("+, −", "Grundstellung, umgestellt (Hand nicht angegeben)"),
@@ -34,7 +35,7 @@ def heading(mark: str, de: str, en: str, zh: str) -> Heading:
 def lage(x: Reading, m: MachineId, position: Position) -> str:
     """L or R where the layout states the hand of the points, else + or −; of a derailer, whether it lies on."""
     if x.machines.is_derailer(m):
-        return "aufgelegt" if position is Position.NORMAL else "abgelegt"
+        return AUF[position]
     side = x.machines.machine_side(m, position)
     return SIGNS[position] if side is None else SIDES[side]
 
@@ -105,8 +106,7 @@ def _devices(x: Reading, r: RouteRow, kind: DeviceKind) -> list[str]:
 
 
 def _derailers(x: Reading, r: RouteRow) -> str:
-    found = (p for p in r.locking.points if x.machines.is_derailer(p.machine))
-    return ", ".join(f"{p.machine} {lage(x, p.machine, p.position)}" for p in found)
+    return ", ".join(f"{d} {AUF[position]}" for d, position in x.machines.derailers(r).items())
 
 
 def _keys(x: Reading, r: RouteRow) -> str:

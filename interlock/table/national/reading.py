@@ -17,6 +17,7 @@ from interlock.table.rows import InterlockingTable, RouteRow
 from interlock.table.runs import natural
 
 ON_PATH = (Role.PATH, Role.OVERLAP)
+DERAILER = {Position.NORMAL: "on", Position.REVERSE: "off"}
 
 
 @dataclass(frozen=True)
@@ -44,10 +45,14 @@ class MachineReading:
         """Whether a machine is a derailer, and works no points."""
         return self._layout.machines.is_derailer(m)
 
-    def derailers(self, r: RouteRow) -> str:
-        """The derailers of a route, on or off."""
-        found = (p for p in r.locking.points if self.is_derailer(p.machine))
-        return ", ".join(f"{p.machine} {self._layout.machines.word(p.machine, p.position)}" for p in found)
+    def derailers(self, r: RouteRow) -> dict[PointId, Position]:
+        """The derailers that a route locks, also those whose machine works points, and how they lie."""
+        asked = [(p.machine, p.position) for p in r.locking.points]
+        return {end.id: x for m, x in asked for end in self._layout.machines.ends.get(m, ()) if end.derailer}
+
+    def derailers_lie(self, r: RouteRow) -> list[str]:
+        """The same in words, on or off."""
+        return [f"{d} {DERAILER[x]}" for d, x in self.derailers(r).items()]
 
     def points(self, r: RouteRow, position: Position, *roles: Role) -> str:
         """Points of a route in a position."""
@@ -63,8 +68,8 @@ class MachineReading:
         return hand if hand is None or x is Position.REVERSE else hand.other
 
     def machine_side(self, m: MachineId, x: Position) -> Hand | None:
-        """The side to which all ends of a machine lie, where it is stated and they agree."""
-        sides = {self.side(p.id, x) for p in self._layout.machines.ends.get(m, ())}
+        """The side to which all points of a machine lie, where it is stated and they agree."""
+        sides = {self.side(p.id, x) for p in self._layout.machines.ends.get(m, ()) if not p.derailer}
         return sides.pop() if len(sides) == 1 else None
 
     @cached_property

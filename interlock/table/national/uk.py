@@ -113,11 +113,7 @@ def _sequence(r: RouteRow) -> str:
 
 def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
     said = [f"{p.machine} closed" for p in r.locking.points if p.machine in x.layout.machines.device]
-    said += [
-        f"{p.machine} {x.layout.machines.word(p.machine, p.position)}"
-        for p in r.locking.points
-        if x.machines.is_derailer(p.machine)
-    ]
+    said += x.machines.derailers_lie(r)
     said += [*r.requirements] + [f"{b.section} clear (line)" for b in r.conditions.block]
     if r.signal.closing.whole is not None:
         said.append(f"replaced by last wheel: {r.signal.closing.whole} clear")

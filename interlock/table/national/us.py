@@ -43,7 +43,7 @@ def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
         Field(Heading("Movement", "性质", "Art"), lambda r: _KINDS[r.kind]),
         Field(Heading("Switches normal", "道岔定位", "Weichen +"), lambda r: x.machines.points(r, Position.NORMAL)),
         Field(Heading("Switches reverse", "道岔反位", "Weichen −"), lambda r: x.machines.points(r, Position.REVERSE)),
-        Field(Heading("Derails", "脱轨器", "Gleissperren"), x.machines.derailers),
+        Field(Heading("Derails", "脱轨器", "Gleissperren"), lambda r: ", ".join(x.machines.derailers_lie(r))),
         Field(
             Heading("Opposing and conflicting signals locked", "敌对信号", "Gesperrte Signale"),
             lambda r: _conflicting(x, r),
@@ -165,4 +165,5 @@ def _kind_of(layout: Layout, m: MachineId) -> str:
     ends = layout.machines.ends[m]
     if layout.machines.is_derailer(m):
         return "derail"
-    return "hand-worked, keyed" if any(p.work is Work.HAND for p in ends) else "switch"
+    worked = "hand-worked, keyed" if any(p.work is Work.HAND for p in ends) else "switch"
+    return f"{worked}, with derail" if any(p.derailer for p in ends) else worked
