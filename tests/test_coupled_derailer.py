@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import json
+
+import pytest
 
 from interlock.audit import audit
 from interlock.checker import specification
 from interlock.checker.check import agree
 from interlock.diag import Sink
+from interlock.emit.io import equipment_csv
 from interlock.emit.tables.railml import railml_json
 from interlock.frontend import load_text
+from interlock.logic.cabinet import allocate
 from interlock.logic.lower import lower
 from interlock.model.elements import Hand, MachineId, Position
 from interlock.proof.engines.limits import Limits
@@ -110,6 +116,28 @@ def test_the_hand_of_its_points_is_told() -> None:
     made = grown(SPUR.replace("machine: 3/Vk1}\nderail", "machine: 3/Vk1, hand: left}\nderail"))
     assert made is not None
     assert Reading(made[0], made[1]).machines.machine_side(MachineId("3/Vk1"), Position.REVERSE) is Hand.LEFT
+
+
+@pytest.mark.parametrize(
+    ("text", "counted"),
+    [
+        (SPUR, {"point machine": "1", "point end": "1", "derailer": "1"}),
+        (
+            SPUR.replace(", machine: 3/Vk1", ""),
+            {"point machine": "1", "derailer machine": "1", "point end": "1", "derailer": "1"},
+        ),
+        (
+            SPUR.replace("q2, toe", "q2, work: hand, toe"),
+            {"point worked by hand, with key": "1", "point end": "1", "derailer": "1"},
+        ),
+    ],
+)
+def test_the_list_of_equipment_counts_it_beside_the_machine(text: str, counted: dict[str, str]) -> None:
+    made = grown(text)
+    assert made is not None
+    layout, table, _ = made
+    told = dict(csv.reader(io.StringIO(equipment_csv(layout, allocate(layout, lower(layout, table))))))
+    assert {k: n for k, n in told.items() if k.startswith(("point", "derailer"))} == counted
 
 
 def test_a_layout_whose_derailer_has_a_machine_of_its_own_is_another() -> None:

@@ -12,7 +12,7 @@ from interlock.emit.bundle import reproducible
 from interlock.logic.cabinet import Allocation, Channel
 from interlock.logic.controller import Controller
 from interlock.logic.words import SAID
-from interlock.model.elements import Position, Work
+from interlock.model.elements import Position
 from interlock.model.layout import Layout
 from interlock.model.portable import beside, portable
 
@@ -103,22 +103,23 @@ def _blades(layout: Layout, controller: Controller) -> dict[str, str]:
 
 
 def equipment_csv(layout: Layout, a: Allocation) -> str:
-    """What has to be bought and mounted, counted from the layout (document B 2.2)."""
+    """What has to be bought and mounted, counted from the layout (document B 2.2).
+
+    A machine counts once, whatever it works; ends of points and derailers are counted beside machines and keys."""
     lit = [g for g in layout.signalling.signals if g.id not in layout.signalling.boards]
     kinds = Counter(f"signal, {'shunt' if g.id in layout.signalling.stops else g.kind}" for g in lit)
     kinds["stop board"] = sum(g in layout.signalling.stops for g in layout.signalling.boards)
     kinds["limit-of-shunt board"] = sum(g not in layout.signalling.stops for g in layout.signalling.boards)
-    hand = {p.machine for p in layout.pointwork.points if p.work is Work.HAND}
-    derailers = {m for m in layout.machines.ends if layout.machines.is_derailer(m)}
-    motors = [m for m in layout.machines.ends if m not in hand]
     kinds["call-on lamp"] = sum(g.call_on for g in layout.signalling.signals)
     kinds["identifier light"] = len(layout.signalling.identifiers)
     kinds["distant signal"] = len(layout.signalling.distants)
     kinds["section with detection"] = sum(s.detected and not s.approach for s in layout.track.sections)
     kinds["approach section with detection"] = sum(s.detected and s.approach for s in layout.track.sections)
-    kinds["point machine"] = len([m for m in motors if m not in derailers])
-    kinds["derailer machine"] = len([m for m in motors if m in derailers])
-    kinds["point worked by hand, with key"] = len(hand)
+    for m in layout.machines.ends:
+        what = "derailer" if layout.machines.is_derailer(m) else "point"
+        kinds[f"{what} worked by hand, with key" if m in layout.machines.by_hand else f"{what} machine"] += 1
+    for p in layout.pointwork.points:
+        kinds["derailer" if p.derailer else "point end"] += 1
     for d in layout.signalling.devices:
         kinds[str(d.kind)] += 1
     kinds["external condition"] = len(layout.signalling.conditions)
