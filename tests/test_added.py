@@ -114,7 +114,9 @@ def test_additions_stand_in_the_table_with_their_reasons() -> None:
     assert [c.route for c in route["A-A2"].locking.barred] == ["E1-E2"]
     text = "3 N (demanded: vehicles in the siding may be loaded with explosives)"
     assert cell["flank_points"].text(route["S1-W"]) == text
-    assert {h.kind for h in route["S1-W"].locking.hostile if h.route == "Y-S2"} == {"flank"}, "it turns the point"
+    assert {h.kind for h in route["S1-W"].locking.hostile if h.route == "Y-S2"} == {"added"}, "it turns the point"
+    turned = "Y-S2 (3 N is demanded: vehicles in the siding may be loaded with explosives)"
+    assert turned in cell["hostile"].text(route["S1-W"])
 
 
 def test_nothing_derived_is_lost() -> None:

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from interlock.checker.check import agree
+from interlock.checker.outputs import CODE
 from interlock.checker.said import Published
 from interlock.checker.specification import shipped as specification
 from interlock.emit.io import words_csv
@@ -218,3 +219,57 @@ def test_the_rule_beside_a_sentence_is_one_that_asks_for_it(code: int, rule: str
     whole = table("fig2_2")
     with pytest.raises(Rejected, match=f"the code {code}|a rule is published for the code {code}"):
         agree(*shipped("fig2_2"), specification(), replace(whole, rules={**whole.rules, code: rule}))
+
+
+REASON = 'no room for route X: it cannot move: {a} *) "b"'
+DEMANDED = (
+    "D2 cannot be worked: route X1-X2, which demands D2 open (the other door of the air lock is shut), "
+    "is set or not yet cleared"
+)
+
+
+def air_lock(reason: str = "") -> tuple[str, Published]:
+    text = Path("tests/layouts_for_tests/air_lock.yaml").read_text("utf-8")
+    if reason:
+        text = text.replace("the other door of the air lock is shut", f"'{reason}'")
+    found = grown(text)
+    assert found is not None
+    return text, published(lower(*found[:2]))
+
+
+def test_what_keeps_a_machine_that_a_route_demands_is_told_with_the_reason() -> None:
+    """It was told as a route that is declared hostile, where nothing is."""
+    text, its = air_lock()
+    assert DEMANDED in its.codes.values() and not any("hostile" in x for x in its.codes.values())
+    assert agree(*told(text), specification(), its).left == ()
+
+
+def test_a_reason_may_say_what_sentences_say() -> None:
+    text, its = air_lock(REASON)
+    assert any(REASON in x for x in its.codes.values())
+    assert agree(*told(text), specification(), its).left == ()
+
+
+LIES = {
+    "another machine": ("demands D2", "demands D1"),
+    "another position": ("D2 open", "D2 closed"),
+    "another reason": ("is shut", "is open"),
+    "declared": (", which demands D2 open (the other door of the air lock is shut)", ", declared hostile"),
+}
+
+
+@pytest.mark.parametrize("which", LIES)
+def test_another_demand_than_the_author_has_is_none_that_is_known(which: str) -> None:
+    text, its = air_lock()
+    (code,) = (k for k, x in its.codes.items() if x == DEMANDED)
+    lie = replace(its, codes={**its.codes, code: DEMANDED.replace(*LIES[which])})
+    assert agree(*told(text), specification(), lie).left == (f"the sentences of the codes {code} in io/words.csv",)
+
+
+def test_a_comment_ends_as_it_began() -> None:
+    """A sentence with `*)` was cut there in the C runtime, and its comment called false."""
+    both = "w.X = 10001; /* a *) b */\n W.X := 10002; (* c */ d *)"
+    assert [(code, "".join(told)) for _, code, *told in CODE.findall(both)] == [
+        ("10001", " a *) b "),
+        ("10002", " c */ d "),
+    ]

@@ -29,7 +29,7 @@ from interlock.checker.specification import FOLDER
 from interlock.checker.told import Telling
 from interlock.verify import Rejected, need
 
-CODE = re.compile(r"\w+\.(\w+)\s*:?=\s*(\d+);\s*(?:\(\*|/\*)(.*?)(?:\*\)|\*/)", re.DOTALL)
+CODE = re.compile(r"\w+\.(\w+)\s*:?=\s*(\d+);\s*(?:\(\*(.*?)\*\)|/\*(.*?)\*/)", re.DOTALL)
 """A word gets a code, in Structured Text or C, and what a comment says of it."""
 WORD = re.compile(r"\b(YX_R\d+) : INT := 0;\s*\(\*(.*?)\*\)", re.DOTALL)
 ENTRY = re.compile(r'\s*\{\s*"((?:[^"\\\n]|\\[0-7]{3})*)",\s*(\d+)(?:,\s*&\w+\.(\w+))?\s*\}\s*(,?)')
@@ -172,7 +172,8 @@ def published(b: Bundle) -> Published | None:
 
 def _comments(name: str, text: str, table: Published) -> None:
     """Beside a code stands its sentence."""
-    for word, code, said in CODE.findall(text):
+    for word, code, *either in CODE.findall(text):
+        said = "".join(either)
         wanted = table.codes.get(int(code))
         told = wanted is None or _like(wanted, said.strip())
         need(told, f"{name} says beside the code {code} of {word} {said.strip()!r}")

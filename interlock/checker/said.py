@@ -24,7 +24,7 @@ UNKNOWN, FREE, SET, OPEN, CANCELLING = range(5)
 KINDS = {UNKNOWN: "unknown", FREE: "free", SET: "set", OPEN: "open", CANCELLING: "cancelling"}
 WAITING, REFUSED, MANY = 1000, 10_000, 32_767
 """Where the codes of machines begin, and those of conditions; the one that conditions without a number share."""
-MOVE, ROUTES = re.compile("(.+ cannot (?:move|be worked)): (.+)"), " for route "
+MOVE, ROUTES = re.compile("(.+? cannot (?:move|be worked)): (.+)", re.DOTALL), " for route "
 
 
 class _Contradiction(Exception):
@@ -322,7 +322,7 @@ def _sentences(
     for code, those in sorted(used.items()):
         need(code in table.codes, f"nothing is published of the code {code}")
         text = table.codes[code]
-        moved = MOVE.fullmatch(text)
+        moved = None if text in meant else MOVE.fullmatch(text)
         said = [*moved.groups()] if moved else [text]
         parts = [_of(meant, x) for x in said]
         if not all(parts):
@@ -344,7 +344,7 @@ def _sentences(
 
 def _of(meant: Mapping[str, list[Meaning]], text: str) -> list[Meaning]:
     """What a sentence may mean, by itself or but for the routes that it lists."""
-    plain, _, listed = text.partition(ROUTES)
+    plain, _, listed = (text, "", "") if text in meant else text.partition(ROUTES)
     found = [x for x in meant.get(plain, ()) if x.lists(listed)]
     need(found != [] or plain not in meant, f"{text!r} lists other routes than lead there")
     return found

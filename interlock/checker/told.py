@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 from interlock.checker.ahead import Overlap
@@ -10,6 +11,15 @@ from interlock.checker.formula import Formula, leaf
 from interlock.checker.moves import World
 from interlock.checker.railway import Signal, safe
 from interlock.checker.track import Way
+
+
+@dataclass(frozen=True)
+class Wish:
+    """A machine that the author has a route lock, how it lies then, in words, and why."""
+
+    machine: str
+    lies: str
+    reason: str
 
 
 class Telling(World):
@@ -20,6 +30,24 @@ class Telling(World):
 
     def w_name_of_route(self, r: int) -> list[str]:
         return [self.called[r]] if r in self.called else []
+
+    def w_wishes_of(self, r: int) -> list[Wish]:
+        """What the author has a route lock, by his own words."""
+        c, p = self.run_of(r)
+        asked = [x for called_on in (False, True) for x in self._demands(c, p, called_on) if "point" in x]
+        machines = [(self._machine_of(x["point"]), x) for x in asked]
+        return [Wish(m, self._lies(m, x["lies"] == "normal"), str(x["reason"])) for m, x in machines]
+
+    def _lies(self, m: str, normal: bool) -> str:
+        """What a machine is said to do that lies normal or reverse."""
+        ends = [p for p in self.r.drawn.points.values() if p.machine == m]
+        if not ends:
+            return "open" if normal else "closed"
+        if any(p.keyed for p in ends):
+            return "locked by its key" if normal else "released by its key"
+        if all(p.name in (self.r.body.get("derailers") or {}) for p in ends):
+            return "on" if normal else "off"
+        return "normal" if normal else "reverse"
 
     def w_routes_over(self, w: Way) -> list[int]:
         """The routes that lead over a way themselves, in the order of their numbers."""

@@ -15,7 +15,7 @@ from interlock.derivation.routes import Path, over_which, where_routes_lead
 from interlock.diag import Element, Sink
 from interlock.model.elements import Choice, Demanded, Position, RouteId, SectionId
 from interlock.model.layout import Layout
-from interlock.table.cells import BarredCell, Because, ClearCell, PointDemand, Role, RouteKind
+from interlock.table.cells import DEMANDED, BarredCell, Because, ClearCell, PointDemand, Role, RouteKind
 
 Barred = Mapping[RouteId, tuple[BarredCell, ...]]
 Demands = Mapping[RouteId, tuple[PointDemand, ...]]
@@ -73,7 +73,7 @@ def with_added(layout: Layout, paths: Sequence[Path], derived: Demands, sink: Si
         for p in those:
             lies = {x.machine: x for x in found[p.id]}.get(d.machine)
             if lies is None and not _against_key(layout, d):
-                why = Because("R5", f"demanded: {d.reason}")
+                why = Because("R5", f"{DEMANDED}{d.reason}")
                 found[p.id].append(PointDemand(d.machine, d.position, Role.ADDED, p.ways[0].section, why))
             elif lies is not None and lies.position is d.position:
                 idle.append(p)

@@ -86,7 +86,7 @@ class Conflicts:
             found.sort(key=lambda x: list(HostileClass).index(x[0])) if len(parts[0]) + len(parts[1]) > 2 else None
             declared = self._barred.get(a, {}).get(b)
             if declared is not None:
-                found.append((HostileClass.ADDED, declared.text.replace("{", "{{").replace("}", "}}"), "R6"))
+                found.append((HostileClass.ADDED, _written(declared.text), "R6"))
             kind, witness, rule = found[0]
             how = Hostility(kind, tuple(dict.fromkeys(k for k, _, _ in found)), witness, rule)
             self._told[a, b] = self._alike.setdefault(how, how)
@@ -121,6 +121,7 @@ def _needs(paths: Sequence[Path], demands: Mapping[RouteId, Sequence[PointDemand
             {t.section: t for t in p.ways},
             _positions(demands[p.id], (Role.PATH,)),
             _positions(demands[p.id], _HELD),
+            {d.machine: d for d in demands[p.id] if d.role is Role.ADDED},
         )
         for p in paths
     }
@@ -215,11 +216,13 @@ def _positions(demands: Sequence[PointDemand], roles: tuple[Role, ...]) -> dict[
 
 @dataclass(frozen=True)
 class Needs:
-    """The ways of a route by section, and how machines lie for it: those of its path, and all that it holds."""
+    """The ways of a route by section, and how machines lie for it: those of its path, and all that it holds; which of
+    these the author demands."""
 
     ways: Mapping[SectionId, Traversal]
     path: Mapping[MachineId, Position]
     held: Mapping[MachineId, Position]
+    added: Mapping[MachineId, PointDemand]
 
 
 Reason = tuple[HostileClass, str, str]
@@ -257,7 +260,16 @@ def reasons(
     all_a, all_b = needs[a.id].held, needs[b.id].held
     for m, x in all_a.items():
         if all_b.get(m, x) is not x and not (m in path_a and m in path_b):
+            demand = needs[a.id].added.get(m) or needs[b.id].added.get(m)
+            if demand is not None:
+                yield HostileClass.ADDED, _written(f"{m} {demand.position} is {demand.because.text}"), "R6"
+                continue
             yield HostileClass.FLANK, f"machine {m} must lie {x} for {{one}} and {all_b[m]} for {{other}}", "R6.9"
+
+
+def _written(text: str) -> str:
+    """The author's words within a witness."""
+    return text.replace("{", "{{").replace("}", "}}")
 
 
 def _overlap(a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow], of: str) -> Reason | None:

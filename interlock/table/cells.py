@@ -154,6 +154,10 @@ class HostileClass(StrEnum):
     ADDED = "added"
 
 
+DEMANDED = "demanded: "
+"""With which the reason begins of what the author demands."""
+
+
 @dataclass(frozen=True)
 class Hostility:
     """How two routes are hostile: the first class that makes them so, every class, the shared resource that shows the

@@ -34,7 +34,7 @@ from interlock.logic.words import (
     Words,
 )
 from interlock.model.elements import MachineId, SectionId
-from interlock.table.cells import RouteKind
+from interlock.table.cells import DEMANDED, RouteKind
 from interlock.table.rows import RouteRow
 
 OWN_WORD: dict[Family, Family] = {
@@ -101,7 +101,7 @@ class _Writer:
         known = self.codes.get((x, held or ""))
         if known is not None:
             return known
-        said = self._text(x, t)
+        said = self._text(x, t, held)
         if held is None:
             return self._code(x, said, self._rule(x, t), self._at(x))
         if x.op is VAR and self._name(x).family is names.LONG_CLEAR:
@@ -140,8 +140,8 @@ class _Writer:
         """What is said of a variable."""
         return sentence(name, is_true, self.d.layout.machines)
 
-    def _text(self, x: Expr, t: Term) -> str:
-        """What is said of a condition that does not hold."""
+    def _text(self, x: Expr, t: Term, held: MachineId | None) -> str:
+        """What is said of a condition that does not hold; `held`: what it keeps where it is."""
         inner = x.args[0] if x.op is NOT else x
         said = ""
         if inner.op is VAR:
@@ -150,11 +150,20 @@ class _Writer:
             if name.family is names.LOCK:
                 return said + self._way(name)
             if name.family is names.HOLDS_ADDED:
-                row = next(r for r in self.d.table.routes if r.number == name.number)
-                return f"route {row.id}, declared hostile, is set or not yet cleared"
+                return self._of_added(next(r for r in self.d.table.routes if r.number == name.number), held)
         if t.kind == "zone not full":
             return f"the zone is full: {t.note}"
         return said or self._of_several(x, t) or f"it needs: {t.note or t.kind}"
+
+    def _of_added(self, r: RouteRow, held: MachineId | None) -> str:
+        """What is said of a route that holds what the author added to it: a machine, with his reason, or what he
+        declares hostile."""
+        which = "declared hostile"
+        if held is not None:
+            asked = next(p for p in r.locking.added if p.machine == held)
+            lies = self.d.layout.machines.word(held, asked.position)
+            which = f"which demands {held} {lies} ({asked.because.text.removeprefix(DEMANDED)})"
+        return f"route {r.id}, {which}, is set or not yet cleared"
 
     def _of_several(self, x: Expr, t: Term) -> str:
         """What is said of an overlap that is not free, and of a crossing that is open: one of several would do."""
