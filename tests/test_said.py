@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -273,3 +274,31 @@ def test_a_comment_ends_as_it_began() -> None:
         ("10001", " a *) b "),
         ("10002", " c */ d "),
     ]
+
+
+ZONE = "the zone is full: no more than 3 trains in Z, counting the one for which this route is set"
+
+
+@pytest.mark.parametrize("said", [ZONE, ZONE.replace("3", "2"), ZONE.replace("Z,", "Y,")])
+def test_that_a_zone_is_full_is_read(said: str) -> None:
+    text = Path("tests/layouts_for_tests/zone_of_called.yaml").read_text("utf-8")
+    found = grown(text)
+    assert found is not None
+    its = published(lower(*found[:2]))
+    (code,) = (k for k, x in its.codes.items() if x == ZONE)
+    agreed = agree(*told(text), specification(), replace(its, codes={**its.codes, code: said}))
+    assert agreed.left == (() if said == ZONE else (f"the sentences of the codes {code} in io/words.csv",))
+    assert "not:" not in agreed.compared[4]
+
+
+def test_a_zone_that_is_called_full_while_another_is_is_a_lie() -> None:
+    text = Path("tests/layouts_for_tests/zone_of_called.yaml").read_text("utf-8")
+    two = "  Z: {sections: [s8, s10], trains: 1}\n  Y: {sections: [s14], trains: 1}\n"
+    text = re.sub("  Z: {sections.*\n", two, text)
+    found = grown(text)
+    assert found is not None
+    its = published(lower(*found[:2]))
+    a, b = (k for k, x in its.codes.items() if x.startswith("the zone is full"))
+    assert agree(*told(text), specification(), its).left == ()
+    with pytest.raises(Rejected, match="is published as 'the zone is full"):
+        agree(*told(text), specification(), replace(its, codes=exchanged(its.codes, a, b)))

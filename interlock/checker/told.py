@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import combinations, pairwise
+from math import comb
 from typing import Any
 
 from interlock.checker.ahead import Overlap
-from interlock.checker.formula import Formula, leaf
+from interlock.checker.formula import CLAUSES, Formula, leaf
 from interlock.checker.moves import World
 from interlock.checker.railway import Signal, safe
 from interlock.checker.track import Way
@@ -48,6 +50,32 @@ class Telling(World):
         if all(p.name in (self.r.body.get("derailers") or {}) for p in ends):
             return "on" if normal else "off"
         return "normal" if normal else "reverse"
+
+    def w_maximum_of(self, z: str) -> list[str]:
+        most = self._most(z)
+        return ["one train" if most == 1 else f"{most} trains"]
+
+    def w_entries_into(self, z: str) -> list[int]:
+        """How often a route leads into a zone, of those that do."""
+        inside, found = self._inside(z), set()
+        for r in self.w_routes():
+            _, p = self._whole(r)
+            over = [self.r.track.beyond(p.ways[0].section, p.ways[0].entry), *(w.section for w in p.ways)]
+            found.add(sum(b in inside and a not in inside for a, b in pairwise(over)))
+        return sorted(found - {0})
+
+    def w_groups_of(self, z: str, entries: int) -> list[tuple[str, ...]]:
+        """Sections of a zone: where one of each group counts, a route that leads in so often is one too many.  Where
+        there would be too many groups, some of them, in which every section stands."""
+        inside = self._inside(z)
+        n = len(inside)
+        size = max(n - max(self._most(z) - entries, -1), 0)
+        if comb(n, size) <= CLAUSES:
+            return [*combinations(inside, size)]
+        return [tuple((inside * 2)[i : i + size]) for i in range(n)]
+
+    def w_each_of(self, sections: tuple[str, ...]) -> tuple[str, ...]:
+        return sections
 
     def w_routes_over(self, w: Way) -> list[int]:
         """The routes that lead over a way themselves, in the order of their numbers."""
