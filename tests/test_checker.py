@@ -76,6 +76,9 @@ def test_a_name_that_no_folder_can_bear_is_refused_as_that(copy: Path) -> None:
     edit(layout, "name: fig2_2", "name: fig2/2")
     with pytest.raises(Rejected, match="the name fig2/2 has a /"):
         check(layout, folder)
+    edit(layout, "name: fig2/2", f"name: {'f' * 61}")
+    with pytest.raises(Rejected, match="its name has more than 60 signs"):
+        check(layout, folder)
 
 
 OWN_TIMER = """FUNCTION_BLOCK TON

@@ -272,6 +272,21 @@ def test_a_certificate_leaves_alone_what_somebody_keeps_beside_it(tmp_path: Path
     assert done.exit_code == 1 and "remarks.txt" in done.output and mine.read_text() == "checked by two"
 
 
+def test_a_folder_with_a_name_that_is_too_long_is_told(tmp_path: Path) -> None:
+    """What was written there before is looked for first; that ended in an internal error."""
+    done = run("compile", "layouts/fig2_2.yaml", "-o", str(tmp_path / ("x" * 300)))
+    assert done.exit_code == 1 and "IL5004" in done.output and "internal" not in done.output
+
+
+def test_the_longest_name_of_a_layout_is_that_of_a_folder(tmp_path: Path) -> None:
+    layout = tmp_path / "long.yaml"
+    named = "name: " + "\U00020000" * 60  # four bytes each
+    layout.write_text(Path("layouts/fig2_2.yaml").read_text("utf-8").replace("name: fig2_2", named), encoding="utf-8")
+    for _ in range(2):
+        assert run("compile", str(layout), "-o", str(tmp_path / "out")).exit_code == 0
+    assert run("certify", str(layout), "--outputs", str(tmp_path / "out"), "-o", str(tmp_path / "p")).exit_code == 0
+
+
 def test_a_file_where_the_folder_should_be_is_told(tmp_path: Path) -> None:
     (tmp_path / "fig2_2").write_text("a note")
     done = run("compile", "layouts/fig2_2.yaml", "-o", str(tmp_path))

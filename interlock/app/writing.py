@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from os.path import exists  # which is false where nobody may look, too
 from pathlib import Path
 
 from interlock.app.proved import TextVerdict
@@ -30,7 +31,7 @@ def written_for(folder: Path) -> tuple[str, ...]:
     """The dialects that were asked for when a folder of outputs was written: the portable one, whose text is always
     there, brings its cross-reference then."""
     asked = {n: folder / "st" / n for n in BY_NAME} | {"iec": folder / f"{CROSS_REFERENCE}iec.csv"}
-    return tuple(n for n, place in {**asked, C99: folder / C99}.items() if place.exists())
+    return tuple(n for n, place in {**asked, C99: folder / C99}.items() if exists(place))
 
 
 def write(text: Text) -> Written:

@@ -21,6 +21,9 @@ from interlock.checker.told import Telling
 from interlock.checker.written import written
 from interlock.verify import ERRORS, Rejected, check_files, need, verify, why
 
+LONGEST = 60
+"""Signs of a layout's name, that of the folder of its outputs."""
+
 
 @dataclass(frozen=True)
 class Checked:
@@ -93,6 +96,7 @@ def _body(layout: Path, text: str) -> dict[str, Any]:
     if not isinstance(body, dict) or not isinstance(body.get("name"), str):
         raise Rejected(f"{layout} is no layout with a name")
     need("/" not in body["name"], f"{layout}: the name {body['name']} has a /, and no folder of outputs can bear it")
+    need(len(body["name"]) <= LONGEST, f"{layout}: its name has more than {LONGEST} signs, and no folder can bear it")
     return body
 
 

@@ -96,8 +96,9 @@ def _replace(target: Path, fresh: Path) -> None:
 
 def strangers(target: Path) -> list[str]:
     """What is in a folder that its manifest does not name: all of it where there is no manifest of ours.  A folder with
-    none may be replaced, as one that is not there; a file in its place is a stranger itself."""
-    if not target.exists():
+    none may be replaced, as one that is not there; a file in its place is a stranger itself.  Where nobody may look, or
+    the name is too long, nothing is found, and writing says why."""
+    if not os.path.exists(target):
         return []
     if not target.is_dir():
         return [target.name]

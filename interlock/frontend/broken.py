@@ -251,6 +251,12 @@ def _indent(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted
     if above is None or i >= len(lines) or ":" not in lines[i] or ":" not in lines[above]:
         return
     own, theirs = _depth(lines[i]), _depth(lines[above])
+    key, value = (x.split("#")[0].strip() for x in lines[above].split(":", 1))
+    if own > theirs == 0 and value.startswith("["):  # a list beside a key, and its entries below
+        span = Span(file, above + 1, lines[above].index("[") + 1, len(value))
+        fix = f"remove `{value}`: what stands in the lines below belongs to `{key}` then"
+        yield f"`{key}` has a list beside it, and entries of its own in the lines below", span, fix
+        return
     if own != theirs:
         span = Span(file, i + 1, 1, max(1, own))
         further = "write above it the key to which it belongs" if own > theirs else "as what it belongs to"

@@ -18,6 +18,8 @@ _NO_XML = "\ufffe\uffff"  # beside control characters
 _WORD = rf"[^\W_{_UNSEEN}]+#?"
 NAME = re.compile(rf"{_WORD}([ _/-]{_WORD})*")
 """Letters and digits of any script, a `#` after them, and single signs or spaces between."""
+LONGEST_FOLDER = 60
+"""Signs of a layout's own name: a file system takes 255 bytes, of which a sign may need four."""
 MAX_LENGTH_M = 100_000.0
 STEEPEST = 1000  # permille: no track is steeper than 1 in 1
 FASTEST = 400  # km/h
@@ -40,6 +42,13 @@ def _folder_name(value: object) -> object:
     if isinstance(value, str) and NAME.fullmatch(value) and "/" in value:
         said = f"'{value}' cannot be the layout's name: its outputs lie in a folder of that name, so it has no /"
         fix = f"write `{value.replace('/', '-')}`; `title` takes any text"
+        raise PydanticCustomError("name", "{said}", {"v": value, "said": said, "fix": fix})
+    if isinstance(value, str) and len(value) > LONGEST_FOLDER and NAME.fullmatch(value):
+        said = (
+            f"'{value[:20]}…' cannot be the layout's name: it has {len(value)} signs, and its outputs lie in a folder "
+            f"of that name, so it has {LONGEST_FOLDER} at most"
+        )
+        fix = "write a shorter one; `title` takes any text"
         raise PydanticCustomError("name", "{said}", {"v": value, "said": said, "fix": fix})
     return _name(value)
 
@@ -312,7 +321,7 @@ _TEXT_SCHEMA = {"type": ["string", "number", "boolean", "null"]}
 _LETTER = r"[0-9A-Za-z\u00AA-\uFFFF]"  # every script; patterns of JSON Schema know no classes of letters
 _PLAIN = f"{_LETTER}+#?(?:[ _/-]{_LETTER}+#?)*"
 _NAME_SCHEMA = {"type": ["string", "integer"], "pattern": f"^{_PLAIN}$"}
-_FOLDER_SCHEMA = {"type": ["string", "integer"], "pattern": f"^{_PLAIN.replace('/', '')}$"}
+_FOLDER_SCHEMA = {"type": ["string", "integer"], "maxLength": LONGEST_FOLDER, "pattern": f"^{_PLAIN.replace('/', '')}$"}
 _ENDS = "start|end|toe|normal|reverse|1a|1b|2a|2b|outer|inner"
 _END_SCHEMA = {"type": ["string", "integer"], "pattern": rf"^{_PLAIN}(?:\.(?:{_ENDS}))?$"}
 _LONG = r"(?:\d+(?:\.\d*)?|\.\d+)"

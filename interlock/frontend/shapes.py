@@ -269,10 +269,12 @@ def _shape_fix(path: Loc, want: str, node: Node) -> str:
     if want == "a text" and isinstance(node, Sequence) and node.items and isinstance(node.items[0], Scalar):
         one = node.items[0].text
         second = node.items[1] if len(node.items) == 2 else None
-        if isinstance(second, Scalar) and number_text(second.text):  # `approach: [ap_W, 600]`
+        measured = in_list or key == "approach"
+        if measured and isinstance(second, Scalar) and number_text(second.text):  # `approach: [ap_W, 600]`
             one, only = f"{one} {second.text}", ""
         else:
-            only = "" if len(node.items) == 1 else "; only one can stand here"
+            one_thing = "; one signal is expected here" if key == "of" else "; only one can stand here"
+            only = "" if len(node.items) == 1 else one_thing
         return f"write `{one if in_list else f'{key}: {one}'}`, without the brackets{only}"
     if want == "a text" and isinstance(node, Mapping) and len(node.items) == 1:
         ((name, (_, value)),) = node.items.items()
