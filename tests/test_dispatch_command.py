@@ -129,6 +129,21 @@ def test_with_a_failed_point_or_a_lost_detection(arguments: tuple[str, ...], cod
     assert done != 0 or "replayed on the controller with its plant, where nothing has failed: each" in text
 
 
+@pytest.mark.parametrize(("blocked", "over"), [("q3", "X1-X5"), ("q5", "X1-X5"), ("q4", "X1-X3"), ("q6", "X1-X3")])
+def test_no_train_is_planned_through_what_the_dispatch_file_closes(blocked: str, over: str, tmp_path: Path) -> None:
+    """The plan is replayed, and the trains run, with the section blocked."""
+    file = tmp_path / "x.dispatch"
+    file.write_text(
+        "dispatch: 1\nlayout: mine11\nfleet: {1: {length: 60, at: bottom}}\nplaces:\n"
+        "  bottom: {kind: waiting, at: W}\n  load: {kind: loading, at: q1}\n  tip: {kind: tipping, at: E}\n"
+        f"orders: {{a: {{from: load, to: tip, trains: 1}}}}\nblocked: [{blocked}]\n",
+        "utf-8",
+    )
+    code, text = run("layouts/mine11.yaml", "--orders", str(file), "--timings", "2", "--explore")
+    assert code == 0 and f"  1          {over}\n" in text and "each granted within" in text, text
+    assert "with the rule: 0 of 2 timings stand for ever" in text
+
+
 def test_a_plan_is_written_and_replayed(tmp_path: Path) -> None:
     file = tmp_path / "plan.json"
     assert run("layouts/mine11.yaml", "in", "out", "--plan", str(file))[0] == 0

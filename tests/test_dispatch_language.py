@@ -63,6 +63,7 @@ def test_a_shift_is_derived() -> None:
         ("trains: 6, ore: rich", "trains: 6, only: [9], ore: rich", "IL6002"),
         ("\norders:", "\nblocked: [c1]\n\norders:", "IL6013"),
         ("\norders:", "\nblocked: [s8_xc3]\n\norders:", "IL6013"),
+        ("\norders:", "\nblocked: [house]\n\norders:", "IL6013"),
         ("\norders:", "\nblocked: [c9]\n\norders:", "IL6002"),
         ("\norders:", "\nblocked: [c2]\n\norders:", ""),
         ("\norders:", "\nblocked: [s9]\n\norders:", "IL6016"),

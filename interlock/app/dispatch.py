@@ -49,6 +49,15 @@ class Timings:
         return sum(bool(o.stuck) for o in self.outcomes)
 
 
+@dataclass(frozen=True)
+class InTheWay:
+    """With what it was planned.  faults: machines that are not detected, and sections reported occupied; blocked:
+    sections that the dispatch file closes, with which plans are replayed and run, too."""
+
+    faults: tuple[str, ...] = ()
+    blocked: tuple[str, ...] = ()
+
+
 @dataclass
 class Dispatched:
     """What was found, or the problems of layout and commands."""
@@ -67,8 +76,7 @@ class Dispatched:
     """The shortest one without the rule, where all states were explored and there is one."""
     timings: Timings = field(default_factory=Timings)
     derived: tuple[Derived, ...] = ()
-    faults: tuple[str, ...] = ()
-    """Machines that are not detected and sections reported occupied, with which it was planned."""
+    in_the_way: InTheWay = field(default_factory=InTheWay)
     texts: dict[str, str] = field(default_factory=dict)
 
     @property
@@ -97,6 +105,11 @@ class Setting:
         if self.obstacles:
             drafts.append(in_the_way(self.obstacles))
         return build(drafts, self.railway.held.zones)
+
+    @staticmethod
+    def named(things: Collection[object]) -> tuple[str, ...]:
+        """The machines and sections of what is in the way."""
+        return tuple(sorted({str(x[1]) for x in things if isinstance(x, tuple)}))
 
     def caught(self, answer: Answer) -> tuple[tuple[str, ...], Verdict]:
         """All trains that no plan takes on, one reason after the other, and whether the others can all go on."""
@@ -148,11 +161,12 @@ class Setting:
             over = f"{', '.join(most)} and {last}" if most else last
             comes = "leaves" if m.target & p.gone else f"stands in {p.label[m.target]}"
             said.append(f"{p.trains[m.train]} runs over {over} and {comes}.")
+        names = [*p.trains[: len(self.errands)], " and ".join(self.named(self.obstacles))]
         for k, here in enumerate(p.at(state)):
             if here & p.home:
                 continue
             for m in p.moves[here]:
-                who = [p.trains[u] for u, bits in enumerate(p.nodes) if u != k and sum(bits) & state & m.blocked]
+                who = [names[u] for u, bits in enumerate(p.nodes) if u != k and sum(bits) & state & m.blocked]
                 route = self.routes((m,))[0][1]
                 what = f"is blocked by {' and '.join(who)}" if who else "leads into a full zone"
                 said.append(f"{p.trains[k]} in {p.label[here]} cannot go on: {route} {what}.")
@@ -211,26 +225,20 @@ def dispatch(
         setting, derived = _shift(railway, file or beside(path), obstacles, sink, texts)
     if setting is None:
         return Dispatched(checked, sink.diagnostics, texts=texts)
-    found = Dispatched(checked, (), setting.errands, derived=derived, faults=(*failed, *occupied))
+    blocked = setting.named(setting.obstacles - obstacles)
+    found = Dispatched(checked, (), setting.errands, derived=derived, texts=texts)
+    found.in_the_way = InTheWay((*failed, *occupied), blocked)
     controller = lower(layout, table)
-    replay = Replay(layout, controller, closed_loop(layout, controller).plant)
+    replay = Replay(layout, controller, closed_loop(layout, controller).plant, blocked=blocked)
     found.answer = Planner(setting.built.problem).solve(setting.built.start)
     if found.answer.verdict is Verdict.PLAN:
         found.plan = setting.plan(layout.digest, found.answer.plan)
         (found.replayed,) = replay.check([found.plan])
     found.caught, found.others = setting.caught(found.answer)
     if exploring:
-        try:
-            found.explored = explore(setting.built.problem, setting.built.start)
-        except TooManyStates as error:
-            sink.add("IL6007", f"{error}: UNKNOWN which of them lead nowhere", None, "command fewer trains")
-            found.diagnostics = sink.diagnostics
-            return found
-        if found.explored.shortest is not None:
-            way = found.explored.shortest
-            found.deadlock = Deadlock(setting.story(way), setting.shown(replay, layout.digest, way))
-    if timings:
-        ground = Ground(layout, table, controller)
+        _explored(found, setting, replay, layout.digest, sink)
+    if timings and found.ok:
+        ground = Ground(layout, table, controller, blocked)
         runs = [_run(setting.errands, k - timings // 2, gap, commands) for k in range(timings)]
         how = None if policy is None else Policy(policy)
 
@@ -239,6 +247,19 @@ def dispatch(
 
         found.timings = Timings(ground.run(runs, make), rule)
     return found
+
+
+def _explored(found: Dispatched, setting: Setting, replay: Replay, digest: str, sink: Sink) -> None:
+    """All states, and the shortest deadlock without the rule."""
+    try:
+        found.explored = explore(setting.built.problem, setting.built.start)
+    except TooManyStates as error:
+        sink.add("IL6007", f"{error}: UNKNOWN which of them lead nowhere", None, "command fewer trains")
+        found.diagnostics = sink.diagnostics
+        return
+    way = found.explored.shortest
+    if way is not None:
+        found.deadlock = Deadlock(setting.story(way), setting.shown(replay, digest, way))
 
 
 def _run(errands: Sequence[Errand], k: int, gap: int, voyages: Sequence[str]) -> list[Coming]:
@@ -326,7 +347,8 @@ def _shift(
     if sink.has_errors:
         return None, derived
     errands = [derived[k % len(derived)].journeys[n].errand for k, n in enumerate(orders.file.fleet)]
-    return Setting(railway, errands, obstacles), derived
+    sections = {str(s.id) for s in railway.layout.track.sections}
+    return Setting(railway, errands, obstacles | {("blocked", s) for s in orders.file.closed & sections}), derived
 
 
 def replay_file(path: str, plan: str) -> tuple[Checked, tuple[Diagnostic, ...], Replayed | None]:

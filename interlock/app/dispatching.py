@@ -90,9 +90,16 @@ class Seen(Mapping[str, int]):
 
 
 class Ground:
-    """A layout with its controller and plant, on which runs take their steps side by side."""
+    """A layout with its controller and plant, on which runs take their steps side by side.  blocked: sections that the
+    operator keeps blocked all the time."""
 
-    def __init__(self, layout: Layout, table: InterlockingTable, controller: Controller | None = None) -> None:
+    def __init__(
+        self,
+        layout: Layout,
+        table: InterlockingTable,
+        controller: Controller | None = None,
+        blocked: Iterable[str] = (),
+    ) -> None:
         self.layout, self.table = layout, table
         self.controller = controller or lower(layout, table)
         self.railway = Railway(table, layout)
@@ -100,6 +107,8 @@ class Ground:
         self.lines = Lines(layout, self.controller.symbols)
         self.lanes = Lanes(self.controller, closed_loop(layout, self.controller).plant, DT_MS)
         sym = self.controller.symbols
+        names: Mapping[str, str] = sym.sections.blocked  # type: ignore[assignment]
+        self._blocked = {names[s]: 1 for s in blocked if s in names}
         self._watched = [
             *sym.sections.clear.values(),
             *sym.indication.values(),
@@ -180,7 +189,7 @@ class Ground:
             before = [(t.done, t.due, len(t.under)) for t in trains.values()]
             wishes = self._wishes(lane, trains.values())
             events, told = self.lines.scan(lane, [*trains.values()])
-            yield Wish((*wishes, *events), {**told, **{k: v for k, v in inputs.items() if v}})
+            yield Wish((*wishes, *events), {**told, **self._blocked, **{k: v for k, v in inputs.items() if v}})
             for t in trains.values():
                 rails.moved(lane, t)
             moves = before != [(t.done, t.due, len(t.under)) for t in trains.values()] or todo

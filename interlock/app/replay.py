@@ -10,7 +10,7 @@ an assumption of the plant.
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 from interlock.dataclass import dataclass
@@ -154,10 +154,15 @@ def _short(value: Any) -> str:
 
 
 class Replay:
-    """A layout's controller and plant, on which plans are replayed side by side."""
+    """A layout's controller and plant, on which plans are replayed side by side.  blocked: sections that the operator
+    keeps blocked all the time."""
 
-    def __init__(self, layout: Layout, controller: Controller, plant: Plant, dt_ms: int = 2_000) -> None:
+    def __init__(
+        self, layout: Layout, controller: Controller, plant: Plant, dt_ms: int = 2_000, blocked: Iterable[str] = ()
+    ) -> None:
         self.layout, self.controller = layout, controller
+        names: Mapping[str, str] = controller.symbols.sections.blocked  # type: ignore[assignment]
+        self._blocked = {names[s]: 1 for s in blocked if s in names}
         self.rails, self.lines = Rails(layout), Lines(layout, controller.symbols)
         self.lanes = Lanes(controller, plant, dt_ms)
         restart = controller.symbols.start.restart_timer  # it is over when a replay begins
@@ -267,7 +272,7 @@ class Replay:
                 wishes += self.rails.wishes(lane, t)
             taken |= {s.section for s in t.under if s.metres == 0}
         events, told = self.lines.scan(lane, trains)
-        yield Wish((*wishes, *events), {**told, **inputs})
+        yield Wish((*wishes, *events), {**told, **self._blocked, **inputs})
         for t in trains:
             self.rails.moved(lane, t)
         return None

@@ -43,9 +43,8 @@ class Setting:
     @property
     def blocked(self) -> tuple[SectionId, ...]:
         """Sections closed to trains in this shift."""
-        places = self.orders.file.places
-        at = {places[b].at if b in places else b for b in self.orders.file.blocked}
-        return tuple(s.id for s in self.layout.track.sections if s.id in at and s.id in self.symbols.sections.blocked)
+        at, known = self.orders.file.closed, self.symbols.sections.blocked
+        return tuple(s.id for s in self.layout.track.sections if s.id in at and s.id in known)
 
     def heading(self, seed: int, hours: float) -> dict[str, Any]:
         """The first event of a shift."""

@@ -192,7 +192,7 @@ def _body(found: Dispatched) -> dict[str, object]:
         "replayed": None
         if r is None
         else {"wrong": r.wrong, "grant_scans": r.grant, "open_scans": r.opened, "scans": r.scans},
-        "in_the_way": list(found.faults),
+        "in_the_way": [*found.in_the_way.faults, *found.in_the_way.blocked],
         "caught": list(found.caught),
         "others": str(found.others) if found.caught else None,
         "explored": None
@@ -228,7 +228,7 @@ def _print(found: Dispatched, form: str) -> None:
             click.echo(f"  {train:10} {route}")
         r = found.replayed
         held = f"fails: {r.wrong}" if r.wrong else f"each granted within {r.grant} scans, open within {r.opened} more"
-        where = ", where nothing has failed" if found.faults else ""
+        where = ", where nothing has failed" if found.in_the_way.faults else ""
         click.echo(f"replayed on the controller with its plant{where}: {held}")
     elif said == Verdict.NONE:
         _none(found)
@@ -260,7 +260,8 @@ def _print(found: Dispatched, form: str) -> None:
 def _none(found: Dispatched) -> None:
     """Who is caught, what becomes of the others, and on what this rests."""
     names = " and ".join(found.caught) + (" is caught" if len(found.caught) == 1 else " are caught")
-    why = f", with {', '.join(found.faults)} in the way" if found.faults else ""
+    things = [*found.in_the_way.faults, *(f"{s} (blocked)" for s in found.in_the_way.blocked)]
+    why = f", with {', '.join(things)} in the way" if things else ""
     click.echo(f"{click.style('NONE', fg='red')}  no plan exists, shown by exhaustive search: {names}{why}")
     if len(found.caught) < len(found.errands):
         can = "can all go on" if found.others is Verdict.PLAN else "UNKNOWN: whether they can go on was not found out"

@@ -156,7 +156,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL6010": (_E, "a shift that cannot be done"),
     "IL6011": (_E, "an event log that was cut or changed"),
     "IL6012": (_E, "a shift that is not simulated, or not compared"),
-    "IL6013": (_E, "an order for a blocked place"),
+    "IL6013": (_E, "an order for a blocked place, or a train that begins there"),
     "IL6014": (_E, "two places of one kind in one section"),
     "IL6015": (_E, "two locomotive numbers that read alike"),
     "IL6016": (_E, "an order whose every way is blocked"),

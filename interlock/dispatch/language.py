@@ -181,6 +181,11 @@ class DispatchFile(_Part):
     orders: dict[Name, OrderSpec] = {}
     blocked: Annotated[list[Name], Field(description="places and sections closed to trains in this shift")] = []
 
+    @property
+    def closed(self) -> set[str]:
+        """The sections that are blocked, by name or as places; and the boundaries beyond which blocked places lie."""
+        return {self.places[b].at if b in self.places else b for b in self.blocked}
+
 
 _KEYS: dict[str, tuple[str, ...]] = {
     "": tuple(DispatchFile.model_fields),

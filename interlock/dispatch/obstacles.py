@@ -34,7 +34,7 @@ class Obstacles:
             known = near | self.leaving
             self._strange = {s: self._strange.get(s, 0) + dt_ms for s in occupied if s not in known}
             things |= {("section", s) for s, ms in self._strange.items() if ms > STRANGER_MS}
-            things |= {("section", s) for s in blocked if s not in known}
+            things |= {("blocked", s) for s in blocked if s not in known}
         for m, name in self._late.items():
             if not seen.get(name, 0) and m not in self._failed:
                 continue

@@ -90,6 +90,10 @@ class Derivation:
             waiting = [n for n, p in file.places.items() if p.kind == "waiting"]
             if train.at not in waiting:
                 self._unknown(f"there is no waiting place {train.at}", train.at, waiting, "fleet", number, "at")
+            elif train.at in file.blocked or file.places[train.at].at in file.closed & self.sections:
+                here = self.orders.at("fleet", number, "at")
+                text = f"train {number} begins at {train.at}, which is blocked"
+                self.sink.add("IL6013", text, here, "open it, or let the train begin elsewhere")
         for i, word in enumerate(file.blocked):
             known = [*file.places, *sorted(self.sections)]
             if word not in known:
@@ -189,8 +193,7 @@ class Derivation:
 
     def _open(self, name: str, journey: Journey) -> bool:
         """Some chain of routes leads past whatever is blocked."""
-        places = self.file.places
-        blocked = {places[b].at if b in places else b for b in self.file.blocked}
+        blocked = self.file.closed
         todo, came, met = [journey.start], {journey.start}, set[str]()
         while todo:
             steps = journey.steps[todo.pop()]

@@ -90,6 +90,7 @@ class Held:
         section, number = key
         if not berth:
             things |= {("section", section), ("locked", section)}
+        things.add(("blocked", section))
         things |= {("shut", section, 0), ("shut", section, number)}
         lock = self._table.lock.get(key)
         for e in lock.exclusions if lock else ():
