@@ -146,6 +146,24 @@ def test_trains_never_change_places_at_one_time() -> None:
     assert "event 3: train 1 keeps r2 from train 0" in wrong
 
 
+def test_a_train_steps_aside_where_places_cannot_be_changed_at_once() -> None:
+    """What excludes that they are changed at once leaves the other paths as they were, with the same orders."""
+    over = [operation(to=(1,)), operation("d", to=(2, 3)), operation(to=(3,)), operation("b")]
+    back = [operation("b", to=(1, 2)), operation(to=(2,), start_lb=1), operation("d")]
+    beside = {"trains": [over, line(operation(), operation(), operation()), back], "objective": []}
+    assert told(beside).plan is not None and best(beside) == 0, "it was told that there is no plan"
+    late = {
+        "trains": [
+            [operation(to=(1,), min_duration=1), operation("a", to=(2, 3)), operation(to=(3,)), operation("b")],
+            [operation("d", to=(1, 2)), operation("b", to=(2,)), operation("a")],
+            line(operation("a", release=1, min_duration=1), operation("d"), operation()),
+        ],
+        "objective": [{"type": "op_delay", "train": 1, "operation": 0, "coeff": 3, "increment": 4, "threshold": 0}],
+    }
+    found = told(late)
+    assert found.plan is not None and found.plan.cost == best(late) == found.bound == 4, "7 was told to be the least"
+
+
 def test_a_section_is_taken_over_at_once_and_in_order() -> None:
     follow = [line(operation(start_ub=0), operation("r", min_duration=5), operation()) for _ in range(2)]
     problem = {"trains": follow, "objective": delays((0, 2), (1, 2))}

@@ -293,17 +293,19 @@ class Model:
     # --- what a solution says ----------------------------------------------------------------------
 
     def plan(self, solver: cp_model.CpSolver) -> tuple[Plan | None, list[Literal]]:
-        """The plan of a solution; or none, and the literals of orders by which trains would change places."""
+        """The plan of a solution; or none, and the literals of orders and of paths by which trains would change places:
+        wherever all of them are true, they do."""
         path: dict[int, list[int]] = {}
         for i, k in self.start:
-            here = self.present.get((i, k))
-            if here is None or solver.boolean_value(here):
+            present = self.present.get((i, k))
+            if present is None or solver.boolean_value(present):
                 path.setdefault(i, []).append(k)
         following = {(i, k): (i, p) for i, ks in path.items() for k, p in pairwise(ks)}
         times = {(i, k): solver.value(self.start[i, k]) for i, ks in path.items() for k in ks}
-        arcs: dict[tuple[int, int], list[tuple[tuple[int, int], Literal | None]]] = {x: [] for x in times}
+        here: dict[Node, Literal] = {x: self.present.get(x, 1) for x in times}
+        arcs: dict[Node, list[tuple[Node, tuple[Literal, ...]]]] = {x: [] for x in times}
         for x, y in following.items():
-            arcs[x].append((y, None))
+            arcs[x].append((y, (here[x], here[y])))
         for o in self.orders:
             a, b, literal = o.first, o.second, o.literal
             if literal is not None and not solver.boolean_value(literal):
@@ -311,7 +313,10 @@ class Model:
             left = [k for k in a.span.operations if (a.span.train, k) in times]
             comes = [k for k in b.span.operations if (b.span.train, k) in times]
             if left and comes:
-                arcs[following[a.span.train, left[-1]]].append(((b.span.train, comes[0]), literal))
+                last, first = (a.span.train, left[-1]), (b.span.train, comes[0])
+                next_ = following[last]
+                left_by = self._arcs[*last, next_[1]]  # by another way it may leave later
+                arcs[next_].append((first, (1 if literal is None else literal, left_by, here[first])))
         row = _in_order(times, arcs)
         if len(row) == len(times):
             return planned(self.problem, [Event(times[x], *x) for x in row]), []
@@ -319,7 +324,8 @@ class Model:
 
 
 Node = tuple[int, int]
-Arcs = Mapping[Node, Sequence[tuple[Node, Literal | None]]]
+Arcs = Mapping[Node, Sequence[tuple[Node, tuple[Literal, ...]]]]
+"""By event: those that come after it, each with the literals that make it so; 1 is true."""
 
 
 def _in_order(times: Mapping[Node, int], arcs: Arcs) -> list[Node]:
@@ -342,17 +348,17 @@ def _in_order(times: Mapping[Node, int], arcs: Arcs) -> list[Node]:
 
 
 def _cycle(left: set[Node], arcs: Arcs) -> list[Literal]:
-    """The literals on one cycle among events that have no order."""
-    inverse: dict[Node, list[tuple[Node, Literal | None]]] = {}
+    """The literals on one cycle among events that have no order, each once."""
+    inverse: dict[Node, list[tuple[Node, tuple[Literal, ...]]]] = {}
     for x in left:
-        for y, literal in arcs[x]:
+        for y, literals in arcs[x]:
             if y in left:
-                inverse.setdefault(y, []).append((x, literal))
-    row, seen = list[Literal | None](), dict[Node, int]()
+                inverse.setdefault(y, []).append((x, literals))
+    row, seen = list[tuple[Literal, ...]](), dict[Node, int]()
     at = min(left)
     while at not in seen:
         seen[at] = len(row)
-        before, literal = inverse[at][0]
-        row.append(literal)
+        before, literals = inverse[at][0]
+        row.append(literals)
         at = before
-    return [x for x in row[seen[at] :] if x is not None]
+    return list({x.index: x for literals in row[seen[at] :] for x in literals if not isinstance(x, int)}.values())
