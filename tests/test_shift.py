@@ -267,6 +267,26 @@ def test_a_route_that_nobody_uses_is_cancelled_before_its_sections_are_released(
     assert lost and released and not any(w.wrong.counts().values()) and w.trains > 2
 
 
+def back(tmp_path: Path, loading: Mapping[str, int]) -> str:
+    """A dispatch file for heishan: the only way out is the one by which trains come in, over W."""
+    file = tmp_path / "back.dispatch"
+    file.write_text(
+        "dispatch: 1\nlayout: heishan\nfleet: {1: {length: 60, at: house}, 2: {length: 60, at: house}}\nplaces:\n"
+        "  house: {kind: waiting, at: W, capacity: 8}\n  crush: {kind: tipping, at: W, minutes: 6}\n"
+        + "".join(f"  at_{s}: {{kind: loading, at: {s}, minutes: 20, capacity: {n}}}\n" for s, n in loading.items())
+        + "orders:\n"
+        + "".join(f"  to_{s}: {{from: at_{s}, to: crush, trains: 6}}\n" for s in loading),
+        "utf-8",
+    )
+    return str(file)
+
+
+def test_a_train_waits_outside_while_another_is_to_come_back_the_same_way(tmp_path: Path) -> None:
+    """The first one stands in the approach section; it was taken for the second, which was let in behind it."""
+    w = one(HEISHAN, back(tmp_path, {"s4_xc1": 2}), 0, Options())
+    assert not any(w.wrong.counts().values()) and w.trains == 6
+
+
 def test_without_the_rule_a_fleet_stands_for_ever(tmp_path: Path) -> None:
     w = one(HEISHAN, fleet_of(tmp_path, 8), 0, Options(rule=False))
     assert w.wrong.standstill and w.seconds < 8 * 3600

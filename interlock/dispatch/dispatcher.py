@@ -392,9 +392,7 @@ class Dispatcher:
         waits: set[object] = set()
         changed = self.holding.built is None
         for run in tuple(self.pending):
-            start = run.journey.start.under
-            first = run.journey.steps[run.journey.start][0].routes[0]
-            there = not run.coming or self.stages[first.id].shown.stands(seen)
+            start, there = run.journey.start.under, self._there(run, seen)
             if start in waits or not (there or changed):
                 waits.add(start)
                 continue
@@ -409,6 +407,19 @@ class Dispatcher:
                     waits.add(start)
                     continue
             self.pending.remove(run)
+
+    def _there(self, run: Run, seen: Indications) -> bool:
+        """The train of a command is in the layout, or stands before its signal: somebody does who is not on the way
+        in for a command that was taken up before, and not on the way out."""
+        if not run.coming:
+            return True
+        start = run.journey.start.under
+        first = self.stages[run.journey.steps[run.journey.start][0].routes[0].id]
+        before = any(not r.way.at and r.journey.start.under == start for r in self.runs)
+        out = {r.way.granted[r.way.at - 1].route for r in self.runs if r.way.at}
+        exits = {self.railway.table.route[x].exit for x in out}
+        leaves = start[0][0] in exits or self.railway.approach.get(str(start[0][0])) in self._obstacles.leaving
+        return first.shown.stands(seen) and not (before or leaves or first.entry in self._passing)
 
 
 def waiting(dispatcher: Dispatcher) -> Mapping[str, str]:
