@@ -287,6 +287,13 @@ def test_a_train_waits_outside_while_another_is_to_come_back_the_same_way(tmp_pa
     assert not any(w.wrong.counts().values()) and w.trains == 6
 
 
+@pytest.mark.parametrize("look_ahead", [1, 2, 3])
+def test_a_train_whose_way_out_is_set_far_ahead_is_not_out_yet(tmp_path: Path, look_ahead: int) -> None:
+    """Its last route is taken back if a train comes in first; that one was let in, since the other counted as gone."""
+    w = one(HEISHAN, back(tmp_path, {"s4_xc1": 1, "s5_xc2": 1}), 2, Options(look_ahead=look_ahead))
+    assert not any(w.wrong.counts().values()) and w.trains == 12
+
+
 def test_without_the_rule_a_fleet_stands_for_ever(tmp_path: Path) -> None:
     w = one(HEISHAN, fleet_of(tmp_path, 8), 0, Options(rule=False))
     assert w.wrong.standstill and w.seconds < 8 * 3600

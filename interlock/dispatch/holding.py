@@ -113,11 +113,14 @@ class Holding:
 
         One that is being taken back takes it nowhere.
         """
-        if run.way.ahead and (run.way.cancelling or run.way.granted[run.way.at].shown.beyond):
-            assert self.built is not None
-            nodes = self.built.bits[self.runs.index(run)]
-            return nodes.get(run.way.places[run.way.at], nodes[run.place])  # one that is caught has one node
-        return self._bit(run)
+        way = run.way
+        out = (k for k, stage in enumerate(way.granted) if k >= way.at and (way.cancelling or stage.shown.beyond))
+        before = next(out, None)  # of all that are set, the first that may be taken back
+        if before is None:
+            return self._bit(run)
+        assert self.built is not None
+        nodes = self.built.bits[self.runs.index(run)]
+        return nodes.get(way.places[before], nodes[run.place])  # one that is caught has one node
 
     def state(self, without: Sequence[str] | set[str] = ()) -> int:
         assert self.built is not None
