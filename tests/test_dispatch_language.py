@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -117,6 +118,17 @@ def test_the_command_carries_out_a_shipped_file() -> None:
     assert done.exit_code == 1 and "[IL1001]" in done.output
     done = CliRunner().invoke(command, ["layouts/mine11.yaml"], catch_exceptions=False)
     assert done.exit_code == 1 and "[IL6003]" in done.output
+
+
+def test_orders_that_the_plan_leaves_out_are_told(tmp_path: Path) -> None:
+    """Each train has one order: four trains, and a fifth and a sixth order."""
+    file = tmp_path / "x.dispatch"
+    more = [f"  {x}: {{from: {c}, to: crush, trains: 1}}\n" for x, c in (("d", "c1"), ("e", "c2"), ("f", "c4"))]
+    file.write_text(HEISHAN + "".join(more), "utf-8")
+    done = CliRunner().invoke(command, ["layouts/heishan.yaml", "--orders", str(file)])
+    assert "not in the plan, in which each train has one order: e, f\n" in done.output
+    done = CliRunner().invoke(command, ["layouts/heishan.yaml", "--orders", str(file), "--format", "json"])
+    assert json.loads(done.stdout)["orders_left"] == ["e", "f"]
 
 
 def test_the_files_that_are_shipped_are_read() -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import field, replace
 from pathlib import Path
 
@@ -58,6 +58,19 @@ class InTheWay:
     blocked: tuple[str, ...] = ()
 
 
+@dataclass(frozen=True)
+class Given:
+    """The orders of a dispatch file, and which of them each train has."""
+
+    derived: tuple[Derived, ...] = ()
+    by_train: Mapping[str, Derived] = field(default_factory=dict)
+
+    @property
+    def left(self) -> tuple[str, ...]:
+        """The orders that no train has: there are more of them than trains."""
+        return tuple(d.name for d in self.derived if d not in self.by_train.values())
+
+
 @dataclass
 class Dispatched:
     """What was found, or the problems of layout and commands."""
@@ -75,7 +88,7 @@ class Dispatched:
     deadlock: Deadlock | None = None
     """The shortest one without the rule, where all states were explored and there is one."""
     timings: Timings = field(default_factory=Timings)
-    derived: tuple[Derived, ...] = ()
+    given: Given = field(default_factory=Given)
     in_the_way: InTheWay = field(default_factory=InTheWay)
     texts: dict[str, str] = field(default_factory=dict)
 
@@ -216,17 +229,16 @@ def dispatch(
         return Dispatched(checked, checked.diagnostics)
     layout, table, sink = checked.layout, checked.table, Sink()
     railway = Railway(table, layout)
-    derived: tuple[Derived, ...] = ()
-    texts: dict[str, str] = {}
+    given, texts = Given(), dict[str, str]()
     obstacles = _obstacles(layout, failed, occupied, sink)
     if commands:
         setting = _setting(railway, commands, length_m, obstacles, sink)
     else:
-        setting, derived = _shift(railway, file or beside(path), obstacles, sink, texts)
+        setting, given = _shift(railway, file or beside(path), obstacles, sink, texts)
     if setting is None:
         return Dispatched(checked, sink.diagnostics, texts=texts)
     blocked = setting.named(setting.obstacles - obstacles)
-    found = Dispatched(checked, (), setting.errands, derived=derived, texts=texts)
+    found = Dispatched(checked, (), setting.errands, given=given, texts=texts)
     found.in_the_way = InTheWay((*failed, *occupied), blocked)
     controller = lower(layout, table)
     replay = Replay(layout, controller, closed_loop(layout, controller).plant, blocked=blocked)
@@ -336,19 +348,20 @@ def _one_place(a: Errand, b: Errand) -> bool:
 
 def _shift(
     railway: Railway, file: str, obstacles: frozenset[object], sink: Sink, texts: dict[str, str]
-) -> tuple[Setting | None, tuple[Derived, ...]]:
+) -> tuple[Setting | None, Given]:
     """The fleet of a dispatch file, each train with one order, in turn."""
     orders = load(file, railway.layout, sink, texts)
     if orders is None:
-        return None, ()
+        return None, Given()
     derived = Derivation(railway, orders, sink).run()
     if not sink.has_errors and not derived:
         sink.add("IL6003", f"{file} has no orders", orders.root.span, "add `fleet`, `places` and `orders`")
     if sink.has_errors:
-        return None, derived
-    errands = [derived[k % len(derived)].journeys[n].errand for k, n in enumerate(orders.file.fleet)]
+        return None, Given(derived)
+    given = Given(derived, {n: derived[k % len(derived)] for k, n in enumerate(orders.file.fleet)})
+    errands = [d.journeys[n].errand for n, d in given.by_train.items()]
     sections = {str(s.id) for s in railway.layout.track.sections}
-    return Setting(railway, errands, obstacles | {("blocked", s) for s in orders.file.closed & sections}), derived
+    return Setting(railway, errands, obstacles | {("blocked", s) for s in orders.file.closed & sections}), given
 
 
 def replay_file(path: str, plan: str) -> tuple[Checked, tuple[Diagnostic, ...], Replayed | None]:

@@ -185,8 +185,9 @@ def _body(found: Dispatched) -> dict[str, object]:
         "ok": _code(found) == OK,
         "diagnostics": render.as_json(list(found.diagnostics), {**found.checked.source.texts, **found.texts}),
         "orders": [
-            {"name": d.name, "trains": d.trains, "from": d.order.from_, "to": d.order.to} for d in found.derived
+            {"name": d.name, "trains": d.trains, "from": d.order.from_, "to": d.order.to} for d in found.given.derived
         ],
+        "orders_left": list(found.given.left),
         "verdict": None if found.answer is None else str(found.answer.verdict),
         "plan": None if found.plan is None else [list(m) for m in found.plan.moves],
         "replayed": None
@@ -218,9 +219,11 @@ def _print(found: Dispatched, form: str) -> None:
         show(found.diagnostics, {**found.checked.source.texts, **found.texts}, form)
         if found.answer is None:
             return
-    for d in found.derived:
+    for d in found.given.derived:
         ways = max(len(j.steps) for j in d.journeys.values())
         click.echo(f"order {d.name}: {d.trains} trains from {d.order.from_} to {d.order.to}, {ways} places on the way")
+    if found.given.left:
+        click.echo(f"not in the plan, in which each train has one order: {', '.join(found.given.left)}")
     said = str(found.answer.verdict) if found.answer else ""
     if found.plan is not None and found.replayed is not None:
         click.echo(f"{click.style(said, fg='green')}  {number_of(len(found.plan.moves), 'route')}:")
