@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -129,6 +130,19 @@ def test_orders_that_the_plan_leaves_out_are_told(tmp_path: Path) -> None:
     assert "not in the plan, in which each train has one order: e, f\n" in done.output
     done = CliRunner().invoke(command, ["layouts/heishan.yaml", "--orders", str(file), "--format", "json"])
     assert json.loads(done.stdout)["orders_left"] == ["e", "f"]
+
+
+def test_a_train_has_an_order_that_is_for_it(tmp_path: Path) -> None:
+    file = tmp_path / "x.dispatch"
+    file.write_text(
+        HEISHAN.replace("trains: 6,", "trains: 6, only: [2],").replace("trains: 4,", "trains: 4, only: [1],")
+    )
+    done = CliRunner().invoke(command, ["layouts/heishan.yaml", "--orders", str(file)])
+    loads = dict(re.findall(r"  ([12])          .*-(XC\d)\n", done.output))
+    assert done.exit_code == 0 and loads == {"1": "XC3", "2": "XC1"}, "b is for every train, and a for the second"
+    file.write_text(file.read_text("utf-8").replace("tonnes: 480,", "tonnes: 480, only: [1, 2],"))
+    done = CliRunner().invoke(command, ["layouts/heishan.yaml", "--orders", str(file)])
+    assert done.exit_code == 1 and "error[IL6003]: no order is for train 3\n" in done.output
 
 
 def test_the_files_that_are_shipped_are_read() -> None:

@@ -356,12 +356,29 @@ def _shift(
     derived = Derivation(railway, orders, sink).run()
     if not sink.has_errors and not derived:
         sink.add("IL6003", f"{file} has no orders", orders.root.span, "add `fleet`, `places` and `orders`")
+    by_train = _in_turn(list(orders.file.fleet), derived)
+    for number in (n for n in orders.file.fleet if derived and n not in by_train):
+        fix = "name it in `only` of an order, or leave it out of the fleet"
+        sink.add("IL6003", f"no order is for train {number}", orders.at("fleet", number, key=True), fix)
     if sink.has_errors:
         return None, Given(derived)
-    given = Given(derived, {n: derived[k % len(derived)] for k, n in enumerate(orders.file.fleet)})
-    errands = [d.journeys[n].errand for n, d in given.by_train.items()]
+    errands = [d.journeys[n].errand for n, d in by_train.items()]
     sections = {str(s.id) for s in railway.layout.track.sections}
-    return Setting(railway, errands, obstacles | {("blocked", s) for s in orders.file.closed & sections}), given
+    return Setting(railway, errands, obstacles | {("blocked", s) for s in orders.file.closed & sections}), Given(
+        derived, by_train
+    )
+
+
+def _in_turn(fleet: Sequence[str], derived: Sequence[Derived]) -> dict[str, Derived]:
+    """An order for each train, of those that it may carry out: in turn, and first those that no other train has."""
+    found: dict[str, Derived] = {}
+    for k, number in enumerate(fleet):
+        turn = k % max(1, len(derived))
+        may = [d for d in (*derived[turn:], *derived[:turn]) if number in d.journeys]
+        if may:
+            has = {d.name for d in found.values()}
+            found[number] = next((d for d in may if d.name not in has), may[0])
+    return found
 
 
 def replay_file(path: str, plan: str) -> tuple[Checked, tuple[Diagnostic, ...], Replayed | None]:
