@@ -20,10 +20,12 @@ from interlock.cli.main import cli
 from interlock.cli.run import _Typed
 from interlock.field.operator_place import (
     FIRST,
+    INCOMPLETE,
     NOT_COUNTED,
     NOT_KNOWN,
     REFUSED,
     TAKEN,
+    WAITING,
     Ask,
     OperatorPlace,
     Registers,
@@ -147,6 +149,41 @@ def test_a_request_is_told_once_with_who_asks_and_answered() -> None:
         place.publish(said(valid=False), ())
         client.write_registers(0, [14, 1, 3])
         assert head_of(client)["answer"] == REFUSED and told.empty()
+
+
+def test_what_was_asked_for_before_is_never_carried_out_again() -> None:
+    """Whoever writes the registers one by one, the number first, would ask for what he wanted the time before."""
+    told: list[tuple[str, str]] = []
+
+    def ask(who: str, what: str, name: str, reply: object) -> None:
+        told.append((what, name))
+
+    clock = [0.0]
+    with served(ask, clock) as (place, client):
+        place.publish(said(), ())
+
+        def one_by_one(*registers: tuple[int, int]) -> int:
+            for address, value in registers:
+                assert not client.write_register(address, value).isError()
+            return head_of(client)["answer"]
+
+        client.write_registers(0, [7, 1, 1])
+        assert told == [("set", "X1-A")] and client.read_holding_registers(0, count=3).registers == [7, 0, 0]
+        for number in (8, 9, 10):
+            assert one_by_one((0, number), (1, 2), (2, 1)) == INCOMPLETE
+        assert len(told) == 1
+        client.write_registers(0, [11, 1, 3])
+        assert one_by_one((1, 2), (2, 1), (0, 12)) == WAITING
+        assert one_by_one((0, 13)) == INCOMPLETE, "both are cleared"
+        assert one_by_one((1, 2), (2, 1), (0, 14)) == INCOMPLETE, "it may be the number of one who writes it first"
+        assert one_by_one((0, 0), (1, 2), (2, 1), (0, 15)) == WAITING, "who writes 0 begins anew"
+        client.write_registers(0, [15, 1, 3])
+        assert one_by_one((0, 16)) == INCOMPLETE, "a request that is written again is none for the next number"
+        assert told[1:] == [("set", "X2-C"), ("cancel", "X1"), ("cancel", "X1")]
+        one_by_one((0, 0), (1, 2), (2, 1))
+        clock[0] = 11.0
+        place.publish(said(), ())
+        assert one_by_one((0, 17)) == INCOMPLETE and len(told) == 4, "left there by one who did not go on"
 
 
 @pytest.fixture(scope="module")

@@ -1,9 +1,10 @@
 """The operator's place on Modbus TCP: what is said of routes, outputs and alarms, for a SCADA that reads registers.
 
 Input registers and discrete inputs are read; requests are written into holding registers, if that is allowed at all:
-what and which, and a number that changes.  A request is told to whoever runs the controller, with who asks, and goes
-the way of every other command.  Modbus knows no user and no password: the address from which somebody asks is all
-there is.  Values that are older than `FRESH_S`, or of no scan, are told as unknown.  Alarms stand behind the outputs.
+what and which, and a number that changes, all at once or the number last.  A request is told to whoever runs the
+controller, with who asks, and goes the way of every other command.  Modbus knows no user and no password: the address
+from which somebody asks is all there is.  Values that are older than `FRESH_S`, or of no scan, are told as unknown.
+Alarms stand behind the outputs.
 Needs the extra `field`.
 """
 
@@ -32,19 +33,22 @@ FIRST = 16
 """The input register of the route with the lowest number; those before it are about the controller."""
 FRESH_S = 2.0
 """Seconds after which the values of a scan are not told any more (our choice): the controller has stopped."""
-WAITING, TAKEN, REFUSED, NOT_KNOWN = 1, 2, 3, 4
+WAITING, TAKEN, REFUSED, NOT_KNOWN, INCOMPLETE = 1, 2, 3, 4, 5
 ANSWERS = {
     0: "no request yet",
     WAITING: "waits for the next scan",
     TAKEN: "taken; what becomes of it is said by the word of the route",
     REFUSED: "refused",
     NOT_KNOWN: "no such request",
+    INCOMPLETE: "refused: WHAT and WHICH have to be written with REQUEST or before it",
 }
 SET, CANCEL, SWING = 1, 2, 3
 DOES = {SET: ("set", "route"), CANCEL: ("cancel", "signal"), SWING: ("swing", "signal")}
 """What can be asked for: the word of the command, and what it is about."""
 REQUEST = 3
 """Holding registers of a request: its number, what, which."""
+TOGETHER_S = 10.0
+"""Seconds before the number within which what and which are written, if not at once with it (our choice)."""
 
 NOT_COUNTED = 65_535
 """Said instead of how many alarms stand, where that is not known."""
@@ -108,10 +112,11 @@ class Registers:
             (
                 0,
                 "REQUEST",
-                "a number other than before: the request in the next two registers is carried out once",
+                "a number other than before: the request in the next two registers is carried out once; write all "
+                "three at once (function 16), or these two first and REQUEST last; 0 by itself asks for nothing",
             ),
-            (1, "WHAT", "what is asked for"),
-            (2, "WHICH", "for which"),
+            (1, "WHAT", "what is asked for; 0 again after each request"),
+            (2, "WHICH", "for which; 0 again after each request"),
         )
         rows += [("holding register", str(k), name, text) for k, name, text in asked]
         for (what, which), name in self.requests.items():
@@ -172,6 +177,8 @@ class OperatorPlace:
         self._image = _Image()
         self._stood: frozenset[str] = frozenset()
         self._request = (0, 0)  # the number of the last request, and what became of it
+        self._pair: dict[int, tuple[str, float]] = {}  # what and which: who has written it since, and when
+        self._number_first: set[str] = set()  # hosts that have written the number first
         self._ready = threading.Event()
         self._failed = ""
         self._thread = threading.Thread(target=self._run, name="operator's place", daemon=True)
@@ -269,10 +276,7 @@ class OperatorPlace:
                 return ExcCodes.ILLEGAL_FUNCTION
             if address + len(values) > REQUEST:
                 return ExcCodes.ILLEGAL_ADDRESS
-            wanted = held[:REQUEST]
-            wanted[address : address + len(values)] = values
-            if wanted[0] != held[0]:
-                self._take(wanted, image)
+            self._write(address, values, held, image)
         elif function == 2:
             bits = [*image.bits, *[False] * (16 * len(held))]
             held[:] = [sum(bit << n for n, bit in enumerate(bits[16 * k : 16 * k + 16])) for k in range(len(held))]
@@ -287,6 +291,31 @@ class OperatorPlace:
         """What is so now; nothing, where the last scan is too old."""
         image = self._image
         return image if self._now() - image.at <= FRESH_S else _Image(image.cycle, came=image.came)
+
+    def _write(self, address: int, values: list[Any], held: list[int], image: _Image) -> None:
+        """What is asked for is carried out only if it was written together with its number, or before it by the same
+        host; it is cleared with each request.  Who writes the number first would ask for what he wanted the time
+        before: after that his numbers ask for nothing until he writes all at once, or the number 0."""
+        written = dict(enumerate(values, address))
+        wanted = [written.get(k, held[k]) for k in range(REQUEST)]
+        whole, new = len(written) == REQUEST, wanted[0] != held[0]
+        host, now = _peer.get().rpartition(":")[0], self._now()
+        self._pair |= {k: (host, now) for k in written if k}
+        if not (whole or new):
+            return
+        fits = [(h, t) for h, t in self._pair.values() if h == host and now - t <= TOGETHER_S]
+        complete = whole or (host not in self._number_first and len(fits) == REQUEST - 1)
+        if new and complete and (whole or wanted[0]):
+            self._take(wanted, image)
+        elif new and wanted[0]:
+            self._request = (wanted[0], INCOMPLETE)
+        if complete or not wanted[0]:
+            self._number_first.discard(host)
+        else:
+            self._number_first.add(host)
+        self._pair.clear()
+        held[1:REQUEST] = [0] * (REQUEST - 1)
+        values[:] = [x if k == 0 else 0 for k, x in written.items()]
 
     def _take(self, wanted: Sequence[int], image: _Image) -> None:
         """A request, which is told on once: nothing is asked of a controller whose inputs are not valid."""
