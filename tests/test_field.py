@@ -562,7 +562,7 @@ def test_what_modbus_says_is_put_in_words(ready: Ready) -> None:
         isError = staticmethod(lambda: True)
 
     class Short:
-        bits = (True,) * 3
+        bits, function_code = (True,) * 3, 2
         isError = staticmethod(lambda: False)
 
     link._client = client = Client()

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import signal
+import socket
 import threading
 import time
-from collections.abc import Callable, Mapping
-from contextlib import closing
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import closing, contextmanager, suppress
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -247,6 +249,67 @@ def test_a_substation_that_was_not_written_is_lost_in_the_next_cycle(health: str
     assert broken == list(range(broken[0], broken[-1] + 1)) and len(broken) > 4
     assert not any(c.valid for c in done[broken[0] + 1 : broken[-1] + 1])
     assert done[-1].valid, "it is well again"
+
+
+@contextmanager
+def answering(answer: Callable[[bytes], bytes]) -> Iterator[int]:
+    """A server on the loopback that answers each request as it is told; its port.  One connection, then it ends."""
+
+    def serve() -> None:
+        with suppress(OSError):
+            held, _ = server.accept()
+            held.settimeout(5)
+            with held:
+                while len(head := held.recv(7)) == 7:
+                    said = answer(held.recv(int.from_bytes(head[4:6], "big") - 1))
+                    held.sendall(head[:4] + (len(said) + 1).to_bytes(2, "big") + head[6:] + said)
+
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        server.settimeout(5)
+        thread = threading.Thread(target=serve, daemon=True)
+        thread.start()
+        yield server.getsockname()[1]
+    thread.join(10)
+    assert not thread.is_alive()
+
+
+@pytest.mark.parametrize(
+    ("what", "said", "well"),
+    [
+        ("read", b"\x02\x01\xff", True),
+        ("read", b"\x01\x01\xff", False),  # coils
+        ("read", b"\x03\x02\xff\xff", False),  # registers
+        ("read", b"\x0f\x00\x00\x00\x07", False),
+        ("read", b"\x02\x02\xff", False),  # fewer bytes than are told
+        ("read", b"\x02\x01\xff\xff", False),  # more
+        ("read", b"\x02\x00\xff", False),
+        ("read", b"\x02", False),
+        ("read", b"\x02\x02\xff\xff", False),  # more than was asked for
+        ("read", b"\x02\xfa" + b"\xff" * 250, False),
+        ("write", b"\x0f\x00\x00\x00\x06", True),
+        ("write", b"\x0f\x00\x01\x00\x06", False),  # elsewhere
+        ("write", b"\x0f\x00\x00\x00\x05", False),  # not all of them
+        ("write", b"\x0f\x00\x00\x00\x06\x00", False),
+        ("write", b"\x10\x00\x00\x00\x06", False),
+        ("write", b"\x02\x01\xff", False),
+    ],
+)
+def test_an_answer_that_does_not_fit_its_question_is_none(what: str, said: bytes, well: bool) -> None:
+    ready = unproved(STATION + "addresses: {HO_main: Q1.0}\n")
+    assert ready.allocation is not None
+    outputs = {c.variable for c in ready.allocation.channels if c.direction == "Q"}
+    beat = b"\x0f\x00\x08\x00\x01"
+    with answering(lambda asked: beat if asked.startswith(b"\x0f\x00\x08") else said) as port:
+        link = ModbusLink(ready.allocation, "main", "127.0.0.1", port)
+        ask = link.read if what == "read" else partial(link.write, dict.fromkeys(outputs, False), False)
+        try:
+            if well:
+                ask()
+            else:
+                with pytest.raises(LinkLost, match=r"answers something else than what was asked|answers with 0 of"):
+                    ask()
+        finally:
+            link.close()
 
 
 PINNED = """

@@ -34,6 +34,29 @@ class _Refused(LinkLost):
     """It answers, and does not do it; the connection is well."""
 
 
+READ, WRITE = 2, 15
+"""The functions that are used."""
+
+
+def _exact() -> tuple[type, type]:
+    """Answers to both that are as long as they say: the library counts neither bytes nor bits itself."""
+    from pymodbus.pdu.bit_message import ReadDiscreteInputsResponse, WriteMultipleCoilsResponse
+
+    class Inputs(ReadDiscreteInputsResponse):
+        def decode(self, data: bytes) -> None:
+            if len(data) != 1 + data[0]:
+                raise ValueError(f"{data[0]} bytes are {len(data) - 1}")
+            super().decode(data)
+
+    class Coils(WriteMultipleCoilsResponse):
+        def decode(self, data: bytes) -> None:
+            if len(data) != 4:
+                raise ValueError(f"an address and a count of {len(data)} bytes")
+            super().decode(data)
+
+    return Inputs, Coils
+
+
 class ModbusLink:
     """One substation; connects when it is first used, and again after it was lost."""
 
@@ -49,6 +72,8 @@ class ModbusLink:
         self._beats = [c.variable for c in a.sent if c.substation == station]
         self._device, self._place, self._timeout_s = device, f"{host}:{port}", timeout_s
         self._client: Any = ModbusTcpClient(host, port=port, timeout=timeout_s, retries=0)
+        for answer in _exact():
+            self._client.register(answer)
 
     def _ask(self, what: str, which: str, *args: Any, **more: Any) -> Any:
         """Raises `LinkLost`, in words of whoever looks after the substation."""
@@ -81,8 +106,19 @@ class ModbusLink:
         if isinstance(error, OSError):
             return f"no connection to {self._place}: {error.strerror or type(error).__name__}"
         if isinstance(error, ModbusException):
-            return f"{self._place} answers something else than what was asked: is it Modbus TCP?"
+            return self._something_else
         return f"{self._place} cannot be asked: {in_short(error)}"
+
+    @property
+    def _something_else(self) -> str:
+        return f"{self._place} answers something else than what was asked: is it Modbus TCP?"
+
+    def _check(self, fits: bool) -> None:
+        """Raises `LinkLost` where an answer does not fit: whatever comes on that connection is doubtful."""
+        if not fits:
+            with suppress(Exception):
+                self._client.close()
+            raise LinkLost(self._something_else)
 
     def read(self) -> Mapping[str, int]:
         """All inputs of the substation in as few requests as the protocol allows."""
@@ -90,8 +126,10 @@ class ModbusLink:
         for first, count in _runs(self._inputs.values(), 2000):
             which = f"the discrete inputs {first} to {first + count - 1}"
             answer = self._ask("read_discrete_inputs", which, first, count=count)
+            self._check(answer.function_code == READ)
             if len(answer.bits) < count:
                 raise LinkLost(f"{self._place} answers with {len(answer.bits)} of {count} inputs")
+            self._check(len(answer.bits) == 8 * -(-count // 8))
             bits |= {first + k: bool(answer.bits[k]) for k in range(count)}
         return {n: int(bits[at]) for n, at in self._inputs.items()}
 
@@ -110,7 +148,8 @@ class ModbusLink:
         for first, count in _runs(wanted, 1900, gaps=False):
             which = f"the coils {first} to {first + count - 1}"
             try:
-                self._ask("write_coils", which, first, [wanted[first + k] for k in range(count)])
+                answer = self._ask("write_coils", which, first, [wanted[first + k] for k in range(count)])
+                self._check((answer.function_code, answer.address, answer.count) == (WRITE, first, count))
             except _Refused as error:
                 refused = refused or error
         return refused
