@@ -235,6 +235,20 @@ def test_the_text_repeats_and_alarms_as_the_runtime_does() -> None:
     assert sum(s["SEND"] for s in fine) == 1 and not any(s["ALARM"] for s in fine)
 
 
+def test_the_blocks_say_what_they_leave_to_the_caller() -> None:
+    text = " ".join(text_of(FORMS[0]).replace("(*", "").replace("*)", "").split())
+    assert "YES and NO are pulses" in text and "clear every D_ when none comes in time" in text
+
+
+@pytest.mark.parametrize("form", FORMS, ids=str)
+def test_a_yes_that_stands_confirms_what_nobody_has_received(form: Form) -> None:
+    """Why it has to be a pulse."""
+    unit = telegram_unit("demo", form.machines, form.tagged, [])
+    run: Execution[int] = Execution(Unit((unit.blocks[2],)), Numbers(dt_ms=100))
+    sends = [run.scan({"NEW": k == 0, "YES": 1, "NO": 0}) for k in range(30)]
+    assert sum(s["SEND"] for s in sends) == 1 and not any(s["ALARM"] for s in sends)
+
+
 @pytest.mark.parametrize("form", FORMS, ids=str)
 def test_the_blocks_pass_our_own_checks(form: Form) -> None:
     unit = telegram_unit("demo", form.machines, form.tagged, [])

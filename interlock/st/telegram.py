@@ -155,7 +155,7 @@ def _receive(name: str, machines: Sequence[MachineId], tagged: bool) -> Block:
         ),
         tuple(body.locals),
         tuple(body.statements),
-        "a telegram taken apart; nothing is commanded unless all of it is right",
+        "takes a telegram apart, commands nothing unless all is right; clear every D_ when none comes in time",
     )
 
 
@@ -179,8 +179,8 @@ def _try(name: str) -> Block:
         name,
         (
             Declaration("NEW", "BOOL", None, "there is a new telegram"),
-            Declaration("YES", "BOOL", None, "the receiver has confirmed it"),
-            Declaration("NO", "BOOL", None, "the receiver has refused it"),
+            Declaration("YES", "BOOL", None, "the receiver has confirmed it: 1 in one call for each answer"),
+            Declaration("NO", "BOOL", None, "the receiver has refused it: 1 in one call for each answer"),
         ),
         (
             Declaration("SEND", "BOOL", None, "send it in this scan"),
@@ -197,5 +197,5 @@ def _try(name: str) -> Block:
             Declaration("WAIT", "TON", None, "time for an answer"),
         ),
         tuple(body),
-        "sends, waits, repeats twice, alarms",
+        "sends, waits, repeats twice, alarms; YES and NO are pulses, each the answer to this very telegram",
     )
