@@ -8,6 +8,7 @@ import json
 
 import pytest
 
+from interlock.app.alarms import possible
 from interlock.audit import audit
 from interlock.checker import specification
 from interlock.checker.check import agree
@@ -18,12 +19,14 @@ from interlock.frontend import load_text
 from interlock.logic.cabinet import allocate
 from interlock.logic.lower import lower
 from interlock.model.elements import Hand, MachineId, Position
+from interlock.panel.picture import still
 from interlock.proof.engines.limits import Limits
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
 from interlock.table.national import national_sheets
 from interlock.table.national.reading import Reading
 from tests.layouts import grown
+from tests.panels import unproved
 from tests.written import told
 
 SPUR = """interlock: 1
@@ -138,6 +141,43 @@ def test_the_list_of_equipment_counts_it_beside_the_machine(text: str, counted: 
     layout, table, _ = made
     told = dict(csv.reader(io.StringIO(equipment_csv(layout, allocate(layout, lower(layout, table))))))
     assert {k: n for k, n in told.items() if k.startswith(("point", "derailer"))} == counted
+
+
+ALONE, BY_KEY = SPUR.replace(", machine: 3/Vk1", ""), SPUR.replace("q2, toe", "q2, work: hand, toe")
+
+
+@pytest.mark.parametrize(
+    ("text", "machine", "called", "off", "move"),
+    [
+        (SPUR, "3/Vk1", "points 3/Vk1 (3, derailer Vk1)", "reverse", "Move reverse"),
+        (ALONE, "Vk1", "derailer Vk1", "off", "Take off"),
+        (ALONE, "3", "points 3", "reverse", "Move reverse"),
+        (BY_KEY, "3/Vk1", "points 3/Vk1 (3, derailer Vk1)", "released by its key", "Release by its key"),
+    ],
+)
+def test_the_panel_calls_it_what_it_is(text: str, machine: str, called: str, off: str, move: str) -> None:
+    one = still(unproved(text), None)["machines"][machine]
+    assert (one["called"], one["lies"]["R"], one["move"]["R"]) == (called, off, move)
+    assert one["trailed"] == ("trailed" if "points" in called else "run over, or its detection lost")
+
+
+def test_of_a_derailer_nobody_is_told_that_it_was_trailed() -> None:
+    ready = unproved(ALONE)
+    assert ready.layout is not None and ready.controller is not None and ready.allocation is not None
+    told = [p.text for p in possible(ready.layout, ready.controller, ready.allocation)]
+    assert "3 was trailed: look at it" in told and "Vk1 was trailed: look at it" not in told
+    assert "derailer Vk1 was run over, or has lost its detection where it lay: look at it" in told
+
+
+@pytest.mark.parametrize(
+    ("machine", "said", "moved"),
+    [("3", "move 3 reverse", "moved reverse"), ("Vk1", "take Vk1 off", "taken off")],
+)
+def test_what_is_asked_of_it_is_said_in_its_words(machine: str, said: str, moved: str) -> None:
+    ready = unproved(ALONE)
+    assert ready.layout is not None
+    those, m = ready.layout.machines, MachineId(machine)
+    assert (those.to_move(m, Position.REVERSE), those.moved(m, Position.REVERSE)) == (said, moved)
 
 
 def test_a_layout_whose_derailer_has_a_machine_of_its_own_is_another() -> None:

@@ -26,6 +26,7 @@ from interlock.panel.operating import Person
 from interlock.panel.server import Access, listening, serve
 from tests.layouts import SLIPS
 from tests.panels import QUICK, large, quick, unproved
+from tests.test_coupled_derailer import SPUR
 
 pytestmark = pytest.mark.external
 
@@ -862,3 +863,18 @@ def test_what_was_asked_and_what_is_said_of_it(chromium: Any, tmp_path: Path) ->
         page.fill("#typed", "  ")
         page.press("#typed", "Enter")
         assert desk.broken == "" and wrong == []
+
+
+def test_the_ends_of_a_machine_are_names_of_it(chromium: Any) -> None:
+    """Only the machine's own was known, which stands on no plan."""
+    with serving(unproved(SPUR)) as (_, url), closing_pages(chromium) as b:
+        page, wrong = opened(b, url)
+        fresh(page)
+        for name in ("3", "Vk1", "3/Vk1"):
+            page.fill("#typed", name)
+            page.press("#typed", "Enter")
+            page.wait_for_selector("#of:text-is('points 3/Vk1 (3, derailer Vk1)')")
+            page.keyboard.press("Escape")
+            page.wait_for_selector("#of:has-text('Nothing chosen')")
+        assert page.locator("#names option[value='Vk1']").inner_text() == "points 3/Vk1 (3, derailer Vk1)"
+        assert wrong == []

@@ -85,6 +85,8 @@ def _of_machine(layout: Layout, y: Symbols, m: MachineId) -> Iterator[Possible]:
         yield Possible(f"late {m}", f"ALARM_LATE_{portable(m)}", text, at, lambda c: bool(c.outputs.get(late)))
     if trailed is not None:
         text = f"{m} was trailed: look at it"
+        if layout.machines.is_derailer(m):
+            text = f"derailer {m} was run over, or has lost its detection where it lay: look at it"
         yield Possible(
             f"trailed {m}", f"ALARM_TRAILED_{portable(m)}", text, at, lambda c: bool(c.memory.state.get(trailed))
         )

@@ -65,10 +65,31 @@ class Machines(Collection[MachineId]):
         return f"{machine} is {no}detected {'normal' if position is Position.NORMAL else 'reverse'}"
 
     def to_move(self, machine: MachineId, position: Position) -> str:
-        """What whoever works a machine by hand wants: `move P1 reverse`, `close level crossing LC`."""
+        """What whoever works a machine by hand wants: `move P1 reverse`, `take Gs1 off`, `close level crossing LC`."""
+        name = self.named(machine) if machine in self.device else str(machine)
+        before, after = self._order(machine, position)
+        return f"{before} {name} {after}".rstrip()
+
+    def order(self, machine: MachineId, position: Position) -> str:
+        """The same without a name, as a button says it: `Move reverse`, `Release by its key`."""
+        return " ".join(self._order(machine, position)).rstrip().capitalize()
+
+    def _order(self, machine: MachineId, position: Position) -> tuple[str, str]:
+        """What is said before and after the name."""
+        normal = position is Position.NORMAL
         if machine in self.device:
-            return f"{'open' if position is Position.NORMAL else 'close'} {self.named(machine)}"
-        return f"move {machine} {self.word(machine, position)}"
+            return ("open" if normal else "close"), ""
+        if machine in self.by_hand:
+            return ("lock" if normal else "release"), "by its key"
+        if self.is_derailer(machine):
+            return ("put", "on") if normal else ("take", "off")
+        return "move", self.word(machine, position)
+
+    def moved(self, machine: MachineId, position: Position) -> str:
+        """What is done to it then: `moved reverse`, `opened`, `released by its key`, `taken off`."""
+        before, after = self._order(machine, position)
+        done = {"open": "opened", "put": "put", "take": "taken"}.get(before, f"{before.removesuffix('e')}ed")
+        return f"{done} {after}".rstrip()
 
     def word(self, machine: MachineId, position: Position) -> str:
         """The position in the engineer's words."""

@@ -206,13 +206,15 @@ class Buttons:
         there = self._symbols.machines.detected[key]
         machines = self._layout.machines
         word, device = machines.word(*key), key[0] in machines.device
-        it, moved = (machines.named(key[0]), "opened" if to == "N" else "closed") if device else (machine, "moved")
+        it, moved = machines.named(key[0]) if device else machine, machines.moved(*key)
         if last.inputs.get(there):
             raise Refused(f"{it} {f'is {word}' if device else 'lies there'} already", f"m:{machine}")
         if found := self._reasons.of_move(*key, Moment(last.inputs, last.memory, 0)):
             at = (f"m:{machine}", *(x for reason in found for x in reason.at))
-            raise Refused(f"{it} cannot be {moved}: {'; '.join(reason.text for reason in found)}", *at)
-        moved, lies = (moved, f"proved {word}") if device else (f"moved {word}", "detected there")
+            done = "moved" if moved == f"moved {word}" else moved
+            raise Refused(f"{it} cannot be {done}: {'; '.join(reason.text for reason in found)}", *at)
+        lies = f"proved {word}" if device else "detected there"
+        by = "" if key[0] in machines.by_hand else " by hand"
         for y in Position:
             self.holds.drop(self._symbols.machines.by_hand[key[0], y])
         seconds = max(TURN_S, supervision_s(self._layout, key[0]))
@@ -222,10 +224,10 @@ class Buttons:
                 lambda c: bool(c.inputs.get(there)),
                 seconds * 1000,
                 lambda c: "" if c.memory.state.get(command) else f"{it} is not {moved}: it is not free any more",
-                f"{it} was to be {moved} by hand, and is not {lies} after {seconds:.0f} s",
+                f"{it} was to be {moved}{by}, and is not {lies} after {seconds:.0f} s",
             ),
         )
-        return machines.to_move(*key)
+        return machines.to_move(*key) + by
 
     def looked(self, machine: str, last: Cycle) -> None:
         """Confirm that trailed points were looked at."""

@@ -130,7 +130,7 @@ class Operating:
                 b.block(c["section"], c["on"])
                 return f"{BLOCK if c['on'] else FREE}{c['section']}"
             case "turn":
-                return f"{b.turn(c['machine'], c['to'], last)} by hand"
+                return b.turn(c["machine"], c["to"], last)
             case "looked":
                 b.looked(c["machine"], last)
                 return f"{c['machine']} was looked at after it was trailed"

@@ -20,7 +20,7 @@ from interlock.field.plc import Cycle
 from interlock.logic.controller import Controller
 from interlock.logic.names import Name
 from interlock.logic.symbols import Symbols
-from interlock.model.elements import BlockKind, MachineId, Position, SignalId
+from interlock.model.elements import BlockKind, MachineId, PointId, Position, SignalId
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
 from interlock.panel.simulated import SimulatedField
@@ -88,9 +88,28 @@ def _machines(layout: Layout, controller: Controller) -> dict[str, dict[str, Any
             "points": [{"id": str(p.id), "toe": str(p.toe), "N": str(p.normal), "R": str(p.reverse)} for p in ends],
             "hand": (m, Position.NORMAL) in controller.symbols.machines.by_hand,
             "device": not ends,
-            "kind": str(layout.machines.device[m].kind) if m in layout.machines.device else "points",
+            "called": _called(layout, m),
+            "ends": _ends(layout, m),
+            "lies": {str(x): layout.machines.word(m, x) for x in Position},
+            "move": {str(x): layout.machines.order(m, x) for x in Position},
+            "trailed": "run over, or its detection lost" if layout.machines.is_derailer(m) else "trailed",
         }
     return found
+
+
+def _ends(layout: Layout, m: MachineId) -> list[str]:
+    """What a machine works by other names than its own."""
+    blades = {b.point for b in layout.pointwork.blades}
+    return [str(p.id) for p in layout.machines.ends.get(m, ()) if str(p.id) != m and p.id not in blades]
+
+
+def _called(layout: Layout, m: MachineId) -> str:
+    """A machine with its kind, and with what it works by other names: `points 201 (KP, derailer GD)`."""
+    if m in layout.machines.device:
+        return f"{layout.machines.device[m].kind} {m}"
+    alone, point = layout.machines.is_derailer(m), layout.pointwork.point
+    told = [n if alone or not point[PointId(n)].derailer else f"derailer {n}" for n in _ends(layout, m)]
+    return f"{'derailer' if alone else 'points'} {m}" + (f" ({', '.join(told)})" if told else "")
 
 
 def _signals(layout: Layout, controller: Controller, table: InterlockingTable) -> dict[str, dict[str, Any]]:

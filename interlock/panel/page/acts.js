@@ -43,10 +43,10 @@ export function train([name, , speed, metres, , held]) {
 }
 
 function machine(still, state, rest, name, [lies, wanted, locked, late, trailed, why = ""] = [], sys) {
-  const one = still.machines[name], words = one.device ? {N: "open", R: "closed"} : {N: "normal", R: "reverse"}, out = [];
+  const one = still.machines[name], words = one.lies, out = [];
   const not = one.device ? "not proved open or closed" : "not detected";
-  const lines = [[words[lies] ?? (late ? `${not} in time` : not), wanted && wanted !== lies ? `commanded ${words[wanted]}` : "", locked ? why || "locked" : "", trailed ? "trailed" : ""].filter(Boolean).join(", ")];
-  if (one.hand) for (const to of ["N", "R"]) out.push(act(one.device ? {N: "Open", R: "Close"}[to] : `Move ${words[to]}`, {do: "turn", machine: name, to}, {off: to === lies}));
+  const lines = [[words[lies] ?? (late ? `${not} in time` : not), wanted && wanted !== lies ? `commanded ${words[wanted]}` : "", locked ? why || "locked" : "", trailed ? one.trailed : ""].filter(Boolean).join(", ")];
+  if (one.hand) for (const to of ["N", "R"]) out.push(act(one.move[to], {do: "turn", machine: name, to}, {off: to === lies}));
   if (!one.device) out.push(act("It was looked at, and lies well", {do: "looked", machine: name}, {off: !trailed}));
   if (still.simulated) out.push(fault(sys, "machine", name, "detection lost"));
   return {lines, acts: out};

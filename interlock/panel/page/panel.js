@@ -10,6 +10,7 @@ const look = new URLSearchParams(location.search).has("look");
 const kept = {get: k => { try { return localStorage.getItem(k) ?? ""; } catch { return ""; } }, set: (k, v) => { try { localStorage.setItem(k, v); } catch { /* a browser may forbid it */ } }};
 const plan = new Plan($("plan"), key => choose(key));
 const state = plan.state, rest = {sys: null, alarms: [], reminders: {}, trains: []};
+let ends = new Map(); // what a machine works by other names than its own, and its key
 let still = null, chosen = "", operates = false, metres = 40, called = "";
 $("name").value = kept.get("interlock.name");
 $("name").placeholder = nameless();
@@ -61,7 +62,8 @@ function first(m) {
   document.title = still.name;
   document.body.classList.toggle("looks", !operates);
   $("stop").disabled = !operates;
-  $("names").replaceChildren(...[...plan.keys.keys()].map(k => new Option(k.slice(2))));
+  ends = new Map(Object.entries(still.machines).flatMap(([m, one]) => one.ends.filter(e => !plan.keys.has(`m:${e}`)).map(e => [e, `m:${m}`])));
+  $("names").replaceChildren(...[...plan.keys.keys()].map(k => new Option(k.slice(2))), ...[...ends].map(([e, k]) => new Option(still.machines[k.slice(2)].called, e)));
   $("speed").hidden = $("power-key").hidden = $("traffic").hidden = !still.simulated;
   if (!chosen) offer();
 }
@@ -116,7 +118,7 @@ const choice = new Rows($("acts"), v => {
   b.classList.toggle("wide", v.fault || v.label.length > 20);
   return b;
 }, (row, v) => {
-  if (v.lines) { row.className = "lines"; row.replaceChildren(...v.lines.map(l => element("p", l))); return; }
+  if (v.lines) { row.className = "lines"; row.title = v.lines.join("\n"); row.replaceChildren(...v.lines.map(l => element("p", l))); return; }
   if (v.input) { if (v.input === "note") noted(row, v.note); return; }
   row.does = () => v.why ? why(v.command) : perform(v);
   label(row, v.label);
@@ -342,7 +344,7 @@ function others() {
 
 // one name, or two: names may have spaces, so that every way to divide the words is tried
 function readings(words) {
-  const named = text => [text, [...plan.keys.keys()].filter(k => k.slice(2) === text)];
+  const named = text => [text, [...[...plan.keys.keys()].filter(k => k.slice(2) === text), ...(ends.has(text) ? [ends.get(text)] : [])]];
   const all = words.map((_, i) => [words.slice(0, i + 1).join(" "), words.slice(i + 1).join(" ")].filter(Boolean).map(named));
   const known = all.filter(parts => parts.every(([, keys]) => keys.length));
   return known.length ? known : [all.find(([first]) => first[1].length) ?? all[words.length - 1]];

@@ -32,14 +32,14 @@ export class Plan {
     for (const s of Object.keys(still.sections)) this.key(`s:${s}`, by(`section-${s}`), `section ${s}`);
     for (const [m, one] of Object.entries(still.machines)) {
       if (one.device) this.device(m, one, by(`device-${m}`));
-      for (const p of one.points) this.key(`m:${m}`, by(`point-${p.id}`), `points ${m}`, 11);
+      for (const p of one.points) this.key(`m:${m}`, by(`point-${p.id}`), one.called, 11);
     }
     this.lies = {}; // after what is clicked: of a slip the legs chosen between lie beside the blades
     for (const [m, one] of Object.entries(still.machines)) this.lies[m] = one.points.map(p => this.point(p)).filter(Boolean);
     for (const g of Object.keys(still.signals)) this.signs(by(`signal-${g}`));
     for (const g of Object.keys(still.signals)) this.key(`g:${g}`, by(`signal-${g}`), `signal ${g}`, 9);
     for (const [b, one] of Object.entries(still.boundaries)) this.key(`b:${b}`, by(`boundary-${b}`), `boundary ${one.label}`, 12);
-    for (const e of svg.querySelectorAll(".buffer")) {
+    for (const e of svg.querySelectorAll("g.buffer")) {
       const name = e.id.slice(7).replaceAll("\u00a0", " ");
       this.key(`x:${name}`, e, `end of track ${name}`, 10);
     }
@@ -104,7 +104,7 @@ export class Plan {
 
   // a bridge is a frame, a road two lines: what is clicked is all of each place at which it lies over a track
   device(m, one, group) {
-    this.key(`m:${m}`, group, `${one.kind} ${m}`);
+    this.key(`m:${m}`, group, one.called);
     const places = [];
     for (const part of group?.querySelector(".mark").getAttribute("d").split(/(?=M)/) ?? []) {
       const stroke = make("path", {d: part}, group), b = stroke.getBBox(), x = b.x + b.width / 2, y = b.y + b.height / 2;
@@ -173,7 +173,7 @@ export class Plan {
     const one = this.still.machines[name];
     for (const g of this.keys.get(`m:${name}`) ?? []) {
       toggle(g, "held", locked); toggle(g, "late", late || trailed); toggle(g, "moving", lies.length !== 1);
-      g.setAttribute("aria-label", `${one.device ? one.kind : "points"} ${name}: ${{N: one.device ? "open" : "normal", R: one.device ? "closed" : "reverse"}[lies] ?? (one.device ? "not proved open or closed" : "not detected")}${locked ? `, ${why || "locked"}` : ""}`);
+      g.setAttribute("aria-label", `${one.called}: ${one.lies[lies] ?? (one.device ? "not proved open or closed" : "not detected")}${locked ? `, ${why || "locked"}` : ""}`);
       toggle(g, "closed", one.device && lies === "R");
     }
     for (const p of this.lies[name] ?? []) for (const leg of ["N", "R"]) {
