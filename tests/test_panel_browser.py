@@ -878,3 +878,21 @@ def test_the_ends_of_a_machine_are_names_of_it(chromium: Any) -> None:
             page.wait_for_selector("#of:has-text('Nothing chosen')")
         assert page.locator("#names option[value='Vk1']").inner_text() == "points 3/Vk1 (3, derailer Vk1)"
         assert wrong == []
+
+
+@pytest.mark.parametrize(
+    ("profile", "stop"), [("uk", "rgb(255, 59, 59)"), ("de", "rgb(255, 59, 59)"), ("cn", "rgb(53, 104, 201)")]
+)
+def test_a_shunt_signal_at_stop_has_the_colour_of_its_country(chromium: Any, profile: str, stop: str) -> None:
+    """It was blue everywhere.  The second lamp of a combined signal is dark beside the red one."""
+    text = SPUR.replace("name: spur", f"name: spur\nprofile: {profile}")
+    text = text.replace("into: q2, kind: combined}\n  S:", "into: q2, kind: shunt}\n  S:")
+    with serving(unproved(text)) as (desk, url), closing_pages(chromium) as b:
+        page, wrong = opened(b, url, TAPPED)
+        fresh(page)
+        for g in ("L1", "S2"):
+            is_(page, f"#signal-{g}", "stop")
+        assert style(page, "#signal-L1 .lamp.shunt", "fill") == stop
+        assert style(page, "#signal-S2 .lamp.shunt", "fill") == "rgb(34, 43, 53)"
+        assert style(page, "#signal-S2 .lamp.main", "fill") == "rgb(255, 59, 59)"
+        assert desk.broken == "" and wrong == []

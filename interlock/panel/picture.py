@@ -47,6 +47,7 @@ def still(ready: Ready, field: SimulatedField | None) -> dict[str, Any]:
     return {
         "name": layout.name,
         "title": layout.printed.title or layout.name,
+        "profile": layout.profile,
         "plan": plan_svg(layout, drawing),
         "edges": edges,
         "sections": {str(s.id): _section(layout, ways, str(s.id)) for s in layout.track.sections},

@@ -60,6 +60,7 @@ function first(m) {
   if (!same) plan.draw(still);
   $("title").textContent = $("title").title = still.title;
   document.title = still.name;
+  document.body.dataset.profile = still.profile;
   document.body.classList.toggle("looks", !operates);
   $("stop").disabled = !operates;
   ends = new Map(Object.entries(still.machines).flatMap(([m, one]) => one.ends.filter(e => !plan.keys.has(`m:${e}`)).map(e => [e, `m:${m}`])));
