@@ -103,7 +103,7 @@ def test_a_small_plan_is_one_sheet_without_match_lines() -> None:
     layout, _ = load_text("x.yaml", Path("layouts/passing_loop.yaml").read_text("utf-8"), Sink())
     assert layout is not None
     (page,) = sheets(place(layout))
-    assert 'class="match"' not in page and "Sheet 1 of 1" in page
+    assert 'class="match"' not in page and '<tspan dx="24">Sheet 1 of 1</tspan>' in page, "set apart"
 
 
 def test_a_line_is_folded_into_rows_no_wider_than_a_sheet() -> None:

@@ -285,13 +285,18 @@ def _sheet(d: Drawing, w: Window, body: list[Part], of: int) -> str:
     wide, high = SHEET
     title = d.layout.printed.title or d.layout.name
     facts = [f"{label}: {fact}" for label, fact in title_block(d.layout, d.layout.digest, "en")]
-    foot = "    ".join([*facts, f"Sheet {w.number} of {of}"])
+    foot = "".join(_set_apart(k, x) for k, x in enumerate([*facts, f"Sheet {w.number} of {of}"]))
     shown = _view(d, w, body, EDGE + STRIP, EDGE + 24, set(), "")
     frame = f'<rect class="frame" x="20" y="20" width="{wide - 40:.1f}" height="{high - 40:.1f}"/>'
     line = high - EDGE - FOOT / 2
     rule = f'<path class="frame" d="M20 {line - 18:.1f} L{wide - 20:.1f} {line - 18:.1f}"/>'
-    text = f'<text class="foot" x="32" y="{line + 2:.1f}">{escape(foot)}</text>'
+    text = f'<text class="foot" x="32" y="{line + 2:.1f}">{foot}</text>'
     return _document(title, (wide, high), ("420mm", "297mm"), [frame, rule, text, shown])
+
+
+def _set_apart(k: int, fact: str) -> str:
+    """A fact of the title block, with room before it: spaces beside each other are one in SVG."""
+    return f'<tspan dx="24">{escape(fact)}</tspan>' if k else f"<tspan>{escape(fact)}</tspan>"
 
 
 def _document(title: str, size: Spot, paper: tuple[str, str], parts: Iterable[str]) -> str:
