@@ -439,6 +439,22 @@ def test_what_is_not_a_number_is_within_no_bounds(option: str) -> None:
         assert done.exit_code == 2 and "not in the range" in done.output, done.output
 
 
+def test_a_restart_is_waited_for_and_told_where_it_does_not_end(tmp_path: Path) -> None:
+    slow = tmp_path / "heishan.yaml"
+    text = Path(HEISHAN).read_text("utf-8")
+    slow.write_text(text.replace("profile: mine\n", "profile: mine\nprinciples: {restart_delay_s: 3600}\n"), "utf-8")
+    assert one(str(slow), "layouts/heishan.dispatch", 0, HOUR).trains == hour(0).trains, "the shift begins after it"
+    file = tmp_path / "x.dispatch"
+    file.write_text(
+        "dispatch: 1\nlayout: undetected\nfleet: {1: {length: 20, at: house}}\nplaces:\n"
+        "  house: {kind: waiting, at: W}\n  load: {kind: loading, at: q1, minutes: 5}\n"
+        "  tip: {kind: tipping, at: E, minutes: 6}\norders: {a: {from: load, to: tip, trains: 1}}\n",
+        "utf-8",
+    )
+    done = CliRunner().invoke(command, ["tests/layouts_for_tests/undetected.yaml", "--dispatch", str(file)])
+    assert done.exit_code == 1 and "error[IL6012]: sid cannot be released after the restart" in done.output, done.output
+
+
 def test_what_comes_after_the_time_of_its_order_is_told(tmp_path: Path) -> None:
     file = tmp_path / "x.dispatch"
     file.write_text(

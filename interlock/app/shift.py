@@ -43,6 +43,10 @@ QUIET_S = 1800.0
 """Seconds beside the longest work in which nothing happens, after which all that have orders stand for ever."""
 
 
+class StaysLocked(Exception):
+    """Sections that nobody can release after the restart; says which."""
+
+
 class Shift:
     """A shift under way."""
 
@@ -121,15 +125,22 @@ class Shift:
         return self.worked
 
     def _restart(self) -> None:
-        """Nobody is in yet: everything is released, then the shift begins."""
+        """Nobody is in yet: everything is released, then the shift begins.  Raises `StaysLocked`."""
         self.yard.inputs.write("RELALL", 1)
-        while any(v for n, v in self.scans.outputs.items() if n.startswith("YL_")) or not self.scans.runs:
-            self._scan(1_200_000)
+        latest = round(1000 * QUIET_S) + sum(self.scans.presets.values())
+        while (locked := self._locked()) or not self.scans.runs:
+            if not self._scan(latest):
+                raise StaysLocked(f"{' and '.join(locked)} cannot be released after the restart: no shift begins")
         self.yard.inputs.write("RELALL", 0)
         for s in self._setting.blocked:
             self.yard.inputs.write(self._setting.symbols.sections.blocked[s], 1)
         self._zero_ms = self._progress_ms = self._stepped_ms = self.agenda.now_ms
         self._telling = True
+
+    def _locked(self) -> list[str]:
+        """The sections that are shown locked."""
+        named, shown = self._setting.symbols.indication, self.scans.outputs
+        return [str(s.id) for s in self._setting.layout.track.sections if shown.get(named.get(f"locked {s.id}", ""))]
 
     def _advance(self, end: int) -> None:
         while self._scan(end):

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import NoReturn
 
 import click
 
 from interlock.app.horizon import Compared, compared
 from interlock.app.own import write_whole
 from interlock.app.setting import Setting, prepare
+from interlock.app.shift import StaysLocked
 from interlock.app.shifts import NoCluster, executing, many, mean
 from interlock.app.turns import NoHorizon
 from interlock.app.worked import Options, Worked
@@ -103,6 +105,8 @@ def command(
             )
         files = _write(output, setting, done, force) if output is not None else []
         best, why = (None, None) if optimum is None else _best(setting, hours, optimum, jobs)
+    except StaysLocked as error:
+        _not_simulated(setting, str(error), texts, form)
     except NoCluster as error:
         failed(str(error), form)
         sys.exit(FINDINGS)
@@ -119,6 +123,14 @@ def command(
         if why is not None:
             show([why], dict(texts), form)
     sys.exit(FINDINGS if why is not None or any(any(w.wrong.counts().values()) for w in done) else OK)
+
+
+def _not_simulated(setting: Setting, text: str, texts: Mapping[str, str], form: str) -> NoReturn:
+    """Why there is no shift."""
+    sink, fix = Sink(), "what nothing reports clear stays locked: leave it out in a copy of the layout"
+    sink.add("IL6012", text, setting.orders.root.span, f"{fix}, or use `interlock dispatch`")
+    show(sink.diagnostics, dict(texts), form)
+    sys.exit(FINDINGS)
 
 
 def _best(
