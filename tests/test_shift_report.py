@@ -68,6 +68,7 @@ def test_a_record_that_breaks_off_has_a_report_too() -> None:
     half = read(w.log[: len(w.log) // 2])
     f = figures(half.events)
     assert "breaks off" in shift_html(half) and 0 < f.seconds < 8 * 3600
+    assert "held back" not in shift_html(half) and "\nrequests held back,,,\n" in to_csv(f), "told at the end alone"
     for of in f.states.values():
         assert sum(of.values()) == pytest.approx(f.seconds, abs=1e-6)
     with pytest.raises(NoShift):

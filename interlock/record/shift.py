@@ -34,10 +34,10 @@ class NoShift(Exception):
 
 @dataclass
 class Requests:
-    """What became of requests; `held_back`: no plan would have existed after them."""
+    """What became of requests; `held_back`: no plan would have existed after them; told at the end, None before it."""
 
     granted: int = 0
-    held_back: int = 0
+    held_back: int | None = None
     refused: int = 0
 
 
