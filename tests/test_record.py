@@ -186,6 +186,9 @@ def test_parquet_and_questions(tmp_path: Path) -> None:
     assert write_parquet(file, logs) == 13
     with pytest.raises(BadQuery):
         query("SELECT nothing FROM events", logs)
+    for empty in ("", " ", ";", "-- kind"):
+        with pytest.raises(BadQuery, match="there is no query"):
+            query(empty, logs)
     with pytest.raises(BadQuery, match="disabled"):
         query(f"SELECT * FROM '{file}'", logs)
     import duckdb
@@ -193,6 +196,13 @@ def test_parquet_and_questions(tmp_path: Path) -> None:
     assert duckdb.sql(f"SELECT max(t), count(DISTINCT log) FROM '{file}'").fetchall() == [(80, 2)]
     odd = [{"n": 0, "t": 0, "kind": "a", "x": 1}, {"n": 1, "t": 1, "kind": "b", "x": "two", "y": [1], "z": 0.5}]
     assert query("SELECT x, y, z FROM events ORDER BY n", {"odd": odd})[1] == [("1", None, None), ("two", "[1]", 0.5)]
+
+
+def test_a_field_called_log_and_numbers_of_any_length_have_their_columns(tmp_path: Path) -> None:
+    odd = [{"n": 0, "t": 0, "kind": "a", "log": "x", "v": 10**30}, {"n": 1, "t": 1, "kind": "a", "v": 2, "w": 1 << 62}]
+    found = query("SELECT log, log_, v, w FROM events ORDER BY n", {"odd": odd})[1]
+    assert found == [("odd", "x", str(10**30), None), ("odd", None, "2", 1 << 62)]
+    assert write_parquet(tmp_path / "a.parquet", {"odd": odd}) == 2
 
 
 def test_writing_needs_nothing_but_python() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import re
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 from xml.etree import ElementTree
@@ -73,6 +74,14 @@ def test_a_record_that_breaks_off_has_a_report_too() -> None:
         assert sum(of.values()) == pytest.approx(f.seconds, abs=1e-6)
     with pytest.raises(NoShift):
         figures(half.events[1:])
+
+
+@pytest.mark.parametrize("key", ["fleet", "seed", "metres", "layout_digest"])
+def test_a_record_that_lacks_what_a_shift_writes_is_none(key: str) -> None:
+    _, r = shift()
+    heading = {k: v for k, v in r.events[0].items() if k != key}
+    with pytest.raises(NoShift, match=key):
+        shift_html(replace(r, events=(heading, *r.events[1:])))
 
 
 def test_the_graph_has_a_line_for_each_train_that_never_goes_back_in_time() -> None:

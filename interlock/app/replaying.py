@@ -9,7 +9,7 @@ from interlock.emit.drawing import place, plan_svg
 from interlock.model.elements import MachineId
 from interlock.model.layout import Layout
 from interlock.record.log import Event
-from interlock.record.shift import NoShift, clock
+from interlock.record.shift import NoShift, as_written, clock
 
 _WORDS = {
     "comes": "train {train} comes towards {at}",
@@ -36,6 +36,7 @@ _WORDS = {
 }
 
 
+@as_written()
 def trace(layout: Layout, events: Sequence[Event], since_s: float, until_s: float) -> str:
     """The trace of a span, seconds from the shift's beginning.  Raises `NoShift`: no shift of this layout, or nothing
     happened in the span."""

@@ -13,6 +13,7 @@ from html import escape
 
 from interlock.dataclass import dataclass
 from interlock.record.log import Event
+from interlock.record.shift import as_written
 
 COLOURS = ("#0b5fa5", "#c2410c", "#15803d", "#7e22ce", "#b91c1c", "#0f766e", "#a16207", "#be185d", "#334155", "#4d7c0f")
 
@@ -111,6 +112,7 @@ def _out(axis: Axis, section: str, to: str) -> float:
     return far if min(abs(b - low), abs(b - high)) <= min(abs(a - low), abs(a - high)) else near
 
 
+@as_written()
 def graph_svg(events: Sequence[Event]) -> str:
     """The graph of a shift's record."""
     heading, axis = events[0], Axis(events[0])

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from jinja2 import Environment, PackageLoader, select_autoescape
+from jinja2 import Environment, PackageLoader, StrictUndefined, UndefinedError, select_autoescape
 
 from interlock.record.graph import graph_svg
 from interlock.record.log import Recorded
-from interlock.record.shift import LOADS, OUTSIDE, RUNS, TIPS, Figures, clock, figures
+from interlock.record.shift import LOADS, OUTSIDE, RUNS, TIPS, Figures, as_written, clock, figures
 
 WAITS = "waits"
 COLOURS = {RUNS: "#0b5fa5", LOADS: "#15803d", TIPS: "#a16207", OUTSIDE: "#cbd5e1", WAITS: "#dc2626"}
@@ -18,6 +18,7 @@ COLOURS = {RUNS: "#0b5fa5", LOADS: "#15803d", TIPS: "#a16207", OUTSIDE: "#cbd5e1
 def _environment() -> Environment:
     return Environment(
         loader=PackageLoader("interlock.record", "."),
+        undefined=StrictUndefined,
         autoescape=select_autoescape(default=True, default_for_string=True),
         trim_blocks=True,
         lstrip_blocks=True,
@@ -32,13 +33,12 @@ def share(f: Figures, train: str, name: str) -> float:
     return rest / f.seconds if f.seconds else 0.0
 
 
+@as_written()
 def shift_html(recorded: Recorded) -> str:
     """The page of a shift's record, up to its last whole event.  Raises `NoShift`."""
-    f = figures(recorded.events)
-    return (
-        _environment()
-        .get_template("shift.html.j2")
-        .render(
+    f, template = figures(recorded.events), _environment().get_template("shift.html.j2")
+    try:
+        return template.render(
             f=f,
             graph=graph_svg(recorded.events),
             clock=clock,
@@ -48,4 +48,5 @@ def shift_html(recorded: Recorded) -> str:
             chain=recorded.chain.digest,
             ended=recorded.ended,
         )
-    )
+    except UndefinedError as error:
+        raise LookupError(error) from error

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import field
 
 from interlock.dataclass import dataclass
@@ -26,6 +27,10 @@ _STATES = {
     "tipped": OUTSIDE,
     "back": STANDS,
 }
+
+
+HEADING = ("layout", "layout_digest", "seed", "fleet", "places", "orders", "metres", "main")
+"""What the first event of a shift says that its report needs."""
 
 
 class NoShift(Exception):
@@ -82,11 +87,23 @@ class Figures:
         return self.places.get(place, 0.0) / (self.seconds * room) if self.seconds else 0.0
 
 
+@contextmanager
+def as_written() -> Iterator[None]:
+    """What a record lacks that a shift writes, or has otherwise, is told as `NoShift`."""
+    try:
+        yield
+    except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError) as error:
+        missing = isinstance(error, KeyError)
+        what = f"`{error.args[0]}` is missing" if missing else "a field of an event is not as a shift writes it"
+        raise NoShift(f"this log is no record of a shift: {what}") from error
+
+
+@as_written()
 def figures(events: Sequence[Event]) -> Figures:
     """The figures of a record, up to its last event.  Raises `NoShift`."""
     if not events or events[0]["kind"] != "begin" or events[0].get("what") != "shift":
         raise NoShift("this log is no record of a shift; the page of a panel's log: `interlock play LOG --journal`")
-    f = Figures(events[0])
+    f = Figures({k: events[0][k] for k in HEADING})
     now = dict.fromkeys(f.heading["fleet"], (STANDS, 0))
     f.states = {n: {} for n in now}
     works: dict[str, int] = {}
@@ -148,6 +165,7 @@ def clock(seconds: float) -> str:
     return f"{whole // 3600}:{whole // 60 % 60:02}:{whole % 60:02}"
 
 
+@as_written()
 def to_csv(f: Figures) -> str:
     """All figures, one a line: what, of which, value, unit."""
     out = io.StringIO()
