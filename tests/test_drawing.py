@@ -14,10 +14,10 @@ from click.testing import CliRunner
 from interlock.cli.main import cli
 from interlock.diag import Sink
 from interlock.emit.drawing import Drawing, place, plan_svg
-from interlock.emit.drawing.canvas import device_spots
+from interlock.emit.drawing.canvas import arrow, device_spots
 from interlock.emit.drawing.slips import CHORDS, blades, double_slips
 from interlock.frontend import load_text
-from interlock.model.elements import BufferKind, EdgeId
+from interlock.model.elements import BufferKind, EdgeId, SectionId
 from interlock.model.layout import Layout
 from tests.grow import grow
 from tests.layouts import SHIPPED, SLIPS, built
@@ -377,3 +377,42 @@ def test_doors_stand_clear_of_the_signals_before_them_and_names_clear_of_distant
             for t in d.labels
             if t.box[0] < mark[2] and mark[0] < t.box[2] and t.box[1] < mark[3] - 1 and mark[1] + 1 < t.box[3]
         ]
+
+
+CROWDED = """interlock: 1
+name: crowded
+boundaries: {W: {approach: UA 600}, E: {approach: e0 600}}
+tracks: {t: [W, D1 400, T1 150, R5 200, K1 60, K2 150, E]}
+interlocks: {DOOR2: {over: [R5]}}
+level_crossings: {LX2: {over: [K1]}}
+signals: {1: {from: W, into: D1}, 2: {from: D1, into: T1}, 5: {from: E, into: K2}}
+distants: {1R: {of: 1}, 2R: {of: 2}, 5R: {of: 5}}
+sections: {T1: {one_way: forward}}
+"""
+
+
+def test_names_stand_apart_from_each_other_and_from_every_symbol() -> None:
+    """Two were read as one; a distant, an arrow or the frame of a door stood on what was written."""
+    layout, _ = load_text("x.yaml", CROWDED, sink := Sink())
+    assert layout is not None, sink.diagnostics
+    d = place(layout)
+    assert _boxes_meet(d) == [] and not d.notes
+    wider = [(t.text, (t.box[0] - 2, t.box[1], t.box[2] + 2, t.box[3])) for t in d.labels]
+    marks = [(x - 5, y, x + 5, y + 19) for x, y, ahead in d.distants.values() if not ahead]
+    marks += [(x - 5, y - 19, x + 5, y) for x, y, ahead in d.distants.values() if ahead]
+    marks += [
+        (x - 6, y - 5, x + 6, y + 5) for (x, y), _ in [arrow(d, EdgeId(e.id)) for e in layout.track.edges if e.one_way]
+    ]
+    marks += [(x - 9, y - 9, x + 9, y + 9) for x, y in device_spots(d, (SectionId("R5"),))]
+    for k, (name, a) in enumerate(wider):
+        those = [*marks, *(b for _, b in wider[k + 1 :])]
+        over = [b for b in those if a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]]
+        assert over == [], name
+
+
+@pytest.mark.parametrize("name", ["depot", "crossing_line", "flank_lab"])
+def test_crossings_and_doors_bear_their_names(name: str) -> None:
+    """They stood in tooltips alone."""
+    layout, _, _ = built(name)
+    told = {t.text for t in place(layout).labels if t.kind == "of-device"}
+    assert told == {str(x.id) for x in layout.signalling.devices} != set()

@@ -16,6 +16,7 @@ from interlock.model.layout import Layout
 UNIT = 42  # pixels of a level: half a track's distance
 LEAST = 26  # of an edge without any name
 SIGNAL = 34  # of a signal's symbol
+DISTANT = 30  # of a distant signal beside the name of its section
 MARGIN, TOP = 40, 84
 BLADES = 40.0  # from the middle of a slip's diamond to its blades
 ARC = 1.5 * UNIT  # the largest radius of a track that turns back
@@ -142,16 +143,40 @@ def fouling_mark(d: Drawing, point: str) -> Spot | None:
 
 
 def device_spots(d: Drawing, over: tuple[SectionId, ...]) -> list[Spot]:
-    """Where a device lies over each of its sections: clear of the signals that lead into it, if there is room."""
+    """Where a device lies over each of its sections: clear of the signals that lead into it, and of fouling points, if
+    there is room."""
     out = []
+    fouls = [mark for p in d.layout.pointwork.points if (mark := fouling_mark(d, p.id)) is not None]
     for s in over:
         stretches = [flat(d.edges[e.id]) for e in d.layout.track.edges if e.section == s]
         (x0, y0), (x1, y1) = max(stretches, key=lambda p: abs(p[1][0] - p[0][0]))
         masts = [d.at[g.node][0] for g in d.layout.signalling.signals if d.layout.track.section_of(g.into) == s]
         off = [(x, APART) for x in masts] + [(x, 12.0) for x in (x0, x1)]
-        k = next((k for k in (0.25, 0.5, 0.75) if all(abs(x0 + (x1 - x0) * k - x) >= m for x, m in off)), 0.5)
+        near = [(x, 16.0) for x, y in fouls if abs(y - y0) < UNIT / 2]
+        free = [k for k in (0.25, 0.5, 0.75) if all(abs(x0 + (x1 - x0) * k - x) >= m for x, m in off)]
+        clear = [k for k in (*free, 0.5) if all(abs(x0 + (x1 - x0) * k - x) >= m for x, m in near)]
+        k = next(iter([*clear, *free]), 0.5)
         out.append((x0 + (x1 - x0) * k, y0 + (y1 - y0) * k))
     return out
+
+
+def arrow(d: Drawing, edge: EdgeId) -> tuple[Spot, bool]:
+    """Where the arrow of a one-way edge lies, and whether it points to the right."""
+    e, line = d.layout.track.edge[edge], d.edges[edge]
+    (x0, y0), (x1, y1) = flat(line)
+    return (x0 + (x1 - x0) * 0.8, y0 + (y1 - y0) * 0.8), (line[0] == d.at[e.a]) is (x1 > x0)
+
+
+def reach(layout: Layout, node: NodeId) -> float:
+    """How far a line is drawn beyond its boundary: for the name of its section, and a distant signal beside it."""
+    approach = layout.track.boundary_at[node].approach
+    return max(46.0, width(str(approach or "")) + 16) + (DISTANT if announced(layout, node) else 0.0)
+
+
+def announced(layout: Layout, node: NodeId, edge: EdgeId | None = None) -> bool:
+    """Whether a distant signal is drawn in rear of the signal at a node, on this edge or beyond the boundary."""
+    mains = (layout.signalling.signal[k.of] for k in layout.signalling.distants)
+    return any(g.node == node and g.into != edge for g in mains)
 
 
 def entered(strokes: Iterable[tuple[Spot, Spot]], boxes: Sequence[Box]) -> set[int]:

@@ -7,23 +7,27 @@ little as needed.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from interlock.emit.drawing.canvas import (
+    DISTANT,
     SIGNAL,
+    Box,
     Drawing,
     Label,
     Spot,
+    announced,
+    arrow,
     bend,
     device_spots,
     entered,
     flat,
     fouling_mark,
-    width,
+    reach,
 )
 from interlock.emit.drawing.slips import blades, double_slips
-from interlock.model.elements import BufferKind, EdgeId, MachineId, SectionId
+from interlock.model.elements import BufferKind, DeviceKind, EdgeId, MachineId, SectionId
 
 OVER_LINE = "the name {} lies over a line or symbol"
 
@@ -48,6 +52,23 @@ def put_names(d: Drawing, named: dict[EdgeId, SectionId]) -> None:
         tilt = 10 if y0 != y1 else 0
         _put(d, Label("section", section, section, x, y - 6 - tilt))
         _put(d, Label("length", section, f"{length:g}", x, y + 13 + tilt, small=True))
+    _devices(d)
+
+
+def _devices(d: Drawing) -> None:
+    """Level crossings, doors and other interlocks by their names, above or below each place, where there is room."""
+    for device in d.layout.signalling.devices:
+        for x, y in device_spots(d, device.over):
+            _put_if(d, [Label("of-device", device.id, device.id, x, y + dy) for dy in (-20, 28, -32, 40, -44, 52)])
+
+
+def _put_if(d: Drawing, places: Sequence[Label]) -> None:
+    """A label in the first place where it covers nothing, moved along the track as little as needed; else nowhere."""
+    tries = (label.moved(dx, 0) for label in places for dx in (0, 6, -6, 12, -12, 18, -18, 24, -24))
+    label = next((x for x in tries if not d.taken.meets(_around(x))), None)
+    if label is not None:
+        d.labels.append(label)
+        d.taken.add(label.box, name=True)
 
 
 def _points(d: Drawing) -> None:
@@ -76,7 +97,12 @@ def _lines(d: Drawing) -> None:
                 d.taken.add((min(a[0], b[0]), a[1] - 1.5, max(a[0], b[0]), a[1] + 1.5))
     for device in d.layout.signalling.devices:
         for x, y in device_spots(d, device.over):
-            d.taken.add((x - 10, y - 16, x + 10, y + 16))
+            wide = 10 if device.kind is DeviceKind.LEVEL_CROSSING else 12
+            d.taken.add((x - wide, y - 16, x + wide, y + 16))
+    for e in d.layout.track.edges:
+        if e.one_way:
+            (x, y), _ = arrow(d, e.id)
+            d.taken.add((x - 8, y - 6, x + 8, y + 6))
     for slip in double_slips(d.layout):
         for blade in blades(d, slip):
             (x, y), far = blade.at, blade.chord
@@ -128,9 +154,8 @@ def _signals(d: Drawing) -> None:
         ahead = d.signals[k.of][2]
         way = 1 if ahead else -1
         d.distants[k.id] = (x - way * 24, y, ahead)
-        if node in d.layout.track.boundary_at:  # beside the name of the approach section
-            up = ahead is leftward
-            d.taken.add((x - way * 24 - 6, y - 20 if up else y, x - way * 24 + 6, y if up else y + 20))
+        up = ahead is leftward
+        d.taken.add((x - way * 24 - 7, y - 20 if up else y, x - way * 24 + 7, y if up else y + 20))
         _put(d, Label("signal", k.id, k.id, x - way * 24, y - 24 if ahead is leftward else y + 32))
 
 
@@ -139,11 +164,12 @@ def _outside(d: Drawing) -> None:
     for b in layout.track.boundaries:
         x, y = d.at[b.node]
         right = all(d.edges[e.id][-1] == (x, y) for e in layout.track.edges_at[b.node])
-        reach = max(46.0, width(str(b.approach or "")) + 16)
-        tip = x + (reach if right else -reach)
+        far = reach(layout, b.node)
+        tip = x + (far if right else -far)
         d.outside.append((b.node, (tip, y), right))
         if b.approach is not None:
-            _put(d, Label("section", b.approach, b.approach, (x + tip) / 2, y - 6))
+            beyond = DISTANT * announced(layout, b.node) * (1 if right else -1)
+            _put(d, Label("section", b.approach, b.approach, (x + beyond + tip) / 2, y - 6))
         text = layout.printed.labels.get(b.node, "") or b.node
         where = tip + (8 if right else -8)
         _put(d, Label("boundary", b.node, text, where, y + 4, anchor="start" if right else "end"))
@@ -165,10 +191,11 @@ def _slope(d: Drawing, edge: EdgeId, at: Spot) -> float:
 def _put(d: Drawing, label: Label) -> None:
     """The label where nothing else stands: moved along the track, or away from it, as little as needed."""
     moves = list(_tries())
-    for names_only in (False, True):
+    for names_only, apart in ((False, True), (False, False), (True, False)):
         for dx, dy in moves:
             moved = label.moved(dx, dy)
-            if not d.taken.meets(moved.box, names_only):
+            beside = apart and d.taken.meets(_around(moved), names_only=True)
+            if not beside and not d.taken.meets(moved.box, names_only):
                 d.labels.append(moved)
                 d.taken.add(moved.box, name=True)
                 if names_only:
@@ -176,6 +203,13 @@ def _put(d: Drawing, label: Label) -> None:
                 return
     d.notes.append(f"the name {label.text} lies over another")
     d.labels.append(label)
+
+
+def _around(label: Label) -> Box:
+    """A name with room for a space before and after it: beside another it would be read as one with that."""
+    left, top, right, bottom = label.box
+    room = 3 if label.small else 6
+    return (left - room, top, right + room, bottom)
 
 
 def tell_covered(d: Drawing) -> None:

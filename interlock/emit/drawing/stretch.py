@@ -11,7 +11,22 @@ from itertools import pairwise
 import networkx as nx
 
 from interlock.emit.drawing.anchors import moved
-from interlock.emit.drawing.canvas import ARC, BLADES, LEAST, MARGIN, SIGNAL, TOP, UNIT, Drawing, Spot, cut_at, width
+from interlock.emit.drawing.canvas import (
+    ARC,
+    BLADES,
+    DISTANT,
+    LEAST,
+    MARGIN,
+    SIGNAL,
+    TOP,
+    UNIT,
+    Drawing,
+    Spot,
+    announced,
+    cut_at,
+    reach,
+    width,
+)
 from interlock.emit.drawing.names import put_names
 from interlock.emit.drawing.narrowest import narrowest
 from interlock.emit.drawing.slips import double_slips
@@ -48,6 +63,8 @@ def _content(plan: Plan, s: Strand, k: int, named: dict[EdgeId, SectionId]) -> f
             need += 10 if turned else width(str(layout.pointwork.point_at[node].id)) + 4 if toe else 40
         else:
             need += _slip_room(plan, node)
+        if announced(layout, node, edge):
+            need += DISTANT
     if edge in named:
         metres = sum(e.length for e in layout.track.edges_in[named[edge]])
         need += max(width(named[edge]), 0.82 * width(f"{metres:g}")) + 14
@@ -85,8 +102,7 @@ def outer(layout: Layout, node: NodeId) -> float:
     """Room that the end of a track needs beyond itself."""
     boundary = layout.track.boundary_at.get(node)
     if boundary is not None:
-        reach = max(46.0, width(str(boundary.approach or "")) + 16)
-        return reach + width(layout.printed.labels.get(node, "") or node) + 10
+        return reach(layout, node) + width(layout.printed.labels.get(node, "") or node) + 10
     return width(node) + 12 if node in layout.track.buffer_at else 0.0
 
 

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from xml.sax.saxutils import escape, quoteattr
 
-from interlock.emit.drawing.canvas import Drawing, Label, Spot, bend, device_spots, flat, fouling_mark
+from interlock.emit.drawing.canvas import Drawing, Label, Spot, arrow, bend, device_spots, fouling_mark
 from interlock.emit.drawing.place import place
 from interlock.emit.drawing.slips import DoubleSlip, blades, double_slips
-from interlock.model.elements import Blades, BufferKind, DeviceKind, Lane, Point, Signal, Work
+from interlock.model.elements import Blades, BufferKind, DeviceKind, EdgeId, Lane, Point, Signal, Work
 from interlock.model.foul import foul_joints
 from interlock.model.layout import Layout
 
@@ -108,12 +108,10 @@ def _tracks(d: Drawing) -> list[str]:
     return out
 
 
-def _arrow(d: Drawing, edge: str) -> str:
+def _arrow(d: Drawing, edge: EdgeId) -> str:
     """One-way track: an arrow on it."""
-    e = d.layout.track.edge[edge]  # type: ignore[index]
-    (x0, y0), (x1, y1) = flat(d.edges[e.id])
-    x, y = x0 + (x1 - x0) * 0.8, y0 + (y1 - y0) * 0.8
-    way = 6 if (d.edges[e.id][0] == d.at[e.a]) is (x1 > x0) else -6
+    (x, y), right = arrow(d, edge)
+    way = 6 if right else -6
     return f'<path class="mark" d="M{_n(x - way)} {_n(y - 5)} L{_n(x)} {_n(y)} L{_n(x - way)} {_n(y + 5)}"/>'
 
 

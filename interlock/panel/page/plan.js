@@ -44,7 +44,7 @@ export class Plan {
       this.key(`x:${name}`, e, `end of track ${name}`, 10);
     }
     for (const t of svg.querySelectorAll("text[data-of]")) {
-      const kind = {section: "s", signal: "g", point: "m"}[[...t.classList].find(c => ["section", "signal", "point"].includes(c))];
+      const kind = {section: "s", signal: "g", point: "m", "of-device": "m"}[[...t.classList].find(c => ["section", "signal", "point", "of-device"].includes(c))];
       if (!kind) continue;
       const name = kind === "m" ? this.machine(t.dataset.of) : t.dataset.of;
       t.dataset.key = `${kind}:${name}`;
