@@ -16,7 +16,7 @@ from collections.abc import Sequence
 
 from interlock.diag.called import called
 from interlock.diag.suggest import did_you_mean, nearest
-from interlock.dispatch.plan.errands import OUTSIDE, Errand, Leg
+from interlock.dispatch.plan.errands import OUTSIDE, Errand, Leg, NoVoyage, Place, TooManyPlaces
 from interlock.dispatch.plan.railway import Railway
 from interlock.model.elements import BoundaryKind, SectionId, SignalId
 from interlock.model.stopping import MARGIN_M, stands_on
@@ -24,6 +24,9 @@ from interlock.table.cells import TraversalKey
 from interlock.table.rows import VoyageRow
 
 _COMMAND = re.compile(r"(?P<train>[^:>]+):(?P<start>[^:>]+)(?P<legs>(>[^:>]+)+)")
+
+TRIED = 6
+"""Ways that are tried for an example of a command (our choice)."""
 
 _SIGNS = frozenset(":>+/")
 _SIGN = re.compile(r"\s*([:>+/])\s*")
@@ -55,7 +58,7 @@ def errand(railway: Railway, command: str, length_m: float, train: str = "") -> 
     if found is None:
         text = f"'{command}' is neither a voyage nor a command NUMBER:ORIGIN>DESTINATION"
         near = nearest(command, tuple(voyages))
-        fix = f"did you mean {near}?" if near else _written(command, railway)
+        fix = f"did you mean {near}?" if near else _written(command, railway, length_m)
         raise BadOrder("IL6004", text, tuple(voyages), command, fix)
     legs = tuple(_leg(railway, x) for x in found["legs"].split(">")[1:])
     start = _fits(railway, _start(railway, found["start"]), length_m)
@@ -74,9 +77,9 @@ def _fits(railway: Railway, start: tuple[TraversalKey, ...], length_m: float) ->
     return start
 
 
-def _written(command: str, railway: Railway) -> str:
+def _written(command: str, railway: Railway, length_m: float) -> str:
     """How a command that is none could be written; else the form of one, in names of the layout."""
-    origins, ends = _origins(railway), [str(b.node) for b in railway.layout.track.boundaries]
+    origins = _origins(railway)
     plain = "".join(unicodedata.normalize("NFKC", command).split())
     if plain != command and _COMMAND.fullmatch(plain):
         return f"write {plain}"
@@ -90,9 +93,24 @@ def _written(command: str, railway: Railway) -> str:
         return f"write the locomotive's number before it: 12:{command}"
     if not origins:
         return "name a voyage of the layout"
-    start = origins[0]
-    end = next((e for e in ends if e != start), start)
-    return f"write number, origin and destination, in quotes for the shell: '12:{start}>{end}'"
+    like = _possible(railway, origins, length_m)
+    return f"write number, origin and destination{f', in quotes for the shell: {like}' if like else ''}"
+
+
+def _possible(railway: Railway, origins: Sequence[str], length_m: float) -> str:
+    """A command that can be carried out: from boundary to boundary, else to where a route ends; empty where none is."""
+    ends = [str(b.node) for b in railway.layout.track.boundaries]
+    tried = [(a, b) for a in origins for b in ends if a != b][:TRIED]
+    for a in origins[:TRIED]:
+        outside = Place(0, frozenset(), None, ((SectionId(a), OUTSIDE),))
+        tried += [(a, str(r.exit)) for r, _ in railway.routes_on(outside, turns=False)[:TRIED]]
+    for start, end in tried:
+        try:
+            railway.draft(Errand("12", length_m, ((SectionId(start), OUTSIDE),), (Leg(end),)))
+        except (NoVoyage, TooManyPlaces):
+            continue
+        return f"'12:{start}>{end}'"
+    return ""
 
 
 def _origins(railway: Railway) -> list[str]:

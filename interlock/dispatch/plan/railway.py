@@ -25,7 +25,7 @@ from interlock.dispatch.plan.held import Held
 from interlock.dispatch.plan.problem import Draft
 from interlock.model.elements import NodeId, Position, RouteId, SectionId
 from interlock.model.layout import Layout
-from interlock.model.stopping import stands_on
+from interlock.model.stopping import MARGIN_M, stands_on
 from interlock.model.traversal import topology
 from interlock.table.cells import ExitKind, Role, RouteKind, TraversalKey
 from interlock.table.rows import InterlockingTable, RouteRow, last_left
@@ -176,15 +176,29 @@ class Railway:
             return NoVoyage(why, f"end the command at {to}, and give another one from there")
         if errand.length_m > 1 and self._goes(replace(errand, length_m=1.0)):
             long = f"{errand.train}, {errand.length_m:g} m long,"
-            return NoVoyage(
-                f"no chain of routes takes {long} from {start} to {to}", "take a shorter train: one could go"
-            )
+            why, fix = self._too_short(errand)
+            return NoVoyage(f"no chain of routes takes {long} from {start} to {to}{why}", fix)
         on = [r for p in steps if p.leg == far for r, _ in self.routes_on(p, self._turns(errand, p))]
         exits = sorted({str(r.exit) for r in on if (r.kind is RouteKind.SHUNT) == errand.legs[far].shunt})
         leads = f"routes lead from {start} to {', '.join(exits[:8])}{', ...' if exits[8:] else ''}; name another place"
         no = f"no route leads on from {start}: put a signal there, or name another place"
         why = f"no chain of routes takes {errand.train} from {start} {over}to {to}"
         return NoVoyage(why, leads if exits else no)
+
+    def _too_short(self, errand: Errand) -> tuple[str, str]:
+        """In which sections the longest train that could go stands, and a longer one does not; and what to do.  Lengths
+        are tried with which a train just stands in some section."""
+        tried = sorted({m - MARGIN_M for m in self.metres.values() if 1 < m - MARGIN_M < errand.length_m})
+        goes, fails = 0, len(tried) + 1  # of (1 m, *tried, errand.length_m)
+        while fails - goes > 1:
+            k = (goes + fails) // 2
+            goes, fails = (k, fails) if self._goes(replace(errand, length_m=tried[k - 1])) else (goes, k)
+        longest = tried[goes - 1] if goes else 1.0
+        under = [p.under for p in self.draft(replace(errand, length_m=longest)).steps]
+        short = {str(w[0][0]): m for w in under if len(w) == 1 and (m := self.metres.get(w[0])) is not None}
+        at = [f"{s}, which has {m:g} m there" for s, m in short.items() if m - MARGIN_M == longest]
+        why = f": it does not stand in {' and '.join(at)}; {errand.length_m + MARGIN_M:g} m are needed" if at else ""
+        return why, f"take a shorter train: one of {longest:g} m could go"
 
     def _goes(self, errand: Errand) -> bool:
         try:
