@@ -98,6 +98,7 @@ def test_a_refusal_says_why_and_where(at_work: tuple[Desk, Any]) -> None:
         b.until(lambda: not b.state["g:XI7"][3])
         no = b.ask("cancel", signal="XI7")
         assert not no["ok"] and "no route from XI7 is set" in no["why"][0][0]
+        b.until(lambda: b.state["m:P3"][:2] == ["R", "R"])  # a block would stop it half-way
         b.ask("block", section="s7", on=True)
         b.ask("fail", kind="section", name="s8_xc3", on=True)
         b.until(lambda: b.state["s:s8_xc3"][0] == 1 and b.state["s:s7"][3] == 1)
