@@ -144,7 +144,7 @@ def test_of_sections_that_become_clear_at_once_the_first_in_its_direction_decide
         for s in sections[1:]:
             y.at["7"].append(s)
             y.see()
-        y.d._occupied = _Ordered(order)
+        y.d.occupied = _Ordered(order)
         y.at.clear()
         y.see()
         assert y.d.alarms == {"7": f"it is lost: {sections[-1]} became clear, and nothing beside it is occupied"}
@@ -158,7 +158,7 @@ def test_a_train_that_leaves_over_the_boundary_in_one_scan_is_not_lost() -> None
         y.drive("9", "ap_E", "q11", "q9", "q7", "q5", "q3", "q2", "q1")
         y.at["9"].append("ap_W")
         y.see()
-        y.d._occupied = _Ordered(order)
+        y.d.occupied = _Ordered(order)
         y.at.clear()
         y.see()
         assert y.d.alarms == {} and y.d.trains == []

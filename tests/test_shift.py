@@ -285,6 +285,8 @@ def test_a_train_waits_outside_while_another_is_to_come_back_the_same_way(tmp_pa
     """The first one stands in the approach section; it was taken for the second, which was let in behind it."""
     w = one(HEISHAN, back(tmp_path, {"s4_xc1": 2}), 0, Options())
     assert not any(w.wrong.counts().values()) and w.trains == 6
+    entered = [(e["train"], e["kind"]) for e in read(w.log).events if e.get("section") == "s1_wait"]
+    assert all(a[0] == b[0] for a, b in zip(entered[::2], entered[1::2], strict=True)), "one at a time on the line at W"
 
 
 @pytest.mark.parametrize("look_ahead", [1, 2, 3])
@@ -292,6 +294,7 @@ def test_a_train_whose_way_out_is_set_far_ahead_is_not_out_yet(tmp_path: Path, l
     """Its last route is taken back if a train comes in first; that one was let in, since the other counted as gone."""
     w = one(HEISHAN, back(tmp_path, {"s4_xc1": 1, "s5_xc2": 1}), 2, Options(look_ahead=look_ahead))
     assert not any(w.wrong.counts().values()) and w.trains == 12
+    assert w.alarms == [], "who runs out over the boundary at which trains come in keeps its number"
 
 
 def test_without_the_rule_a_fleet_stands_for_ever(tmp_path: Path) -> None:

@@ -97,7 +97,7 @@ class Numbers:
 
     def _ways(self) -> list[tuple[SectionId, ...]]:
         """Over which sections trains are to run, by the routes that are set for them."""
-        return ways(self.dispatcher.runs, self._rear)
+        return ways(self.dispatcher.runs, self._rear, self.describer.occupied)
 
     def _keep(self) -> None:
         if not self.kept:

@@ -167,7 +167,7 @@ class Shift:
             self._fresh = True
             self.yard.shown(self.scans.outputs)
             rear = self._setting.symbols.cancellation.approach_of
-            self._describer.step(self.scans.seen, ways(self._dispatcher.runs, rear))
+            self._describer.step(self.scans.seen, ways(self._dispatcher.runs, rear, self._describer.occupied))
         return True
 
     # --- the dispatcher ----------------------------------------------------------------------------

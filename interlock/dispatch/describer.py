@@ -65,7 +65,8 @@ class Describer:
         """Sections kept blocked for lost wagons: the train that lost them."""
         self.expected: dict[SectionId, list[str]] = {}
         """By approach section: the numbers that are to come there, in order."""
-        self._occupied: set[SectionId] = set()
+        self.occupied: set[SectionId] = set()
+        """As in the scan before."""
         self._leads: set[tuple[SectionId, SectionId]] = set()
 
     # --- events --------------------------------------------------------------------------------
@@ -78,8 +79,8 @@ class Describer:
         """
         self._leads = {(a, b) for way in ways for a, b in pairwise(way)}
         now = {s for s, n in self._symbols.sections.clear.items() if not seen.get(n, 0)}
-        entered, left = sorted(now - self._occupied), self._occupied - now
-        self._occupied = now
+        entered, left = sorted(now - self.occupied), self.occupied - now
+        self.occupied = now
         while entered:
             some = next((s for s in entered if self._heads(s)), entered[0])
             entered.remove(some)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import field
 
 from interlock.dataclass import dataclass
@@ -134,12 +134,21 @@ class Run:
         return self.finished and not self.way.ahead and self.way.left(seen, {s for s, _ in self.place.under})
 
 
-def ways(runs: Iterable[Run], rear: Mapping[SignalId, SectionId | None]) -> list[tuple[SectionId, ...]]:
-    """The sections of routes that are set and not yet run over, each from the one in rear of its signal on; rear: by
-    signal."""
+def ways(
+    runs: Iterable[Run], rear: Mapping[SignalId, SectionId | None], occupied: Collection[SectionId]
+) -> list[tuple[SectionId, ...]]:
+    """The sections of routes that are set and not yet run over, and those beyond a boundary to which they lead.
+
+    rear: by signal, the section from which a route over it begins; one whose signal is passed begins where its train
+    was last.  occupied: as seen in the scan before."""
     found = []
     for way in (r.way for r in runs):
         for k, stage in enumerate(way.granted[max(0, way.at - 1) :], max(0, way.at - 1)):
-            before = rear.get(stage.entry) if k >= way.at else None
-            found.append(stage.sections if before is None else (before, *stage.sections))
+            sections = (*stage.sections, *stage.out)
+            if k < way.at:
+                here = max((i for i, s in enumerate(sections) if s in occupied), default=len(sections))
+                found.append(sections[here:])
+                continue
+            before = rear.get(stage.entry)
+            found.append(sections if before is None else (before, *sections))
     return found

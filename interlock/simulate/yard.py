@@ -47,9 +47,9 @@ class Yard:
         self.driving.shown(outputs)
 
     def room(self, boundary: str) -> bool:
-        """No train is on the line by which trains come in over a boundary."""
-        by = next(b.comes_by for b in self.track.beyond if b.name == boundary)
-        return not any(d in by for t in self.trains for d in t.body)
+        """No train is on the line beyond a boundary over which trains come in, neither on its way in nor out."""
+        line = next({*b.comes_by, b.goes} for b in self.track.beyond if b.name == boundary)
+        return not any(d in line for t in self.trains for d in t.body)
 
     def comes(self, name: str, build: Build, boundary: str) -> Rolling:
         """A train comes towards a boundary, over the approach section if there is one."""
