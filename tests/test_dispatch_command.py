@@ -50,6 +50,13 @@ def test_a_train_that_is_too_long_for_its_overlaps_is_told_so() -> None:
     assert code == 0 and "each granted within" in text
 
 
+def test_no_train_turns_in_an_overlap_that_is_held_while_it_stands_there() -> None:
+    """R4: the overlap of N2 over the siding is not given up while the train is in it, and shuts its points."""
+    code, text = run("tests/layouts_for_tests/overlaps.yaml", "1:W>sid>W", "--length", "20", "--timings", "3")
+    assert code == 0 and "  1          N1-N2\n" in text and "each granted within" in text, text
+    assert "with the rule: 0 of 3 timings stand for ever" in text
+
+
 @pytest.mark.parametrize("layout", ["heishan", "depot", "mine11", "cn6502"])
 def test_a_command_that_is_proposed_can_be_carried_out(layout: str) -> None:
     """Not every boundary is reached from every other one: at heishan loaded trains alone leave over OUT."""

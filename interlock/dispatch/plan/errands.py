@@ -54,6 +54,7 @@ class Place:
     """Where a train stands between two routes: leg, what it passed of `via`, the route it came on, ways under it.
 
     under_way: routes by which it came that hold what the author has added to them (hostile routes, points).
+    inside: earlier routes by which it came, in whose overlaps it stands now: none is given up while it is occupied.
     """
 
     leg: int
@@ -61,6 +62,7 @@ class Place:
     route: RouteId | None
     under: tuple[TraversalKey, ...]
     under_way: frozenset[RouteId] = frozenset()
+    inside: frozenset[RouteId] = frozenset()
 
     def __str__(self) -> str:
         return beside(s for s, _ in self.under) or GONE

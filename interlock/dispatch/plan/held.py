@@ -12,6 +12,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
 
 from interlock.dispatch.plan.errands import OUTSIDE, Place
+from interlock.model.elements import RouteId
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
 from interlock.table.cells import RouteKind, TraversalKey
@@ -57,7 +58,30 @@ class Held:
         if overlap is not None and len(place.under) > 1:
             for key in overlap.ways:
                 self._locks(key, things)
-        return frozenset(things) | self.under_way(place)
+        return frozenset(things) | self.under_way(place) | self.inside_of(place)
+
+    def inside_of(self, place: Place) -> frozenset[object]:
+        """What a train keeps by standing in overlaps of signals that it has passed (R4)."""
+        things: set[object] = set()
+        for x in place.inside:
+            for key in self._overlap(self._table.route[x]):
+                self._locks(key, things)
+        return frozenset(things)
+
+    def still_inside(
+        self, place: Place, chain: Sequence[RouteRow], turned: bool, under: Iterable[TraversalKey]
+    ) -> frozenset[RouteId]:
+        """The routes of a train's way from a place on, in whose overlaps it stands afterwards: unless the overlap was
+        given up before, since the next route does not go with it."""
+        before = [] if place.route is None or turned else [self._table.route[place.route]]
+        rows = [*before, *chain]
+        kept = {a.id for a, b in pairwise(rows) if a.locking.overlap is not None and self.goes_with(a, b)}
+        at = {s for s, _ in under}
+        return frozenset(x for x in kept | place.inside if any(s in at for s, _ in self._overlap(self._table.route[x])))
+
+    @staticmethod
+    def _overlap(r: RouteRow) -> Sequence[TraversalKey]:
+        return r.locking.overlap.ways if r.locking.overlap is not None else ()
 
     def under_way(self, place: Place) -> frozenset[object]:
         """What a train keeps of what the author has added to the routes by which it came."""

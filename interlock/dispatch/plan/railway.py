@@ -295,7 +295,7 @@ class Railway:
 
     def _own(self, place: Place, chain: Sequence[RouteRow]) -> bool:
         """The train itself is in the way."""
-        mine = self.held.holds(place.under) | self.held.under_way(place)
+        mine = self.held.holds(place.under) | self.held.under_way(place) | self.held.inside_of(place)
         full, inside = dict(self.held.zones), self.held.inside(place.under)
         return any(mine & self.held.needs(r) for r in chain) or any(
             inside.get(z, 0) + n > full[z] for z, n in self.held.entering(chain).items()
@@ -313,7 +313,8 @@ class Railway:
         firm = last.id if last.locking.overlap is not None and len(under) > 1 else None
         added = place.under_way | {r.id for r in chain if r.locking.barred or r.locking.added}
         under_way = frozenset(x for x in added if x == firm or last_left(self.table.route[x]) in under)
-        return Place(at, frozenset() if done else passed, last.id, under, under_way)
+        inside = self.held.still_inside(place, chain, turned, under)
+        return Place(at, frozenset() if done else passed, last.id, under, under_way, inside)
 
 
 @dataclass
