@@ -158,6 +158,11 @@ DEMANDED = "demanded: "
 """With which the reason begins of what the author demands."""
 
 
+def authors_reason(because: Because) -> str:
+    """The reason of what the author demands, in his own words."""
+    return because.text.removeprefix(DEMANDED)
+
+
 @dataclass(frozen=True)
 class Hostility:
     """How two routes are hostile: the first class that makes them so, every class, the shared resource that shows the

@@ -34,7 +34,7 @@ from interlock.logic.words import (
     Words,
 )
 from interlock.model.elements import MachineId, SectionId
-from interlock.table.cells import DEMANDED, RouteKind
+from interlock.table.cells import RouteKind, authors_reason
 from interlock.table.rows import RouteRow
 
 OWN_WORD: dict[Family, Family] = {
@@ -162,7 +162,7 @@ class _Writer:
         if held is not None:
             asked = next(p for p in r.locking.added if p.machine == held)
             lies = self.d.layout.machines.word(held, asked.position)
-            which = f"which demands {held} {lies} ({asked.because.text.removeprefix(DEMANDED)})"
+            which = f"which demands {held} {lies} ({authors_reason(asked.because)})"
         return f"route {r.id}, {which}, is set or not yet cleared"
 
     def _of_several(self, x: Expr, t: Term) -> str:
