@@ -49,7 +49,9 @@ def test_other_engines_come_to_the_same_verdicts(name: str, engine: str) -> None
     assert not dropped and not open_claims(system, kept, claims(Facts(system)), limits)
 
 
-@pytest.mark.parametrize("name", ["token_unused", "token_excluded", "limits_of_shunt", "identifier_whole"])
+@pytest.mark.parametrize(
+    "name", ["token_unused", "token_excluded", "token_one_track", "limits_of_shunt", "identifier_whole"]
+)
 def test_what_was_unknown_is_proved_and_certified(name: str, tmp_path: Path) -> None:
     """A token that no route needs, or one excluded route: T-LINE; limits of shunt on both sides of a berth: T-COLLISION
     and more."""

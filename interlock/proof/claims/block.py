@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+
 from interlock.logic import names
 from interlock.logic.expr import Expr, conj, disj, iff, implies, neg, var
 from interlock.logic.plant import accepted, came, has_token, lamp, line, o, rests, seen_by, telegram
+from interlock.logic.symbols import RouteSymbols, Way
 from interlock.model.elements import NodeId, SectionId
 from interlock.proof.claims.kinds import Facts, Invariant
 from interlock.proof.claims.overlaps import overrun
@@ -66,7 +69,39 @@ def _departing(f: Facts, b: NodeId) -> list[tuple[str, Expr]]:
             out.append((f"K-GOES:{r.id}:{t}", implies(conj((*ahead, f.seen.been(t))), here)))
         if f.track.berth(s):  # a train counts as arrived there, and goes on all the same
             out.append((f"K-GOES:{r.id}", implies(_goes_on(f, s, n), here)))
-    return out or _staying(f, b)
+        out += _apart(f, r)
+    return list(dict(out).items()) or _staying(f, b)
+
+
+def _apart(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:
+    """Of sections locked for trains one behind the other towards the boundary, one route has locked the first and
+    another the last.  Where no route goes the whole way, because the author excludes it, they are never locked so."""
+    for i, (t, k) in enumerate(r.path.ways[1:], 1):
+        entry = f.track.way(t, k)[0]
+        rear = f.topo.beyond(t, entry)
+        if rear is None:
+            continue
+        for n, _ in f.locking.of(rear):
+            if f.track.way(rear, n)[1] == entry:
+                chain = _of_no_route(f, (rear, n), r.path.ways[i:])
+                if len(chain) > (1 if f.track.shunts else 2):  # two over which no shunt route leads either: J-APART
+                    locked = (x for s, m in chain for x in (f.locking.lock(s, m), f.locking.train(s)))
+                    yield "K-APART:" + ">".join(f"{s}:{m}" for s, m in chain), neg(conj(locked))
+
+
+def _of_no_route(f: Facts, rear: Way, onward: Sequence[Way]) -> list[Way]:
+    """A way and the first ones onward that no train has locked together; none where one may: by a route over all of
+    them, or by one to a signal on the way and another from there."""
+    chain = [rear]
+    over = [q for q in f.sym.routes.over.get(rear, ()) if not q.shunt]
+    for way in onward:
+        if any(q.path.ways[-1] == chain[-1] for q in over):
+            return []
+        chain.append(way)
+        over = [q for q in over if way in q.path.ways]
+        if not over:
+            return chain
+    return []
 
 
 def _staying(f: Facts, b: NodeId) -> list[tuple[str, Expr]]:
