@@ -373,3 +373,44 @@ signals:
     told = [d for d in found.diagnostics if d.code == "IL4017"]
     assert len(told) == 1 and "B.reverse" in told[0].message, found.diagnostics
     assert ("flank_space" in told[0].fix) == (space == "no")
+
+
+ONE_WAY_LANE = """
+interlock: 1
+name: lane
+profile: mine
+boundaries:
+  W: {approach: wa 400}
+  E: {approach: ea 400}
+tracks:
+  west: [W, q1 200]
+  up: [g1 500]
+  loop: [g2 500]
+  east: [q9 200, E]
+points:
+  P1: {section: w1, toe: west.end, normal: up.start, reverse: loop.start, legs: 30}
+  P2: {section: w2, toe: east.start, normal: up.end, reverse: loop.end, legs: 30}
+sections:
+  g1: {one_way: backward}
+signals:
+  A1: {from: W, into: q1}
+  A2: {from: q1, into: w1}
+  B1: {from: E, into: q9}
+  B2: {from: q9, into: w2}
+  N2: {from: g2, into: w2}
+  S1: {from: g1, into: w1}
+  S2: {from: g2, into: w1}
+"""
+
+
+def test_vehicles_run_away_over_an_inclined_lane_against_its_one_way() -> None:
+    """A level track that trains run over one way protects; from an inclined one something must hold what comes back."""
+    protected = {}
+    for lane, text in (("level", ""), ("inclined", ", lane: inclined")):
+        made = grown(ONE_WAY_LANE.replace("one_way: backward", "one_way: backward" + text))
+        assert made is not None and not made[2].has_errors and audit(made[0], made[1]) == ()
+        assert prove(System(made[0], lower(made[0], made[1]))).proved
+        protected[lane] = {
+            (c.requester, str(p)) for c in made[1].route[RouteId("N2-E")].locking.flank for p in c.providers
+        }
+    assert protected == {"level": {("P2.normal", "g1")}, "inclined": {("P2.normal", "A2")}}

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Mapping
 from itertools import pairwise
 from typing import NamedTuple
 
-from interlock.audit.walk import Frozen, Move, Trip, signal_distance, signal_facing, steps_to
+from interlock.audit.walk import Frozen, Move, Trip, nothing_comes, signal_distance, signal_facing, steps_to
 from interlock.model.elements import BoundaryKind, BufferKind, EdgeId, MachineId, NodeId, Position, SectionId
 from interlock.model.layout import Layout, of_layout
 from interlock.table.rows import RouteRow
@@ -88,7 +88,7 @@ def _walk(
     while todo:
         here, spur = todo.pop()
         e = layout.track.edge[here.edge]
-        if (here, spur) in seen or (e.one_way and here.node != e.b):
+        if (here, spur) in seen or nothing_comes(e, here.node):
             continue
         seen.add((here, spur))
         rear = layout.track.far(here.edge, here.node)
@@ -198,7 +198,7 @@ def _between(layout: Layout, place: Place, frozen: Frozen) -> Space:
     while todo:
         here = todo.pop()
         e = layout.track.edge[here.edge]
-        if here in seen or (e.one_way and here.node != e.b):
+        if here in seen or nothing_comes(e, here.node):
             continue
         seen.add(here)
         rear = layout.track.far(here.edge, here.node)

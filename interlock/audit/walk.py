@@ -12,7 +12,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from interlock.dataclass import dataclass
-from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, Signal
+from interlock.model.elements import BoundaryKind, Edge, EdgeId, MachineId, NodeId, Position, SectionId, Signal
 from interlock.model.layout import Layout, of_layout
 
 Frozen = Mapping[MachineId, Position]
@@ -139,6 +139,11 @@ def steps(
         yield step.ahead, step.needs
 
 
+def nothing_comes(e: Edge, node: NodeId) -> bool:
+    """Against its one way no train runs; vehicles run away over an inclined lane all the same."""
+    return e.one_way and not e.inclined and node != e.b
+
+
 @of_layout
 def steps_to(layout: Layout, here: Move) -> tuple[tuple[Move, tuple[MachineId, Position] | None], ...]:
     """Where a vehicle can have come from, and the position of a point that it met at its toe on the way here."""
@@ -148,7 +153,7 @@ def steps_to(layout: Layout, here: Move) -> tuple[tuple[Move, tuple[MachineId, P
         (m, step.needs if step.facing else None)
         for m in before
         for step in _every_step(layout, m)
-        if step.ahead == here and not step.against
+        if step.ahead == here and not nothing_comes(layout.track.edge[here.edge], here.node)
     )
 
 

@@ -43,6 +43,11 @@ class Edge:
     section: str
     length: float
     one_way: bool
+    inclined: bool
+
+    def none_to(self, node: str) -> bool:
+        """Nothing comes over it to that end: it runs one way, and no vehicle runs away over it."""
+        return self.one_way and not self.inclined and self.a == node
 
     def far(self, node: str) -> str:
         """The other end."""
@@ -230,9 +235,10 @@ class _Drawer:
     # --- edges ---------------------------------------------------------------------------------------
 
     def _edge(self, name: str, a: str, b: str, length: float, section: str) -> str:
-        way = ((self.body.get("sections") or {}).get(section) or {}).get("one_way")
+        of = (self.body.get("sections") or {}).get(section) or {}
+        way, inclined = of.get("one_way"), of.get("lane") == "inclined"
         a, b = (b, a) if way == "backward" else (a, b)
-        self.drawn.edges[name] = Edge(name, a, b, section, length, way is not None)
+        self.drawn.edges[name] = Edge(name, a, b, section, length, way is not None, inclined)
         return name
 
     def _draw_track(self, name: str, parts: list[tuple[str, float]]) -> None:

@@ -201,9 +201,9 @@ class Protection(Added):
     def _rolls(self, e: Edge, node: str, gone: float, needed: float, seen: frozenset[str], derailer: bool) -> Formula:
         """derailer: one has been passed that holds what comes from further out."""
         far, gone = e.far(node), gone + e.length
-        if (e.one_way and e.a == node) or far in seen or far in self.r.drawn.buffers:
+        if e.none_to(node) or far in seen or far in self.r.drawn.buffers:
             stops = {str(x) for x in self.r.body.get("buffers") or ()} - seen
-            return TRUE if derailer and far in stops and not (e.one_way and e.a == node) else FALSE
+            return TRUE if derailer and far in stops and not e.none_to(node) else FALSE
         g = self._holding(e, far, gone, needed)
         if g is not None:
             return self._lets_pass(g)
@@ -264,7 +264,7 @@ class Protection(Added):
     ) -> Formula:
         """asked: the sections that must be clear.  That of a point which turns vehicles away is no flank space."""
         d, far = self.r.drawn, e.far(node)
-        if e.one_way and e.a == node:
+        if e.none_to(node):
             return TRUE
         clear = self.w_steadily_clear(e.section) if e.section in asked else TRUE
         if far in seen or far in self.r.drawn.buffers:
@@ -283,7 +283,7 @@ class Protection(Added):
     def _points_turn_away(self, e: Edge, node: str, gone: float, needed: float, seen: frozenset[str]) -> Formula:
         """Points of the very section turn a vehicle away, wherever it could come from."""
         far = e.far(node)
-        if e.one_way and e.a == node:
+        if e.none_to(node):
             return TRUE
         held = self._holding(e, far, gone + e.length, needed) is not None
         if far in seen or far in self.r.drawn.buffers or far in self.r.drawn.boundaries or held:

@@ -150,7 +150,7 @@ def _outward(
     spur: bool = False,
 ) -> Iterator[tuple[Provider, ...]]:
     e = layout.track.edge[edge]
-    if e.one_way and e.a == node:
+    if e.nothing_comes_to(node):
         yield (Provider(ProviderKind.ONE_WAY, e.section),)
         return
     far = layout.track.far(edge, node)
@@ -241,7 +241,7 @@ def reached(
     while todo:
         edge, node, gone = todo.pop()
         e = layout.track.edge[edge]
-        if seen.get((edge, node), inf) <= gone or (e.one_way and e.a == node):
+        if seen.get((edge, node), inf) <= gone or e.nothing_comes_to(node):
             continue
         seen[edge, node] = gone
         far = layout.track.far(edge, node)

@@ -137,7 +137,7 @@ def _too_near(layout: Layout, r: Requester) -> dict[SignalId, float]:
     while todo:
         edge, node, gone = todo.pop()
         e, far = layout.track.edge[edge], layout.track.far(edge, node)
-        if (edge, node) in seen or (e.one_way and e.a == node):
+        if (edge, node) in seen or e.nothing_comes_to(node):
             continue
         seen.add((edge, node))
         gone += e.length

@@ -460,13 +460,12 @@ class Wirer:
         return f.crossings[port.name].arms[int(port.end[0]) - 1].section
 
     def edge(self, name: str, a: NodeId, b: NodeId, length: float, section: str) -> EdgeId:
-        one_way = None
         spec = self.ctx.file.sections.get(section)
-        if spec is not None:
-            one_way = spec.one_way
+        one_way = spec.one_way if spec is not None else None
+        inclined = spec is not None and spec.lane == "inclined"
         if one_way == "backward":
             a, b = b, a
-        self.out.edges.append(Edge(EdgeId(name), a, b, length, SectionId(section), one_way is not None))
+        self.out.edges.append(Edge(EdgeId(name), a, b, length, SectionId(section), one_way is not None, inclined))
         return EdgeId(name)
 
     def _build(self) -> None:

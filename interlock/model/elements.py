@@ -91,7 +91,8 @@ class Section:
 
 @dataclass(frozen=True)
 class Edge:
-    """A stretch of track between two nodes within one section; `one_way` permits only a to b."""
+    """A stretch of track between two nodes within one section; trains run over it from a to b alone if it is `one_way`,
+    and so does whatever rolls, but for vehicles that run away on an inclined lane."""
 
     id: EdgeId
     a: NodeId
@@ -99,6 +100,11 @@ class Edge:
     length: float
     section: SectionId
     one_way: bool = False
+    inclined: bool = False
+
+    def nothing_comes_to(self, node: NodeId) -> bool:
+        """Whether nothing comes over it to one of its ends: neither a train nor vehicles that roll (R5)."""
+        return self.one_way and not self.inclined and self.a == node
 
 
 class Work(StrEnum):

@@ -99,7 +99,7 @@ def _beyond(
 ) -> Beyond:
     """`gone`: metres from the place to `node`; `needed`: how far away a vehicle must stand; `spur`: past a derailer."""
     e = layout.track.edge[edge]
-    if e.one_way and e.a == node:
+    if e.nothing_comes_to(node):
         return Beyond(e.section, one_way=True)
     far = layout.track.far(edge, node)
     gone += e.length
