@@ -414,3 +414,49 @@ def test_vehicles_run_away_over_an_inclined_lane_against_its_one_way() -> None:
             (c.requester, str(p)) for c in made[1].route[RouteId("N2-E")].locking.flank for p in c.providers
         }
     assert protected == {"level": {("P2.normal", "g1")}, "inclined": {("P2.normal", "A2")}}
+
+
+SAFETY_SIDING = """
+interlock: 1
+name: siding
+profile: cn
+boundaries:
+  X: {approach: XJG 1000}
+  S: {approach: SJG 1000}
+buffers: [ZB]
+traps: [AQX]
+tracks:
+  w: [X, IAG 150]
+  m: [IG 850]
+  e: [m.end, IIAG 150, S]
+  zyx: [ZB, ZG 300]
+  aq: [AQ 50, AQX]
+points:
+  1: {section: 1DG, toe: w.end, normal: m.start, reverse: 3.reverse}
+  3: {section: 3DG, toe: zyx.end, normal: aq.start}
+signals:
+  XX: {from: X, into: IAG}
+  SS: {from: S, into: IIAG}
+  SI: {from: IG, into: 1DG}
+  XI: {from: IG, into: IIAG}
+  SZ: {from: ZG, into: 3DG, kind: combined}
+"""
+
+
+@pytest.mark.parametrize("kind", ["trap", "derailer"])
+def test_what_is_there_to_hold_vehicles_is_laid_whatever_signal_stands_behind_it(kind: str) -> None:
+    """In `cn`, where a signal at stop is preferred to other points."""
+    text = SAFETY_SIDING
+    if kind == "derailer":
+        for old, new in (
+            ("traps: [AQX]\n", ""),
+            ("  aq: [AQ 50, AQX]\n", "  n: [3DG 40]\n"),
+            ("reverse: 3.reverse}", "reverse: n.end}"),
+            ("  3: {section: 3DG, toe: zyx.end, normal: aq.start}\n", ""),
+            ("signals:", "derailers:\n  3: {section: 3DG, inner: n.start, outer: zyx.end}\nsignals:"),
+        ):
+            text = text.replace(old, new)
+    made = grown(text)
+    assert made is not None and not made[2].has_errors and audit(made[0], made[1]) == ()
+    points = made[1].route[RouteId("XX-XI")].locking.points
+    assert [(str(p.machine), str(p.position)) for p in points if p.role is Role.FLANK] == [("3", "N")]

@@ -187,8 +187,7 @@ def _outward(
         turned = None
     beyond = _outward(layout, r, allowed, point.toe, far, gone, seen, spur or point.derailer)
     first = next(beyond, None)
-    by_signal = layout.principles.flank_by is FlankChoice.SIGNAL and r.node not in layout.pointwork.crossing_at
-    preferred = _BY_SIGNAL if by_signal else _PASSIVE
+    preferred = _BY_SIGNAL if _signal_before(layout, r, point, position.other) else _PASSIVE
     ends = first is not None and any(p.kind is ProviderKind.BUFFER for p in first)  # vehicles may stand before it
     if first is not None and all(p.kind in preferred for p in first) and (turned is None or not ends):
         yield first
@@ -198,6 +197,29 @@ def _outward(
     if first is not None:
         yield first
     yield from beyond
+
+
+def _signal_before(layout: Layout, r: Requester, point: Point, position: Position) -> bool:
+    """Whether a signal at stop is preferred to a point in a position that turns vehicles away.
+
+    Not to a derailer, nor to a point that leads into a trap: they are there for nothing else.
+    """
+    if layout.principles.flank_by is FlankChoice.POINT or r.node in layout.pointwork.crossing_at:
+        return False
+    return not point.derailer and not _leads_into_a_trap(layout, point, position)
+
+
+def _leads_into_a_trap(layout: Layout, point: Point, position: Position) -> bool:
+    """Whether a leg leads over plain track into a trap: the point is there to lie for it (safety siding, 安全线)."""
+    node, edge = point.node, point.leg(position)
+    for _ in layout.track.edges:
+        node = layout.track.far(edge, node)
+        if node in layout.track.buffer_at:
+            return layout.track.buffer_at[node].kind is BufferKind.TRAP
+        if node in layout.pointwork.point_at or node in layout.pointwork.crossing_at:
+            return False
+        edge = next(iter(onward_edges(layout, node, edge)), edge)
+    return False
 
 
 def _end(layout: Layout, node: NodeId, spur: bool) -> Iterator[tuple[Provider, ...]]:
