@@ -297,6 +297,20 @@ def test_a_train_whose_way_out_is_set_far_ahead_is_not_out_yet(tmp_path: Path, l
     assert w.alarms == [], "who runs out over the boundary at which trains come in keeps its number"
 
 
+@pytest.mark.parametrize("length", [190, 250])
+def test_the_tail_of_a_long_train_is_not_in_its_way(tmp_path: Path, length: int) -> None:
+    """Its head is past the second signal while its tail is on the line outside, where it was taken for a stranger."""
+    file = tmp_path / "x.dispatch"
+    file.write_text(
+        f"dispatch: 1\nlayout: turning_loop\nfleet: {{1: {{length: {length}, at: out}}, 2: {{length: 60, at: out}}}}\n"
+        "places:\n  out: {kind: waiting, at: W, capacity: 2}\n  load: {kind: loading, at: a, minutes: 5}\n"
+        "  tip: {kind: tipping, at: W, minutes: 5}\norders: {x: {from: load, to: tip, trains: 4}}\n",
+        "utf-8",
+    )
+    w = one("tests/layouts_for_tests/turning_loop.yaml", str(file), 0, Options(hours=4.0))
+    assert w.trains == 4 and not any(w.wrong.counts().values()) and w.alarms == []
+
+
 def test_without_the_rule_a_fleet_stands_for_ever(tmp_path: Path) -> None:
     w = one(HEISHAN, fleet_of(tmp_path, 8), 0, Options(rule=False))
     assert w.wrong.standstill and w.seconds < 8 * 3600

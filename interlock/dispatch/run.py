@@ -122,10 +122,10 @@ class Run:
         found = {s for p in (way.places[max(0, way.at - 2) :], [self.place]) for x in p for s, n in x.under if n}
         found |= {s for stage in way.granted[max(0, way.at - 1) :] for s in stage.sections}
         found |= {s for stage in way.granted[max(0, way.at - 1) : way.at] for s in stage.out}  # it runs out there
-        for p in (*way.places[:1], self.place):
+        for p in (*way.places[max(0, way.at - 1) :], self.place):  # the first of them: where it comes from
             for b, n in p.under:
                 approach = self.journey.railway.approach.get(b) if n == OUTSIDE else None
-                if approach is not None and way.at < 2:
+                if approach is not None:
                     found.add(approach)
         return found
 
