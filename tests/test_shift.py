@@ -297,17 +297,29 @@ def test_a_train_whose_way_out_is_set_far_ahead_is_not_out_yet(tmp_path: Path, l
     assert w.alarms == [], "who runs out over the boundary at which trains come in keeps its number"
 
 
-@pytest.mark.parametrize("length", [190, 250])
-def test_the_tail_of_a_long_train_is_not_in_its_way(tmp_path: Path, length: int) -> None:
-    """Its head is past the second signal while its tail is on the line outside, where it was taken for a stranger."""
+def looped(tmp_path: Path, load: str, length: int, planned: bool) -> Worked:
+    """Two trains on the turning loop, which come in and leave over the same boundary."""
     file = tmp_path / "x.dispatch"
     file.write_text(
         f"dispatch: 1\nlayout: turning_loop\nfleet: {{1: {{length: {length}, at: out}}, 2: {{length: 60, at: out}}}}\n"
-        "places:\n  out: {kind: waiting, at: W, capacity: 2}\n  load: {kind: loading, at: a, minutes: 5}\n"
+        f"places:\n  out: {{kind: waiting, at: W, capacity: 2}}\n  load: {{kind: loading, at: {load}, minutes: 5}}\n"
         "  tip: {kind: tipping, at: W, minutes: 5}\norders: {x: {from: load, to: tip, trains: 4}}\n",
         "utf-8",
     )
-    w = one("tests/layouts_for_tests/turning_loop.yaml", str(file), 0, Options(hours=4.0))
+    return one("tests/layouts_for_tests/turning_loop.yaml", str(file), 0, Options(hours=4.0, planned=planned))
+
+
+@pytest.mark.parametrize("length", [190, 250])
+def test_the_tail_of_a_long_train_is_not_in_its_way(tmp_path: Path, length: int) -> None:
+    """Its head is past the second signal while its tail is on the line outside, where it was taken for a stranger."""
+    w = looped(tmp_path, "a", length, planned=False)
+    assert w.trains == 4 and not any(w.wrong.counts().values()) and w.alarms == []
+
+
+@pytest.mark.parametrize("load", ["w2", "a"])
+def test_no_train_comes_towards_a_boundary_over_which_another_is_to_run_out(tmp_path: Path, load: str) -> None:
+    """Its route was set, and it was not on the line yet: the other one came, and for good both stood."""
+    w = looped(tmp_path, load, 60, planned=True)
     assert w.trains == 4 and not any(w.wrong.counts().values()) and w.alarms == []
 
 

@@ -254,8 +254,10 @@ class Shift:
             self.yard.driving.turns(r)
 
     def _come(self) -> None:
-        """The next of those that were commanded comes towards each boundary, once the dispatcher counts on it."""
-        before: set[str] = set()
+        """The next of those that were commanded comes towards each boundary, once the dispatcher counts on it, while
+        no other is to run out there, or runs out."""
+        rows, ways = self._setting.railway.table.route, [r.way for r in self._dispatcher.runs]
+        before = {str(rows[x.route].exit) for way in ways for x in way.granted[max(0, way.at - 1) :]}
         for trip in self._trips.values():
             if trip.came:
                 continue
