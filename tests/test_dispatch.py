@@ -207,6 +207,20 @@ def test_a_point_that_fails_makes_another_plan() -> None:
     assert p.opened() & {"X1"}
 
 
+def test_points_in_a_section_that_an_operator_blocks_are_known_to_stay() -> None:
+    """X8-E has P2 reverse for flank protection; it was asked for, and refused, every five seconds."""
+    found = grown(Path("tests/layouts_for_tests/swing_condition.yaml").read_text("utf-8"))
+    assert found is not None
+    p = Panel(*found[:2], lower(*found[:2]))
+    p.dispatcher.carry_out(errand(p.dispatcher.railway, "7:q8/X8>E", 60.0)[0])
+    p.stand("q8")
+    p.run(100, BLK_q4=1)
+    assert p.asked == []
+    assert p.dispatcher.journal.said == ["no plan exists: 7 cannot go on, with P2, q4 in the way"]
+    p.run(100)
+    assert p.opened() == {"X8"}
+
+
 def test_a_train_that_runs_out_is_not_in_the_way_of_plans() -> None:
     """Its head is beyond the boundary for longer than it takes to see a stranger, its tail still within."""
     p = panel("mine11")

@@ -13,12 +13,18 @@ from click.testing import CliRunner
 from interlock.app.dispatch import dispatch
 from interlock.app.replay import to_text
 from interlock.cli.dispatch import command
+from interlock.cli.simulate import command as simulate
 from interlock.diag.codes import CODES
 
 
 def run(*arguments: str) -> tuple[int, str]:
     done = CliRunner().invoke(command, arguments, catch_exceptions=False)
     return done.exit_code, done.output.removeprefix(f"{arguments[0]}: planning\n")
+
+
+def simulated(*arguments: str) -> tuple[int, str]:
+    done = CliRunner().invoke(simulate, arguments, catch_exceptions=False)
+    return done.exit_code, done.output
 
 
 @pytest.mark.parametrize(
@@ -161,6 +167,46 @@ def test_no_train_is_planned_through_what_the_dispatch_file_closes(blocked: str,
     code, text = run("layouts/mine11.yaml", "--orders", str(file), "--timings", "2", "--explore")
     assert code == 0 and f"  1          {over}\n" in text and "each granted within" in text, text
     assert "with the rule: 0 of 2 timings stand for ever" in text
+
+
+def one_train(tmp_path: Path, layout: str, ways: tuple[str, str, str], blocked: str) -> str:
+    """A dispatch file of one train with one order: over a boundary, to a section, out over a boundary."""
+    file = tmp_path / f"{blocked}.dispatch"
+    come, load, go = ways
+    file.write_text(
+        f"dispatch: 1\nlayout: {layout}\nfleet: {{1: {{length: 60, at: out}}}}\nplaces:\n"
+        f"  out: {{kind: waiting, at: {come}}}\n  load: {{kind: loading, at: {load}, minutes: 5}}\n"
+        f"  tip: {{kind: tipping, at: {go}, minutes: 5}}\norders: {{a: {{from: load, to: tip, trains: 1}}}}\n"
+        f"blocked: [{blocked}]\n",
+        "utf-8",
+    )
+    return str(file)
+
+
+@pytest.mark.parametrize(
+    ("ways", "blocked", "why"),
+    [
+        (("W", "q8", "E"), "q4", "need P2 reverse, which is not moved while q4 is blocked"),
+        (("W", "q3", "W"), "q4", "have q4, which is blocked, as its overlap\n"),
+        (("W", "q3", "W"), "q5", "have q5, which is blocked, as its overlap"),
+    ],
+)
+def test_points_in_what_is_blocked_are_not_moved_for_flank_or_overlap(
+    ways: tuple[str, str, str], blocked: str, why: str, tmp_path: Path
+) -> None:
+    """A plan was found with them, and the controller refused it for ever."""
+    layout, file = "tests/layouts_for_tests/swing_condition.yaml", one_train(tmp_path, "swing_condition", ways, blocked)
+    for done, text in (run(layout, "--orders", file), simulated(layout, "--dispatch", file)):
+        assert done == 1 and "IL6016" in text and why in text, text
+
+
+def test_with_a_blocked_section_another_overlap_is_taken_in_a_shift_too(tmp_path: Path) -> None:
+    """The dispatcher asked for the first one that leads there, though its plan had the other."""
+    file = one_train(tmp_path, "flank_lab", ("A", "g8", "B"), "g2")
+    done, text = run("layouts/flank_lab.yaml", "--orders", file)
+    assert done == 0 and "  1          SA-S1.o2\n" in text and "each granted within" in text, text
+    done, text = simulated("layouts/flank_lab.yaml", "--dispatch", file)
+    assert done == 0 and "trains tipped a shift: 1" in text, text
 
 
 def test_a_plan_is_written_and_replayed(tmp_path: Path) -> None:

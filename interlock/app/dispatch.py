@@ -237,7 +237,7 @@ def dispatch(
         setting, given = _shift(railway, file or beside(path), obstacles, sink, texts)
     if setting is None:
         return Dispatched(checked, sink.diagnostics, texts=texts)
-    blocked = setting.named(setting.obstacles - obstacles)
+    blocked = setting.named([x for x in setting.obstacles if isinstance(x, tuple) and x[0] == "blocked"])
     found = Dispatched(checked, (), setting.errands, given=given, texts=texts)
     found.in_the_way = InTheWay((*failed, *occupied), blocked)
     controller = lower(layout, table)
@@ -363,10 +363,10 @@ def _shift(
     if sink.has_errors:
         return None, Given(derived)
     errands = [d.journeys[n].errand for n, d in by_train.items()]
-    sections = {str(s.id) for s in railway.layout.track.sections}
-    return Setting(railway, errands, obstacles | {("blocked", s) for s in orders.file.closed & sections}), Given(
-        derived, by_train
-    )
+    closed = [s.id for s in railway.layout.track.sections if s.id in orders.file.closed]
+    lies = railway.held.at_first(key for e in errands for key in e.start)
+    obstacles |= {("blocked", s) for s in closed} | railway.held.stay(closed, lies)
+    return Setting(railway, errands, obstacles), Given(derived, by_train)
 
 
 def _in_turn(fleet: Sequence[str], derived: Sequence[Derived]) -> dict[str, Derived]:

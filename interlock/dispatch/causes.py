@@ -13,6 +13,8 @@ _SIGNS = (
     ("is in the way", "another train is in the way"),
     ("is not clear", "section is occupied"),
     ("is locked", "section is locked"),
+    ("is blocked", "section is blocked"),
+    ("is not moved", "points are not moved"),
     ("line beyond", "line beyond is occupied"),
     ("was refused", "refused"),
     ("to be loaded", "signal is shut"),

@@ -79,7 +79,7 @@ class Dispatcher:
         self._writes, self._for = 0, None  # type: tuple[int, tuple[Run, Stage] | None]
         self._cancels: dict[str, int] = {}
         self._passing: dict[SignalId, Stage] = {}
-        self._obstacles = Obstacles(symbols)
+        self._obstacles = Obstacles(symbols, railway.held)
         self.holding = Holding(railway, self.runs, rule, budget, self.journal.said)
 
     # --- commands ------------------------------------------------------------------------------

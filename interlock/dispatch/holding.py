@@ -50,9 +50,11 @@ class Holding:
         return sorted(pairs, key=lambda x: x[0].routes[0].id != planned)
 
     def behind(self, run: Run, move: Move) -> str:
-        """Which train stands, or will stand, where a move leads."""
+        """Which train stands, or will stand, where a move leads; or what else is in its way."""
         assert self.built is not None
         p = self.built.problem
+        if any(b & move.blocked for x in self.built.bits[len(self.runs) :] for b in x.values()):
+            return self._obstacle(run, move)
         for other in self.runs:
             if other is not run and not other.coming and self._certain(other) & move.blocked:
                 return f"{other.name} is in the way"
@@ -63,6 +65,15 @@ class Holding:
         earlier = [r for r in self.runs if r.coming and r is not run and self._bit(r) & move.blocked]
         same = [r.name for r in earlier if run.coming and r.place.under == run.place.under]
         return f"{same[0]} comes in before it" if same else ""
+
+    def _obstacle(self, run: Run, move: Move) -> str:
+        """What is in the way of a move, of all that is in the way."""
+        step = run.journey.steps[run.place][int(move.label)]
+        needed = self.obstacles & step.besides.union(*map(self._railway.held.needs, step.routes))
+        kind, name = min((str(x[0]), str(x[1])) for x in needed if isinstance(x, tuple))
+        if kind == "lies":
+            return f"{name} is not moved from where it lies"
+        return f"{name} is {'blocked' if kind == 'blocked' else 'not clear'}"
 
     def safe(self, run: Run, move: Move) -> bool:
         """A completion plan exists for the state after; it is then the one that is held."""

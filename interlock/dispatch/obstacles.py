@@ -1,8 +1,10 @@
-"""What is in the way of plans: sections occupied by nobody with a command, blocked ones, machines that have failed."""
+"""What is in the way of plans: sections occupied by nobody with a command, blocked ones and the points in them, and
+machines that have failed."""
 
 from __future__ import annotations
 
 from interlock.dispatch.panel import Indications
+from interlock.dispatch.plan.held import Held
 from interlock.logic.symbols import Symbols
 from interlock.model.elements import MachineId, Position, SectionId
 
@@ -13,8 +15,8 @@ STRANGER_MS = 3_000
 class Obstacles:
     """What is in the way, as a panel shows it."""
 
-    def __init__(self, symbols: Symbols) -> None:
-        self.symbols = symbols
+    def __init__(self, symbols: Symbols, held: Held) -> None:
+        self.symbols, self._held = symbols, held
         self.leaving: set[SectionId] = set()
         """Approach sections over which trains run that have left."""
         self.things: frozenset[object] = frozenset()
@@ -35,13 +37,15 @@ class Obstacles:
             self._strange = {s: self._strange.get(s, 0) + dt_ms for s in occupied if s not in known}
             things |= {("section", s) for s, ms in self._strange.items() if ms > STRANGER_MS}
             things |= {("blocked", s) for s in blocked if s not in known}
+            lies = {m: x for (m, x), name in self.symbols.machines.detected.items() if seen.get(name, 0)}
+            things |= self._held.stay(blocked, lies) if blocked else set()
         for m, name in self._late.items():
             if not seen.get(name, 0) and m not in self._failed:
                 continue
-            lies = {x: seen.get(self.symbols.machines.detected[m, x], 0) for x in Position}
-            if seen.get(name, 0) or not any(lies.values()):  # until it is detected again somewhere
+            there = {x for x in Position if seen.get(self.symbols.machines.detected[m, x], 0)}
+            if seen.get(name, 0) or not there:  # until it is detected again somewhere
                 self._failed.add(m)
-                things |= {("lies", m, x.other) for x, there in lies.items() if not there}
+                things |= {("lies", m, x.other) for x in Position if x not in there}
             else:
                 self._failed.discard(m)
         changed = things != self.things

@@ -9,17 +9,20 @@ from __future__ import annotations
 
 import math
 import unicodedata
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import cached_property
 
 from interlock.dataclass import dataclass
 from interlock.diag import Sink
 from interlock.diag.suggest import did_you_mean
 from interlock.dispatch.language import DispatchFile, Orders, OrderSpec, TrainSpec
 from interlock.dispatch.plan.errands import OUTSIDE, Errand, Leg, NoVoyage, Place, TooManyPlaces
+from interlock.dispatch.plan.held import Lies
 from interlock.dispatch.plan.railway import Journey, Railway
 from interlock.model.elements import SectionId
 from interlock.model.stopping import MARGIN_M, stands_on
 from interlock.table.cells import TraversalKey
+from interlock.table.rows import RouteRow
 
 
 @dataclass(frozen=True)
@@ -193,21 +196,41 @@ class Derivation:
 
     def _open(self, name: str, journey: Journey) -> bool:
         """Some chain of routes leads past whatever is blocked."""
-        blocked = self.file.closed
-        todo, came, met = [journey.start], {journey.start}, set[str]()
+        todo, came, met = [journey.start], {journey.start}, dict[str, None]()
         while todo:
             steps = journey.steps[todo.pop()]
             if not steps:
                 return True
             for s in steps:
-                on = {str(x) for r in s.routes for x in r.path.section_ids} & blocked
-                met |= on
-                if not on and s.after not in came:
+                shut = self._shut(s.routes)
+                met |= dict.fromkeys(shut)
+                if not shut and s.after not in came:
                     came.add(s.after)
                     todo.append(s.after)
-        text = f"order {name} has no way that does not lead through {', '.join(sorted(met))}, which is blocked"
+        text = f"order {name} has no way that does not {', or '.join(sorted(met))}"
         self.sink.add("IL6016", text, self.orders.at("orders", name, key=True), "open it, or leave the order out")
         return False
+
+    def _shut(self, routes: Sequence[RouteRow]) -> list[str]:
+        """What of routes is blocked: of their path; or else of their overlap, or points that have to be moved."""
+        closed, machines = self.file.closed, self.railway.layout.machines
+        on = sorted({str(x) for r in routes for x in r.path.section_ids} & closed)
+        if on or not closed:
+            return [f"lead through {', '.join(on)}, which is blocked"] if on else []
+        beyond = {s for r in routes if r.locking.overlap is not None for s, _ in r.locking.overlap.ways}
+        found = [f"have {s}, which is blocked, as its overlap" for s in sorted(beyond & closed)]
+        needed = {x for r in routes for x in self.railway.held.needs(r)}
+        for _, m, x in sorted(self._stay & needed) if not found else ():
+            off = ", ".join(s for s in machines.sections[m] if s in closed)
+            found.append(f"need {m} {machines.word(m, x.other)}, which is not moved while {off} is blocked")
+        return found
+
+    @cached_property
+    def _stay(self) -> frozenset[Lies]:
+        """The points in what is blocked, where they lie when the trains begin."""
+        held = self.railway.held
+        under = (key for t in self.file.fleet.values() for key in self.start(t))
+        return held.stay(self.file.closed, held.at_first(under))
 
     # --- room and time -------------------------------------------------------------------------
 

@@ -8,15 +8,18 @@ keep it: these go on only by routes that go with the overlap.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from itertools import pairwise
 
 from interlock.dispatch.plan.errands import OUTSIDE, Place
-from interlock.model.elements import RouteId
+from interlock.model.elements import MachineId, Position, RouteId
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
-from interlock.table.cells import RouteKind, TraversalKey
+from interlock.table.cells import Role, RouteKind, TraversalKey
 from interlock.table.rows import InterlockingTable, RouteRow
+
+Lies = tuple[str, MachineId, Position]
+"""A machine that is held where it lies, as ("lies", machine, position)."""
 
 
 class Held:
@@ -49,6 +52,18 @@ class Held:
         for e in lock.exclusions if lock else ():
             things |= {("shut", e.section, k) for k in (e.numbers if not e.whole else (0,))}
         things |= {("lies", d.machine, d.position) for d in (lock.points if lock else ())}
+
+    def stay(self, blocked: Collection[str], lies: Mapping[MachineId, Position]) -> frozenset[Lies]:
+        """The points that no route moves while sections are blocked, each kept where it lies (R10)."""
+        machines = self._layout.machines
+        here = (m for m in lies if m not in machines.device and not set(machines.sections[m]).isdisjoint(blocked))
+        return frozenset(("lies", m, lies[m]) for m in here)
+
+    def at_first(self, under: Iterable[TraversalKey] = ()) -> dict[MachineId, Position]:
+        """How machines lie when a plan begins, where nothing else is known: normal, but under trains that stand."""
+        stood = (d for key in under if key in self._table.lock for d in self._table.lock[key].points)
+        found = dict.fromkeys(self._layout.machines, Position.NORMAL)
+        return found | {d.machine: d.position for d in stood if d.role is Role.PATH}
 
     def kept(self, place: Place) -> frozenset[object]:
         """What a train keeps of the routes by which it came, beyond what it stands on: what the author has added, and
