@@ -98,6 +98,14 @@ def test_more_trains_than_standing_room() -> None:
     assert "IL6009" in told("\n".join([*lines[:7], *fleet, *lines[7:]]))
 
 
+def test_a_blocked_place_is_no_standing_room() -> None:
+    more = "".join(f"\n  {k}: {{length: 60, at: house}}" for k in (5, 6))
+    text = HEISHAN.replace("capacity: 8", "capacity: 1").replace("\nfleet:", f"\nfleet:{more}", 1)
+    assert told(text) == [], "six trains, seven places"
+    assert told(f"{text}\nblocked: [c2]\n") == []
+    assert told(f"{text}\nblocked: [c2, s10_xc4]\n") == ["IL6009"], "by name or by section"
+
+
 def test_a_fleet_of_none_or_too_many() -> None:
     head, _, rest = HEISHAN.partition("fleet:")
     _, places, tail = rest.partition("\nplaces:")

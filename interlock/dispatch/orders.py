@@ -252,9 +252,11 @@ class Derivation:
                 text += f", {MARGIN_M:g} m of them left by drivers at its end" if p.capacity * longest <= metres else ""
                 fix = "lower its capacity" if p.capacity > 1 else "take shorter trains"
                 self.sink.add("IL6009", text, self.orders.at("places", name), fix)
-        room = sum(p.capacity for p in self.file.places.values())
+        shut = self.file.closed & self.sections
+        room = sum(p.capacity for n, p in self.file.places.items() if n not in self.file.blocked and p.at not in shut)
         if self.file.places and len(self.file.fleet) > room:
-            text = f"{len(self.file.fleet)} trains have {room} places to stand"
+            left = " that are not blocked" if self.file.blocked else ""
+            text = f"{len(self.file.fleet)} trains have {room} places to stand{left}"
             self.sink.add("IL6009", text, self.orders.at("fleet", key=True), "add waiting places, or their capacity")
 
         first: dict[str, str] = {}
