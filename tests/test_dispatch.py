@@ -207,6 +207,40 @@ def test_a_point_that_fails_makes_another_plan() -> None:
     assert p.opened() & {"X1"}
 
 
+ROUND = (
+    "w0 w1", "w0 w1 w2", "w1 w2 T", "w2 T a", "T a", "T a b", "a b", "b c", "b c T", "c T w2", "T w2 w1", "w1 w0",
+)  # fmt: skip
+"""The sections under a long train that goes round the turning loop."""
+
+
+def test_the_tail_of_a_train_whose_length_nobody_knows_is_not_in_its_way() -> None:
+    """At a panel commands tell no length: T, in which its tail was, was told to be in its way."""
+    found = grown(Path("tests/layouts_for_tests/turning_loop.yaml").read_text("utf-8"))
+    assert found is not None
+    p = Panel(*found[:2], lower(*found[:2]))
+    p.dispatcher.carry_out(errand(p.dispatcher.railway, "7:W>c>W", 0.0)[0])
+    p.stand("w0")
+    p.run(30)
+    for under in ROUND:
+        p.stand(*under.split())
+        p.run(60)
+        assert p.dispatcher.holding.obstacles == frozenset(), under
+    p.stand()
+    p.run(60)
+    assert p.dispatcher.journal.said[-1] == "7 is done" and not any("no plan" in x for x in p.dispatcher.journal.said)
+
+
+def test_a_stranger_behind_a_train_is_in_the_way_as_soon_as_there_is_a_gap() -> None:
+    found = grown(Path("tests/layouts_for_tests/turning_loop.yaml").read_text("utf-8"))
+    assert found is not None
+    p = Panel(*found[:2], lower(*found[:2]))
+    p.dispatcher.carry_out(errand(p.dispatcher.railway, "7:W>c>W", 0.0)[0])
+    for under in ("w0", "w0 w1", "w1 w2", "w2 T a", "w0 a", "w0 a b"):
+        p.stand(*under.split())
+        p.run(60)
+    assert p.dispatcher.holding.obstacles == {("section", "w0")}
+
+
 def test_points_in_a_section_that_an_operator_blocks_are_known_to_stay() -> None:
     """X8-E has P2 reverse for flank protection; it was asked for, and refused, every five seconds."""
     found = grown(Path("tests/layouts_for_tests/swing_condition.yaml").read_text("utf-8"))

@@ -25,7 +25,7 @@ from interlock.dispatch.plan.errands import Errand, Step
 from interlock.dispatch.plan.railway import Railway
 from interlock.dispatch.plan.search import BUDGET, Verdict
 from interlock.dispatch.policy import Policy, enters, past, yields
-from interlock.dispatch.run import Run
+from interlock.dispatch.run import Run, ran
 from interlock.logic.symbols import Symbols
 from interlock.model.elements import Lane, SignalId
 
@@ -148,7 +148,8 @@ class Dispatcher:
             for stage in run.way.granted[run.way.at :] if run.way.cancelling else ():
                 self._cancels[self._symbols.cancellation.cancel[stage.entry]] = 1
         self._passing = {g: s for g, s in self._passing.items() if s.shown.stands(seen) and s.entered(seen)}
-        if self._obstacles.look(seen, dt_ms, {s for run in self.runs for s in run.near}):
+        near = {s for run in self.runs for s in run.near}
+        if self._obstacles.look(seen, dt_ms, near, [ran(run) for run in self.runs]):
             self.holding.obstacles = self._obstacles.things
             self.holding.forget()
         self.arbiter.tick(seen, dt_ms)

@@ -3,6 +3,9 @@ machines that have failed."""
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterable, Sequence
+from itertools import dropwhile, takewhile
+
 from interlock.dispatch.panel import Indications
 from interlock.dispatch.plan.held import Held
 from interlock.logic.symbols import Symbols
@@ -25,15 +28,18 @@ class Obstacles:
         late = {m for m, _ in symbols.machines.detected}
         self._late = {m: n for m in sorted(late) if (n := symbols.indication.get(f"late {m}")) is not None}
 
-    def look(self, seen: Indications, dt_ms: int, near: set[SectionId]) -> bool:
-        """What is there now; whether that has changed.  `near`: sections in which trains with commands may be."""
+    def look(
+        self, seen: Indications, dt_ms: int, near: set[SectionId], ran: Iterable[Sequence[SectionId]] = ()
+    ) -> bool:
+        """What is there now; whether that has changed.  `near`: sections in which trains with commands may be; `ran`:
+        those over which trains of no known length have run, in order."""
         clear = self.symbols.sections.clear
         self.leaving = {s for s in self.leaving if s in clear and not seen.get(clear[s], 1)}
         occupied = [s for s, name in clear.items() if not seen.get(name, 0)]
         blocked = [s for s, name in self.symbols.sections.blocked.items() if seen.get(name, 0)]
         things: set[object] = set()
         if occupied or blocked:
-            known = near | self.leaving
+            known = near.union(self.leaving, *(_tail(way, frozenset(occupied)) for way in ran))
             self._strange = {s: self._strange.get(s, 0) + dt_ms for s in occupied if s not in known}
             things |= {("section", s) for s, ms in self._strange.items() if ms > STRANGER_MS}
             things |= {("blocked", s) for s in blocked if s not in known}
@@ -51,3 +57,9 @@ class Obstacles:
         changed = things != self.things
         self.things = frozenset(things)
         return changed
+
+
+def _tail(way: Sequence[SectionId], occupied: Collection[SectionId]) -> set[SectionId]:
+    """The sections of a way that are occupied without a gap from the foremost one back: a train and its tail."""
+    head = dropwhile(lambda s: s not in occupied, reversed(way))
+    return set(takewhile(lambda s: s in occupied, head))

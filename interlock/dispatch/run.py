@@ -134,6 +134,16 @@ class Run:
         return self.finished and not self.way.ahead and self.way.left(seen, {s for s, _ in self.place.under})
 
 
+def ran(run: Run) -> list[SectionId]:
+    """The sections over which a train has run that is of no known length, in order: its tail may be in any of them.  Of
+    one that is known `near` tells where it is."""
+    if run.journey.errand.length_m:
+        return []
+    approach = run.journey.railway.approach
+    at = [approach.get(s) if n == OUTSIDE else s for p in run.way.places[:1] for s, n in p.under]
+    return [s for s in at if s is not None] + [s for g in run.way.granted[: run.way.at] for s in g.sections]
+
+
 def ways(
     runs: Iterable[Run], rear: Mapping[SignalId, SectionId | None], occupied: Collection[SectionId]
 ) -> list[tuple[SectionId, ...]]:
