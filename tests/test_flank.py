@@ -132,14 +132,90 @@ def test_a_place_that_contradicts_its_own_routes_is_named_once_with_what_would_d
     found = [d for d in made[2].diagnostics if d.code == "IL4002" and "cannot be protected" in d.message]
     assert [d.message.split()[0] for d in found] == ["B.reverse"]
     assert "route X2-E" in found[0].message and "Y would do, but stands 60 m away" in found[0].fix
-    assert "`waive: [{flank: B.reverse, reason: ...}]`" in found[0].fix
+    assert "`points: {B: {fouling: 56.5}}`" in found[0].fix
 
 
-def test_what_is_advised_against_a_contradiction_helps() -> None:
-    text = Path("tests/diagnostics/IL4002.yaml").read_text("utf-8")
-    waived = grown(text.replace("fouling: 70}\n  P", "fouling: 15}\n  P"))
-    assert waived is not None and not waived[2].has_errors
-    assert audit(waived[0], waived[1]) == ()
+MOVED_OFF = """interlock: 1
+name: spur
+boundaries: {W: {approach: wa 600, trains: in}, E: {trains: out}}
+buffers: [B]
+tracks: {west: [W, w1 200], main: [m1 300, E], spur: [b1 100, B]}
+points: {P: {section: p, toe: west.end, reverse: main.start, machine: M, legs: 60}}
+derailers: {D: {section: p, inner: P.normal, outer: spur.start, machine: M}}
+signals: {X1: {from: W, into: w1}, X2: {from: w1, into: p}}
+"""
+"""A derailer that the route past it moves off, since one machine works it and the points."""
+BARE = Path("tests/diagnostics/IL4001.yaml").read_text("utf-8")
+CROSSED = Path("tests/diagnostics/IL4002.yaml").read_text("utf-8")
+EXCLUDED = "exclude: [{from: Y, to: E, via: [s2, m2, m3, m4, m5], reason: r}]\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "place", "advice", "applied"),
+    [
+        (MOVED_OFF, "IL4002", "P.normal", "give D a machine of its own", [("spur.start, machine: M", "spur.start")]),
+        (
+            MOVED_OFF,
+            "IL4002",
+            "P.normal",
+            "add a signal or stop board, 15.5 m",
+            [("signals: {", "signals: {S: {from: b1, into: p, kind: board}, ")],
+        ),
+        (
+            MOVED_OFF,
+            "IL4002",
+            "P.normal",
+            "or a derailer on each way",
+            [
+                ("spur: [b1 100, B]", "spur: [b1 100], end: [b2 100, B]"),
+                ("derailers: {", "derailers: {D2: {section: p2, inner: spur.end, outer: end.start}, "),
+            ],
+        ),
+        (BARE, "IL4001", "P1.normal", "11.5 m are needed: lengthen the track", [("legs: 6", "legs: 11.5")]),
+        (BARE, "IL4001", "P1.reverse", "`points: {P1: {fouling: 2.5}}`", [("legs: 6", "legs: 6, fouling: 2.5")]),
+        (
+            CROSSED,
+            "IL4002",
+            "B.reverse",
+            "73.5 m are needed: lengthen the track",
+            [("P.reverse, fouling: 70", "P.reverse, fouling: 70, legs: 33.5"), ("signals:", EXCLUDED + "signals:")],
+        ),
+        (
+            CROSSED,
+            "IL4002",
+            "B.reverse",
+            "`points: {B: {fouling: 56.5}}`",
+            [("P.reverse, fouling: 70", "P.reverse, fouling: 56.5"), ("signals:", EXCLUDED + "signals:")],
+        ),
+        (
+            CROSSED,
+            "IL4002",
+            "the joint",
+            "`exclude: [{from: Y, to: E, via: [s2, m2, m3, m4, m5], reason: ...}]`",
+            [("P.reverse, fouling: 70", "P.reverse, fouling: 56.5"), ("signals:", EXCLUDED + "signals:")],
+        ),
+    ],
+    ids=["machine", "signal", "derailer", "longer", "fouling", "longer to one", "fouling of one", "excluded"],
+)
+def test_what_is_advised_where_nothing_protects_is_proved(
+    text: str, code: str, place: str, advice: str, applied: list[tuple[str, str]]
+) -> None:
+    """A waiver was advised beside it, which T-FLANK and S-FLANK refute wherever nothing protects."""
+    made = grown(text)
+    assert made is not None
+    fixes = [
+        d.fix
+        for d in made[2].diagnostics
+        if d.code == code and d.message.removeprefix("nothing keeps vehicles away from ").startswith(place)
+    ]
+    assert len(fixes) == 1 and advice in fixes[0] and "waive" not in fixes[0], fixes
+    for old, new in applied:
+        assert text.count(old) == 1
+        text = text.replace(old, new)
+    done = grown(text)
+    assert done is not None and not done[2].has_errors, done and done[2].diagnostics
+    assert audit(done[0], done[1]) == ()
+    assert prove(System(done[0], lower(done[0], done[1])), Limits(search_depth=0)).proved
 
 
 def test_the_section_of_a_protecting_point_is_no_flank_space() -> None:

@@ -278,15 +278,18 @@ def _never_set(
 
 def _foul_themselves(rows: Sequence[RouteRow], sink: Sink) -> None:
     """Joints that are foul of a route and begin a section of the very same."""
-    found: dict[tuple[str, str], list[str]] = {}
+    found: dict[tuple[str, str], list[RouteRow]] = {}
     for r in rows:
         for c in r.clear.foul:
             if c.section in r.path.section_ids:
-                found.setdefault((c.because.text, c.section), []).append(r.id)
-    for (why, section), ids in found.items():
-        which = f"route{'s' if len(ids) > 1 else ''} {', '.join(ids)}"
-        text = f"{why}, and {section} is on the path of {which}"
-        fix = "move the joint out of the fouling point, or exclude the route: `exclude:`"
+                found.setdefault((c.because.text, c.section), []).append(r)
+    for (why, section), those in found.items():
+        many = "s" if len(those) > 1 else ""
+        text = f"{why}, and {section} is on the path of route{many} {', '.join(r.id for r in those)}"
+        barred = dict.fromkeys(
+            f"{{from: {r.entry}, to: {r.exit}, via: [{', '.join(r.path.section_ids)}], reason: ...}}" for r in those
+        )
+        fix = f"move the joint out of the fouling point, or exclude the route{many}: `exclude: [{', '.join(barred)}]`"
         sink.add("IL4002", text, None, fix, about=Element("sections", section))
 
 

@@ -6,14 +6,16 @@ Each place is named once, with all routes over it.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from math import floor
 
-from interlock.derivation.flank import Options, Requester, point_demands, told
+from interlock.derivation.flank import Allowed, Options, Requester, point_demands, told
 from interlock.derivation.routes import Path
 from interlock.derivation.settle import Place, Settlement
 from interlock.diag import Element, Sink
 from interlock.model.bits import chosen
-from interlock.model.elements import EdgeId, MachineId, NodeId, Position, SignalId
+from interlock.model.elements import EdgeId, MachineId, NodeId, PointId, Position, SignalId
 from interlock.model.layout import Layout
 from interlock.model.traversal import onward_edges
 from interlock.table.cells import Provider
@@ -34,7 +36,7 @@ def report_flanks(
             "IL4001",
             f"nothing keeps vehicles away from {name}; {_routes(paths, over)} pass there",
             None,
-            _remedy(layout, r),
+            _remedy(layout, options, r, lambda m, x: True),
             about=_element(layout, r),
         )
     _impossible(layout, paths, settled, options, sink)
@@ -54,31 +56,45 @@ def report_flanks(
 
 
 def _impossible(layout: Layout, paths: Sequence[Path], settled: Settlement, options: Options, sink: Sink) -> None:
-    found: dict[str, tuple[Requester, int, dict[str, None]]] = {}
+    found: dict[str, tuple[Requester, list[int]]] = {}
     for at in settled.impossible:
-        place = settled.places[at]
-        usual = options.preferred(place.requester)
-        if place.requester.waiver is not None or usual is None:
-            continue
-        _, over, why = found.setdefault(place.requester.name, (place.requester, 0, {}))
+        r = settled.places[at].requester
+        if r.waiver is None and options.preferred(r) is not None:
+            found.setdefault(r.name, (r, []))[1].append(at)
+    for name, (r, those) in sorted(found.items()):
+        over, why, held = _contradicted(settled, those, options.preferred(r) or ())
+
+        def allowed(m: MachineId, x: Position, those: list[int] = those) -> bool:
+            return not any(by_path or others for by_path, others in (settled.against(at, m, x) for at in those))
+
+        sink.add(
+            "IL4002",
+            f"{name} cannot be protected in {_routes(paths, over)}: {'; '.join(why) or 'all that could contradicts'}",
+            None,
+            _remedy(layout, options, r, allowed, held),
+            about=_element(layout, r),
+        )
+
+
+def _contradicted(
+    settled: Settlement, those: Sequence[int], usual: Sequence[Provider]
+) -> tuple[int, dict[str, None], dict[MachineId, None]]:
+    """Over which routes what would be usual at some places cannot be, as bits, why, and which machines the path needs
+    otherwise."""
+    over, why, held = 0, dict[str, None](), dict[MachineId, None]()
+    for at in those:
         for m, x in (point_demands(usual) or {}).items():
             by_path, others = settled.against(at, m, x)
             if by_path:
                 why[f"{m} would have to lie {x}, and lies {x.other} on the path"] = None
+                held[m] = None
             names = sorted({settled.places[q].requester.name for q in others})
             if names:
                 why[f"{m} would have to lie {x}, and lies {x.other} for {', '.join(names)}"] = None
             for bits in (by_path, *others.values()):
                 over |= bits
-        found[place.requester.name] = place.requester, over or place.routes, why
-    for name, (r, over, why) in sorted(found.items()):
-        sink.add(
-            "IL4002",
-            f"{name} cannot be protected in {_routes(paths, over)}: {'; '.join(why) or 'all that could contradicts'}",
-            None,
-            _remedy(layout, r),
-            about=_element(layout, r),
-        )
+        over = over or settled.places[at].routes
+    return over, why, held
 
 
 def _element(layout: Layout, r: Requester) -> Element:
@@ -116,22 +132,44 @@ def _routes(paths: Sequence[Path], over: int) -> str:
     return f"route{'s' if len(names) > 1 else ''} {', '.join(names[:NAMED])}{more}"
 
 
-def _remedy(layout: Layout, r: Requester) -> str:
-    """Which signals would do if they stood further away, and the keys to write; legs of points may be waived."""
+def _remedy(layout: Layout, options: Options, r: Requester, allowed: Allowed, held: Iterable[MachineId] = ()) -> str:
+    """What would protect a place, each of it enough by itself.  `held`: machines that would, but for the path.
+
+    No waiver is among it: what `derive` finds no protection for, T-FLANK and S-FLANK find a vehicle for."""
+    said = [f"give {p} a machine of its own" for p in _worked_along(layout, r, frozenset(held))]
+    if r.partner is not None:
+        return " or ".join([*said, "exclude the routes over both: `exclude:`"])
     near = _too_near(layout, r)
-    said = [f"{g} would do, but stands {gone:g} m away, and {r.clear_of:g} m are needed" for g, gone in near.items()]
-    advice = f"{'; '.join(said)}: lengthen the track between" if said else "add a signal or a protecting point"
-    point, _, leg = r.name.partition(".")
-    if leg not in ("normal", "reverse"):
-        return advice
-    if said:
-        advice += f", or state where the fouling point is: `points: {{{point}: {{fouling: ...}}}}`"
-    return f"{advice}, or waive it: `waive: [{{flank: {r.name}, reason: ...}}]`"
+    at = min(near.values(), default=0.0)
+    if near and next(options.of(replace(r, clear_of=at), allowed), None) is not None:
+        there = [
+            f"{g} would do, but stands {gone:g} m away, and {r.clear_of:g} m are needed" for g, gone in near.items()
+        ]
+        said.append(f"{'; '.join(there)}: lengthen the track between")
+        if (room := _room(layout, r, at)) is not None:
+            point = r.name.partition(".")[0]
+            where = f"where the fouling point of {point} is, if no further"
+            said.append(f"state {where}: `points: {{{point}: {{fouling: {room:g}}}}}`")
+    else:
+        beyond = f"{r.clear_of:g} m away or more"
+        said.append(f"add a signal or stop board, {beyond}, or a derailer on each way that leads to {r.name}")
+    return ", or ".join(said)
 
 
-def _too_near(layout: Layout, r: Requester) -> dict[SignalId, float]:
-    """Signals that a vehicle towards a requester meets, none of them clear of the fouling point, in metres."""
-    found: dict[SignalId, float] = {}
+def _room(layout: Layout, r: Requester, at: float) -> float | None:
+    """How far from a point its fouling point may lie for a signal to stand clear of it, in whole centimetres; None of
+    a diamond, and where the signal stands too near for any."""
+    point = layout.pointwork.point.get(PointId(r.name.partition(".")[0]))
+    if point is None or point.node != r.node:
+        return None
+    margin = layout.principles.clearance_m
+    cm = floor((at - margin) * 100)
+    room = cm / 100 if cm / 100 + margin <= at else (cm - 1) / 100
+    return room if room > 0 else None
+
+
+def _outward(layout: Layout, r: Requester) -> Iterator[tuple[EdgeId, NodeId, float]]:
+    """The track outward from a requester, up to signals clear of it: edges, their far ends, how far away those are."""
     todo: list[tuple[EdgeId, NodeId, float]] = [(r.edge, r.node, 0.0)]
     seen: set[tuple[EdgeId, NodeId]] = set()
     while todo:
@@ -141,11 +179,27 @@ def _too_near(layout: Layout, r: Requester) -> dict[SignalId, float]:
             continue
         seen.add((edge, node))
         gone += e.length
-        facing = layout.signalling.facing.get((far, edge))
-        if facing is not None and gone >= r.clear_of:
-            continue
-        if facing is not None:
-            found[facing.id] = min(gone, found.get(facing.id, gone))
-        if far != r.node and far not in layout.track.boundary_at and far not in layout.track.buffer_at:
+        yield edge, far, gone
+        clear = (far, edge) in layout.signalling.facing and gone >= r.clear_of
+        if not clear and far != r.node and far not in layout.track.boundary_at and far not in layout.track.buffer_at:
             todo += [(x, far, gone) for x in onward_edges(layout, far, edge)]
+
+
+def _too_near(layout: Layout, r: Requester) -> dict[SignalId, float]:
+    """Signals that a vehicle towards a requester meets, none of them clear of the fouling point, in metres."""
+    found: dict[SignalId, float] = {}
+    for edge, far, gone in _outward(layout, r):
+        facing = layout.signalling.facing.get((far, edge))
+        if facing is not None and gone < r.clear_of:
+            found[facing.id] = min(gone, found.get(facing.id, gone))
     return found
+
+
+def _worked_along(layout: Layout, r: Requester, held: frozenset[MachineId]) -> Iterator[PointId]:
+    """Ends that would turn vehicles away from a requester, but that their machine works others on the path."""
+    for edge, far, _ in _outward(layout, r):
+        p = layout.pointwork.point_at.get(far)
+        if p is None or p.machine not in held or p.position_of(edge) is None or p.node == r.node:
+            continue
+        if len(layout.machines.ends[p.machine]) > 1:
+            yield p.id
