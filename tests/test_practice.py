@@ -435,3 +435,62 @@ def test_shunting_movements_that_end_before_a_token_line_see_where(tmp_path: Pat
     text = Path("tests/diagnostics/IL7013.yaml").read_text("utf-8").replace(before, after, 1)
     done = checked(tmp_path, text)
     assert done.ok and {d.code for d in done.diagnostics if d.severity != "info"} == ({"IL7013"} if warned else set())
+
+
+PAST = Path("tests/diagnostics/IL7014.yaml").read_text("utf-8")
+FORKED = """interlock: 1
+name: forked
+principles: {line_speed_kmh: 60, overlap_m: 180}
+boundaries: {W: {trains: in, approach: wa 800}, E: {trains: out}, F: {trains: out}}
+tracks: {line: [W, a 300, b 300], on: [d 50, h 300, E], off: [n 30, k 300, F]}
+points: {P: {section: c, toe: line.end, normal: on.start, reverse: off.start}}
+signals:
+  X1: {from: W, into: a}
+  X2: {from: a, into: b}
+  X3: {from: b, into: c}
+  X4: {from: d, into: h}
+  X5: {from: n, into: k}
+overlaps:
+  X2: {length: 0}
+  X3: {length: 180, ways: [{over: [n], length: 160}]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "advice", "old", "new"),
+    [
+        (PAST, "`overlaps: {X3: {length: 80}}`", "overlaps:", "overlaps:\n  X3: {length: 80}"),
+        (
+            PAST,
+            "`overlaps: {X3: {length: 80, entry_speed: 40, ways: [{over: [d], length: 180}]}}`",
+            "overlaps:",
+            "overlaps:\n  X3: {length: 80, entry_speed: 40, ways: [{over: [d], length: 180}]}",
+        ),
+        (
+            PAST.replace("c 80", "c 80.1234567"),
+            "`overlaps: {X3: {length: 80.123}}`",
+            "overlaps:",
+            "overlaps:\n  X3: {length: 80.123}",
+        ),
+        (
+            FORKED,
+            "`overlaps: {X3: {length: 90}}` and `length: 70` in `ways` over n",
+            "length: 180, ways: [{over: [n], length: 160}]",
+            "length: 90, ways: [{over: [n], length: 70}]",
+        ),
+    ],
+    ids=["for all", "for slow trains", "no whole millimetres", "ways"],
+)
+def test_a_shorter_overlap_that_is_advised_lets_trains_through_and_is_proved(
+    text: str, advice: str, old: str, new: str, tmp_path: Path
+) -> None:
+    """80.1235 was advised for 80.1234567 m, which leads past the next signal again; of `ways` nothing was said."""
+    first = checked(tmp_path, text)
+    fixes = [d.fix for d in first.diagnostics if d.code == "IL7014"]
+    assert len(fixes) == 1 and advice in fixes[0], fixes
+    done = checked(tmp_path, text.replace(old, new, 1))
+    assert done.ok and done.layout is not None and done.table is not None
+    assert "IL7014" not in {d.code for d in done.diagnostics}
+    hostile = {r.id: set(r.locking.hostile.routes) for r in done.table.routes}
+    assert any(b not in hostile[a] for a in hostile for b in hostile if a.startswith("X2-X3") and b.startswith("X3-"))
+    assert prove(System(done.layout, lower(done.layout, done.table)), Limits(search_s=0)).proved

@@ -8,13 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from itertools import combinations
+from math import inf
 
+from interlock.dataclass import dataclass
 from interlock.derivation.conflicts import Conflicts
 from interlock.derivation.routes import Path
 from interlock.diag import Element, Sink
 from interlock.diag.called import called
-from interlock.model.elements import NodeId, SectionId, Signal, SignalId
+from interlock.model.elements import NodeId, OverlapWay, SectionId, Signal, SignalId
 from interlock.model.layout import Layout
+from interlock.model.overlap import entry_speed, overlap_length, own_way, route_speed, two_ways, wanted_m
 from interlock.table.cells import RouteKind
 from interlock.table.rows import VoyageRow
 
@@ -39,27 +42,64 @@ def _check_overlaps(layout: Layout, paths: Sequence[Path], hostile: Conflicts, s
             on[p.entry] = on.get(p.entry, 0) | 1 << p.number - 1
     main = {(g.node, layout.track.section_of(g.into)): g for g in layout.signalling.signals if g.main}
     for g, those in to.items():
-        past = [_passed(main, p) for p in those]
-        if g not in on or None in past or any(on[g] & ~hostile.bits(p.id) for p in those):
+        past = [(p, x) for p in those if (x := _passed(main, p)) is not None]
+        if g not in on or len(past) < len(those) or any(on[g] & ~hostile.bits(p.id) for p in those):
             continue
-        beyond, metres = min((x for x in past if x is not None), key=lambda x: x[1])
+        beyond = min((x for _, x in past), key=lambda x: x.metres).signal
         sink.add(
             "IL7014",
             f"no train runs through at {g}: its overlap leads past {called('signal', beyond.id)}, so that no route "
             f"onward from {g} can be set together with {' or '.join(p.id for p in those)}; trains stop at {g} until "
             "it is released",
             None,
-            f"where it may end before {beyond.id}: `overlaps: {{{g}: {{length: {metres:g}}}}}`",
+            f"where it may end before {beyond.id}: {_shorter(layout, g, past)}",
             about=Element("signals", g),
         )
 
 
-def _passed(main: Mapping[tuple[NodeId, SectionId], Signal], p: Path) -> tuple[Signal, float] | None:
-    """The first main signal past which the overlap of a path leads, in its direction, and how many metres on."""
+@dataclass(frozen=True)
+class _Past:
+    """The first main signal past which an overlap leads: how many metres on, and the section into which it leads."""
+
+    signal: Signal
+    metres: float
+    into: SectionId
+
+
+def _shorter(layout: Layout, g: SignalId, past: Sequence[tuple[Path, _Past]]) -> str:
+    """What to write for an overlap that ends before the next signal: for all trains, or for those that are shown no
+    more than such an overlap is long enough for, beside the long one."""
+    least: dict[OverlapWay | None, float] = {}
+    for p, x in past:
+        own = own_way(layout, g, p.overlap)
+        least[own] = min(x.metres, least.get(own, inf))
+    said = [f"`overlaps: {{{g}: {{length: {_down(least[None])}}}}}`"] if None in least else []
+    said += [f"`length: {_down(m)}` in `ways` over {', '.join(w.over)}" for w, m in least.items() if w is not None]
+    written = " and ".join(said)
+    (p, x), *others = past
+    kmh = max((v for v in (40, 60) if overlap_length(v, 0) <= x.metres), default=None)
+    if others or None not in least or kmh is None or entry_speed(layout, g, p.overlap) is not None:
+        return written
+    usual = route_speed(layout, p.ways, g, p.overlap) or layout.principles.line_speed_kmh
+    if usual <= kmh or two_ways(layout, p.overlap):
+        return written
+    inside = f"length: {_down(x.metres)}, entry_speed: {kmh}"
+    longer = f"ways: [{{over: [{x.into}], length: {wanted_m(layout, g, p.overlap):g}}}]"
+    return f"{written}; where it may for slow trains alone: `overlaps: {{{g}: {{{inside}, {longer}}}}}`"
+
+
+def _down(metres: float) -> str:
+    """Metres that are no more when they are read again: a millimetre more would lead past the next signal."""
+    written = round(metres, 3) if round(metres, 3) <= metres else round(metres, 3) - 0.001
+    return f"{written:.3f}".rstrip("0").rstrip(".")
+
+
+def _passed(main: Mapping[tuple[NodeId, SectionId], Signal], p: Path) -> _Past | None:
+    """The first main signal past which the overlap of a path leads, in its direction."""
     metres = 0.0
     for t in p.overlap:
         if metres and (t.entry, t.section) in main:
-            return main[t.entry, t.section], metres
+            return _Past(main[t.entry, t.section], metres, t.section)
         metres += t.length
     return None
 
