@@ -74,9 +74,9 @@ def codes(text: str) -> list[str]:
 
 def test_no_time_is_shorter_than_a_train_needs_to_stand() -> None:
     (said,) = codes(own("20"))
-    assert said.startswith("IL3023 the routes of S1 are held for 20 s, and 42.0 s are needed")
+    assert said.startswith("IL3023 the routes of S1 are held for 20 s, and 42.1 s are needed")
     (said,) = codes(own("20", D1))
-    assert said.startswith("IL3023 the routes of D1 are held for 20 s, and 23.5 s are needed")
+    assert said.startswith("IL3023 the routes of D1 are held for 20 s, and 23.6 s are needed")
     assert codes(own("24", D1)) == [], "no train obeys it"
 
 

@@ -197,7 +197,7 @@ def test_a_forgotten_entry_speed_is_killed_by_proof_and_by_trains_in_metres() ->
         ("entry_speed: 50, falling: 2", "entry_speed: 50, falling: -25", "IL1014", "nothing is left"),
         ("entry_speed: 50, falling: 2", "speed: 40, entry_speed: 50", "IL1014", "are shown up to 50"),
         ("release_by_length: yes", "release_by_length: yes\n    release: 60", "IL1014", "two times"),
-        ("release: 62", "release: 41", "IL3023", "42.0 s are needed"),
+        ("release: 62", "release: 41", "IL3023", "42.1 s are needed"),
         ("length: 200", "speed: 60\n    falling: -1000.5", "IL1014", "no gradient"),
         ("X2: {length: 0}", "X2: {speed: 60, falling: -20}", "IL1014", "rise of 20 permille"),
     ],

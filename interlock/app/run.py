@@ -28,6 +28,7 @@ from interlock.logic.lower import lower
 from interlock.logic.names import BLOCKED
 from interlock.model.elements import SignalId
 from interlock.model.layout import Layout
+from interlock.model.times import whole_ms
 from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.verdict import Progress, quiet
 from interlock.table.rows import InterlockingTable
@@ -113,7 +114,7 @@ class Operator:
             Railway(ready.table, ready.layout),
             symbols,
             priorities=rules.priorities,
-            wait_ms=round(1000 * rules.priority_wait_s),
+            wait_ms=whole_ms(rules.priority_wait_s),
         )
         self.numbers = Numbers(ready.layout, symbols, self.dispatcher)
 

@@ -65,7 +65,17 @@ class Approach:
 
 def whole_ms(seconds: float) -> int:
     """A delay as the layout states it: a controller counts whole milliseconds, and no fewer."""
-    return ceil(Fraction(repr(seconds)) * 1000)
+    return ceil(_decimal(seconds) * 1000)
+
+
+def _decimal(number: float) -> Fraction:
+    """A number as the layout writes it."""
+    return Fraction(repr(float(number)))
+
+
+def _a_second(kmh: float) -> Fraction:
+    """Metres in one second."""
+    return _decimal(kmh) * 1000 / 3600
 
 
 class Lengths(Overlaps):
@@ -82,8 +92,8 @@ class Lengths(Overlaps):
             shown = [x["entry_speed"] for x in (told, *(told.get("ways") or ())) if "entry_speed" in x]
             slowest = min([kmh, *map(float, shown)])  # a train that was shown no more takes longer
             ways = self.r.track.ways[before] if before else []
-            longest = max((w.length for w in ways if w.exit == g.node), default=0.0)
-            return 1000 * -(-(round(1000 * longest / (slowest / 3.6 / 2)) + self.halt(kmh)) // 1000)
+            longest = max((self._exact(w) for w in ways if w.exit == g.node), default=Fraction(0))
+            return 1000 * ceil(2 * longest / _a_second(slowest) + Fraction(self.halt(kmh)) / 1000)
         return whole_ms(self._d.rule("overlap_release_s"))
 
     # --- foul joints ---
@@ -220,7 +230,12 @@ class Lengths(Overlaps):
 
     def halt(self, kmh: float) -> int:
         """From the command of stop until a train stands: delay of outputs, reaction, braking."""
-        return round(1000 * (self._wait + kmh / 3.6 / self._d.rule("braking_ms2")))
+        waits = [_decimal(self._d.rule(x)) for x in ("output_delay_s", "reaction_s")]
+        return ceil(1000 * (sum(waits) + _a_second(kmh) / _decimal(self._d.rule("braking_ms2"))))
+
+    def _exact(self, w: Way) -> Fraction:
+        """The metres of a way without the error of a sum."""
+        return Fraction(sum(_decimal(self._d.edges[n].length) for n in w.edges))
 
     def braking(self, kmh: float) -> float:
         """Metres in which it stands."""
@@ -238,20 +253,20 @@ class Lengths(Overlaps):
     def until_all_stand(self) -> int:
         """Until every train stands that ran at a power cut: on to the next main signal at half the line's speed, then a
         halt from the highest speed."""
-        known: dict[Way, float] = {}
+        known: dict[Way, Fraction] = {}
 
-        def run(w: Way) -> float:
+        def run(w: Way) -> Fraction:
             if w not in known:
-                known[w] = 0.0  # round a loop a train passes no place twice
+                known[w] = Fraction(0)  # round a loop a train passes no place twice
                 ahead = self.r.track.beyond(w.section, w.exit)
                 on = ahead if ahead is not None and (w.exit, ahead) not in self.r.main_into else None
                 further = [run(x) for x in self.r.track.from_end(on, w.exit)] if on is not None else []
-                known[w] = w.length + max(further, default=0.0)
+                known[w] = self._exact(w) + max(further, default=Fraction(0))
             return known[w]
 
-        longest = max((run(w) for s in self.r.track.sections for w in self.r.track.ways[s]), default=0.0)
+        longest = max((run(w) for s in self.r.track.sections for w in self.r.track.ways[s]), default=Fraction(0))
         fastest = max(self.kmh(s) for s in [None, *self.r.track.sections])
-        return self.halt(fastest) + round(1000 * longest / (self._d.rule("line_speed_kmh") / 3.6 / 2))
+        return self.halt(fastest) + ceil(2000 * longest / _a_second(self._d.rule("line_speed_kmh")))
 
     def unseen(self) -> dict[str, float]:
         """Sections, and approaches from which trains come, that may be run through in less than A-SCAN asks for, with

@@ -9,13 +9,13 @@ start takes up to three scans.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from math import ceil, floor
+from math import floor
 
 from interlock.dataclass import dataclass
 from interlock.diag import Element, Sink
 from interlock.model.elements import MachineId, RouteId
 from interlock.model.layout import Layout
-from interlock.model.times import supervision_s, whole_ms
+from interlock.model.times import supervision_s, tenths, whole_ms
 from interlock.table.rows import RouteRow
 
 
@@ -74,15 +74,15 @@ def _point(layout: Layout, machine: MachineId) -> str:
 def _report(layout: Layout, w: _Wait, what: str, about: Element, sink: Sink) -> None:
     rules, own = layout.principles, supervision_s(layout, w.machine)
     gap, run = rules.point_start_gap_s, rules.point_run_s
-    waits, need = w.before * gap, (w.before * whole_ms(gap) + whole_ms(run)) / 1000
+    waits, need = w.before * gap, w.before * whole_ms(gap) + whole_ms(run)
     others = "another machine" if w.before == 1 else f"{w.before} others"
     bearable = floor(10 * (own - run) / w.before) / 10
     shorter = f", or a `point_start_gap_s` of at most {bearable:g} s, if the supply bears it" if bearable > 0 else ""
     sink.add(
         "IL3023",
-        f"{what} is {own:g} s, and {need:.1f} s are needed for {w.machine}: where {w.route} turns it after {others}, "
-        f"{gap:g} s apart, it starts {waits:g} s after it is commanded, and runs for {run:g} s",
+        f"{what} is {own:g} s, and {tenths(need)} s are needed for {w.machine}: where {w.route} turns it after "
+        f"{others}, {gap:g} s apart, it starts {waits:g} s after it is commanded, and runs for {run:g} s",
         None,
-        f"state at least {ceil(need)} s{shorter}",
+        f"state at least {-(-need // 1000)} s{shorter}",
         about=about,
     )

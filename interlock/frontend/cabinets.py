@@ -14,6 +14,7 @@ from interlock.frontend.scalars import ADDRESS
 from interlock.frontend.schema import TargetSpec
 from interlock.model.elements import Anchor, Health, NodeId, SectionId, Signal, Substation
 from interlock.model.target import CPUS, KB, Target
+from interlock.model.times import at_most_ms
 
 ONLY = "main"
 """The cabinet of a layout that names none."""
@@ -71,7 +72,7 @@ def resolve_health(ctx: Context) -> tuple[Health, ...]:
     for name in ctx.file.health:
         if name not in known:
             ctx.add("IL2014", f"there is no substation {name}", ctx.at_key("health", name), did_you_mean(name, known))
-    found = (Health(n, x.by, round(1000 * x.within)) for n, x in ctx.file.health.items())
+    found = (Health(n, x.by, at_most_ms(x.within)) for n, x in ctx.file.health.items())
     return tuple(sorted(found, key=lambda h: h.substation))
 
 

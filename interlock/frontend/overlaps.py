@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from fractions import Fraction
 from functools import partial
 
 from pydantic_core import PydanticCustomError
@@ -16,7 +17,7 @@ from interlock.frontend.ports import Wiring
 from interlock.frontend.schema import OverlapSpec, OverlapWaySpec
 from interlock.model.elements import EdgeId, Overlap, OverlapWay, SectionId, Signal, SignalId
 from interlock.model.layout import Layout
-from interlock.model.needs import needs
+from interlock.model.needs import exact_m, needs
 from interlock.model.overlap import stand_s
 from interlock.model.principles import Principles
 from interlock.model.signalling import Overlaps
@@ -217,7 +218,8 @@ def _by_length(layout: Layout, g: SignalId) -> float:
     signal, topo = layout.signalling.signal[g], topology(layout)
     before = topo.beyond(layout.track.section_of(signal.into), signal.node)
     assert before is not None  # the signal stands inside the layout
-    metres = max((t.length for t in topo.traversals[before] if t.exit == signal.node), default=0.0)
+    ways = [t for t in topo.traversals[before] if t.exit == signal.node]
+    metres = max((exact_m(layout, t) for t in ways), default=Fraction(0))
     there = layout.track.section[before].speed or layout.principles.line_speed_kmh
     shown = [v for h, v in layout.overlaps.entry_speeds if h == g]
     shown += [w.entry for w in layout.overlaps.ways if w.signal == g and w.entry is not None]

@@ -9,13 +9,14 @@ section before a signal, brings it to a stand there (R4).
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from fractions import Fraction
 
 from interlock.dataclass import dataclass
 from interlock.model.elements import BoundaryKind, MachineId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
-from interlock.model.overlap import overlap_paths
+from interlock.model.overlap import overlap_paths, through
 from interlock.model.principles import Principles
-from interlock.model.times import supervision_s, whole_ms
+from interlock.model.times import stated, supervision_s, whole_ms
 from interlock.model.traversal import Traversal, topology
 
 
@@ -76,7 +77,8 @@ def _passage(layout: Layout, t: Traversal, line: float) -> Passage:
 
 def halt_ms(rules: Principles, kmh: float) -> int:
     """From the command of stop until a train that runs at so many km/h stands: delay, reaction, braking."""
-    return round(1000 * (rules.output_delay_s + rules.reaction_s + kmh / 3.6 / rules.braking_ms2))
+    braking = stated(kmh) / Fraction(18, 5) / stated(rules.braking_ms2)
+    return whole_ms(stated(rules.output_delay_s) + stated(rules.reaction_s) + braking)
 
 
 def needs(layout: Layout) -> Needs:
@@ -110,23 +112,27 @@ def _restart(layout: Layout) -> int:
     """Until every train stands that ran at a power cut: all signals show stop, so that it runs to the next one it meets
     at most, at half the highest speed at least, and brakes there."""
     rules, topo = layout.principles, topology(layout)
-    known: dict[tuple[SectionId, int], float] = {}
+    known: dict[tuple[SectionId, int], Fraction] = {}
 
-    def to_signal(t: Traversal) -> float:
+    def to_signal(t: Traversal) -> Fraction:
         """Metres over a way and on to the next main signal, a boundary, the end of the track, or round a loop."""
         found = known.get(t.key)
         if found is None:
-            known[t.key] = 0.0
+            known[t.key] = Fraction(0)
             ahead = topo.beyond(t.section, t.exit)
             on = ahead is not None and (t.exit, ahead) not in topo.main_into
             further = topo.through(ahead, t.exit) if on and ahead is not None else ()
-            own = sum(layout.track.edge[e].length for e in t.edges)
-            found = known[t.key] = own + max(map(to_signal, further), default=0.0)
+            found = known[t.key] = exact_m(layout, t) + max(map(to_signal, further), default=Fraction(0))
         return found
 
-    metres = max((to_signal(t) for s in topo.sections for t in topo.traversals[s]), default=0.0)
+    metres = max((to_signal(t) for s in topo.sections for t in topo.traversals[s]), default=Fraction(0))
     fastest = max([rules.line_speed_kmh, *(float(s.speed) for s in layout.track.sections if s.speed is not None)])
-    return halt_ms(rules, fastest) + round(1000 * metres / (rules.line_speed_kmh / 3.6 / 2))
+    return halt_ms(rules, fastest) + whole_ms(through(metres, rules.line_speed_kmh))
+
+
+def exact_m(layout: Layout, t: Traversal) -> Fraction:
+    """The metres of a way, as they were stated."""
+    return sum((stated(layout.track.edge[e].length) for e in t.edges), Fraction(0))
 
 
 def _ways_to(layout: Layout, g: SignalId) -> tuple[SectionId, list[float]] | None:

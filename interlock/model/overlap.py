@@ -9,11 +9,13 @@ that lies inside a longer one is told apart from it by its speed: see `told_apar
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
+from fractions import Fraction
 from itertools import pairwise
-from math import isinf
+from math import ceil, isinf
 
 from interlock.model.elements import NodeId, OverlapWay, PointId, Position, SectionId, SignalId
 from interlock.model.layout import Layout, of_layout
+from interlock.model.times import stated
 from interlock.model.traversal import Traversal, path_speed, topology
 
 
@@ -25,10 +27,15 @@ def overlap_length(speed_kmh: float, falling_permille: float) -> float:
     return base * max(0.0, 1.0 + share)
 
 
-def stand_s(length_m: float, kmh: float, halt_ms: int) -> float:
+def stand_s(length_m: Fraction, kmh: float, halt_ms: int) -> float:
     """When an overlap may be released, by length and speed (whole seconds): a train that is wholly in a section of so
     many metres before the signal runs on through it at half the speed at least, and brakes (our choice)."""
-    return float(-(-(round(1000 * length_m / (kmh / 3.6 / 2)) + halt_ms) // 1000))
+    return float(ceil(through(length_m, kmh) + Fraction(halt_ms, 1000)))
+
+
+def through(metres: Fraction, kmh: float) -> Fraction:
+    """The seconds for so many metres at half of a speed."""
+    return metres * Fraction(36, 5) / stated(kmh)
 
 
 @of_layout

@@ -2,16 +2,32 @@
 
 from __future__ import annotations
 
-from decimal import Decimal
-from math import ceil
+from fractions import Fraction
+from math import ceil, floor
 
 from interlock.model.elements import MachineId, SignalId
 from interlock.model.layout import Layout
 
 
-def whole_ms(seconds: float) -> int:
-    """Seconds as they were stated, in whole milliseconds: rounded up, so that no delay is shorter than ordered."""
-    return ceil(1000 * Decimal(repr(float(seconds))))
+def stated(number: float) -> Fraction:
+    """A number as it was stated, exactly: what follows from it is rounded once, to the side that restricts."""
+    return Fraction(repr(float(number)))
+
+
+def whole_ms(seconds: float | Fraction) -> int:
+    """Seconds as they were stated, or follow, in whole milliseconds: rounded up, so that no delay is shorter than
+    ordered or needed."""
+    return ceil(1000 * (seconds if isinstance(seconds, Fraction) else stated(seconds)))
+
+
+def at_most_ms(seconds: float) -> int:
+    """Seconds in which something must have happened, in whole milliseconds: rounded down."""
+    return floor(1000 * stated(seconds))
+
+
+def tenths(ms: int) -> str:
+    """Milliseconds that are needed, in seconds as a sentence has them: rounded up to a tenth."""
+    return f"{ceil(Fraction(ms, 100)) / 10:.1f}"
 
 
 def supervision_s(layout: Layout, machine: MachineId) -> float:

@@ -11,7 +11,7 @@ from interlock.model.elements import SignalId
 from interlock.model.layout import Layout
 from interlock.model.needs import before, needs, standing_s, turning_s
 from interlock.model.overlap import overlap_length
-from interlock.model.times import overlap_release_s, whole_ms
+from interlock.model.times import overlap_release_s, tenths, whole_ms
 
 OTHERWISE = {
     "restart_delay_s": "",
@@ -53,13 +53,13 @@ def check_delays(ctx: Context, layout: Layout) -> None:
             slower = OTHERWISE.get(name, ", or the lower speeds that are run there")
             ctx.add(
                 "IL3023",
-                f"{name} is {own:g} s, and {need / 1000:.1f} s are needed {words}",
+                f"{name} is {own:g} s, and {tenths(need)} s are needed {words}",
                 ctx.at_key(*ctx.stated(name)),
                 f"state {f'`{wanted}` under `principles`' if spoken else f'`principles: {{{wanted}}}`'}{slower}",
             )
     for g, own in layout.overlaps.releases:
         if whole_ms(own) < least.stand[g]:
-            needed = f"{least.stand[g] / 1000:.1f} s are needed until a train before it stands: {why}"
+            needed = f"{tenths(least.stand[g])} s are needed until a train before it stands: {why}"
             at_least = f"state at least {-(-least.stand[g] // 1000)} s, or the lower speed that is run before {g}"
             ctx.add(
                 "IL3023",
@@ -69,7 +69,7 @@ def check_delays(ctx: Context, layout: Layout) -> None:
             )
     for m, own in layout.pointwork.supervision:
         if whole_ms(own) < least.run:
-            text = f"the supervision of {m} is {own:g} s, and {least.run / 1000:.1f} s are needed for a machine to run"
+            text = f"the supervision of {m} is {own:g} s, and {tenths(least.run)} s are needed for a machine to run"
             room = "level_crossings" if m in ctx.file.level_crossings else "interlocks"
             where = Element("points", layout.machines.ends[m][0].id) if m in layout.machines.ends else Element(room, m)
             ctx.sink.add("IL3023", text, None, f"state at least {-(-least.run // 1000)} s", about=where)
@@ -90,7 +90,8 @@ def _released_early(ctx: Context, layout: Layout) -> None:
             way = before(layout, g)
             assert way is not None  # a train runs there
             text = f"the overlap of {g} is released after {own:g} s, while even the fastest train still runs to {g}: "
-            text += f"at {way.kmh:g} km/h it takes {need:.1f} s from coming into {way.section} to standing before {g}"
+            text += f"at {way.kmh:g} km/h it takes {tenths(whole_ms(need))} s from coming into {way.section} "
+            text += f"to standing before {g}"
             at = ("overlaps", g) if g in ctx.file.overlaps else ctx.stated("overlap_release_s")
             fix = f"state `overlaps: {{{g}: {{release_by_length: yes}}}}`, or a `release` of at least {ceil(need)} s"
             ctx.add("IL3035", text, ctx.at_key(*at), fix)
@@ -144,7 +145,7 @@ def _signals(ctx: Context, layout: Layout) -> None:
         trains = least.stop[g] if signal.main and g not in layout.signalling.stops else 0
         need = max(trains, least.shunt if signal.shunt else 0)
         if whole_ms(own) < need:
-            until = f"{need / 1000:.1f} s are needed until whoever saw proceed stands or has passed"
+            until = f"{tenths(need)} s are needed until whoever saw proceed stands or has passed"
             why = f"{rules.output_delay_s:g} s until stop is seen, {rules.reaction_s:g} s of reaction, and braking"
             text = f"the routes of {g} are held for {own:g} s, and {until}: {why}"
             fix = f"state at least {-(-need // 1000)} s, or the lower speed that is run before {g}"
