@@ -16,6 +16,7 @@ from interlock.emit.drawing import plan_svg
 from interlock.emit.report import report_html
 from interlock.emit.tables.document import table_json
 from interlock.emit.tables.export import matrix_csv, table_csv
+from interlock.model.elements import RouteId
 from interlock.model.layout import Layout
 from interlock.table.columns import COLUMNS
 from interlock.table.national import national_sheets
@@ -148,3 +149,20 @@ def test_a_way_that_is_not_listed_is_not_listed_with_any_overlap() -> None:
     assert [r.id for r in table.routes if not r.listed] == ["X2-X3", "X2-X3.o2"]
     printed = lines(table_csv(table))
     assert printed[-1][1] == "1 more routes are not listed" and not any(row[1] == "X2-X3" for row in printed)
+
+
+def test_the_american_sheet_names_the_overlap_with_which_alone_a_signal_conflicts() -> None:
+    """B stood for B-Z.o2, as if every route from it were locked; B-Z with its first overlap is not."""
+    text = Path("tests/layouts_for_tests/overlap_inside.yaml").read_text("utf-8")
+    made = grown(re.sub(r"(?m)^profile:.*\n", "", text))
+    assert made is not None
+    layout, table, _ = made
+    assert {r.id for r in table.routes if r.entry == "B"} >= {"B-Z", "B-Z.o2"}
+    assert "B-Z" not in table.route[RouteId("X-E")].locking.hostile.routes
+    sheet = next(s for s in national_sheets(layout, table) if s.key == "us_locking")
+    heads = [h.en for h in sheet.headings]
+    locked = {
+        row[heads.index("Route")]: row[heads.index("Opposing and conflicting signals locked")] for row in sheet.rows
+    }
+    assert (locked["X-E"], locked["A-X"]) == ("Z, B-Z.o2", "o2: Z, B-Z.o2")
+    assert [sign for sign, _ in sheet.legend] == ["A-X.o2"]

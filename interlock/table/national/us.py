@@ -11,6 +11,7 @@ from interlock.model.times import supervision_s
 from interlock.table.cells import ExitKind, Role, RouteKind, Shows
 from interlock.table.national.reading import Reading
 from interlock.table.national.sheet import Field, Heading, Sheet, by_way, filled
+from interlock.table.printed import Said, grouped
 from interlock.table.rows import InterlockingTable, RouteRow, leads_to
 from interlock.table.runs import in_runs, legend, natural
 
@@ -28,9 +29,15 @@ def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
     return tuple(said)
 
 
-def _conflicting(x: Reading, r: RouteRow) -> tuple[str, ...]:
-    entries = {x.table.route[h].entry for h in r.locking.hostile.routes}
-    return tuple(in_runs(sorted(entries - {r.entry}, key=natural)))
+def _conflicting(x: Reading, r: RouteRow) -> tuple[list[str], list[str]]:
+    """Signals whose routes conflict; of one whose routes conflict with some of their overlaps alone, these routes."""
+    found: dict[str, list[Said[None]]] = {}
+    for s in grouped(((h, None) for h in r.locking.hostile.routes), x.printed.ways):
+        found.setdefault(s.way.rows[0].entry, []).append(s)
+    found.pop(r.entry, None)
+    signals = [g for g, those in found.items() if any(s.whole for s in those)]
+    routes = [s.name() for g, those in found.items() if g not in signals for s in those]
+    return in_runs(sorted(signals, key=natural)), sorted(routes, key=natural)
 
 
 def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
@@ -46,7 +53,7 @@ def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
         Field(Heading("Derails", "脱轨器", "Gleissperren"), lambda r: ", ".join(x.machines.derailers_lie(r))),
         Field(
             Heading("Opposing and conflicting signals locked", "敌对信号", "Gesperrte Signale"),
-            lambda r: _conflicting(x, r),
+            lambda r: tuple(name for names in _conflicting(x, r) for name in names),
         ),
         Field(Heading("Track circuits (OS)", "轨道区段", "Freimeldung"), lambda r: tuple(x.sections(r))),
         Field(Heading("Approach circuit", "接近区段", "Annäherung"), lambda r: ", ".join(r.locking.approach.sections)),
@@ -59,7 +66,10 @@ def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
     )
     headings, rows = by_way(fields, x.printed.listed)
     title = Heading("Route locking sheet", "进路锁闭表", "Verschlussblatt")
-    return Sheet("us_locking", "en", title, headings, rows, True, SOURCE, legend=legend(rows))
+    by_overlap = sorted({name for way in x.printed.listed for r in way.rows for name in _conflicting(x, r)[1]})
+    meaning = "the route with this overlap (o2 in its row); with another one it does not conflict"
+    signs = (*legend(rows), *((name, meaning) for name in by_overlap[:1]))
+    return Sheet("us_locking", "en", title, headings, rows, True, SOURCE, legend=signs)
 
 
 def _over(x: Reading, r: RouteRow) -> str:
