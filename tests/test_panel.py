@@ -149,6 +149,34 @@ def test_what_was_asked_for_long_ago_is_not_done_any_more(at_work: tuple[Desk, A
         b.until(lambda: not b.state["s:s9"][1])
 
 
+@pytest.mark.parametrize(
+    "more",
+    [
+        {"heard": "noon", "after": 0},
+        {"heard": 10**400, "after": None},
+        {"heard": [], "after": {}},
+        {"on": 7, "route": 5, "text": 2000 * "x", "alarms": 3},
+    ],
+    ids=["no number", "too large", "other kinds", "other fields"],
+)
+def test_stop_is_taken_whatever_stands_beside_it(at_work: tuple[Desk, Any], more: dict[str, Any]) -> None:
+    """A time that could not be read, which stop does not ask for, had it refused."""
+    _, browser = at_work
+    with browser(name="Jo") as b:
+        assert b.ask("set", route="XI9-XC4")["ok"]
+        b.until(lambda: b.state["g:XI9"][0] == "clear")
+        assert b.ask("stop", **more)["ok"]
+        b.until(lambda: b.state["g:XI9"][0] == "stop")
+        b.until(lambda: not b.state["s:s9"][1])
+        assert b.ask("set", route="XI9-XC4")["ok"]
+        b.until(lambda: b.state["g:XI9"][0] == "clear")
+        times = {k: v for k, v in more.items() if k in ("heard", "after")}
+        assert b.ask("cancel", signal="XI9", **times)["ok"], "nor does this ask when it was asked for"
+        b.until(lambda: not b.state["s:s9"][1])
+        if times:
+            assert not b.ask("set", route="XI9-XC4", heard="noon", after=0)["ok"]
+
+
 def test_points_are_moved_by_hand_and_not_while_they_are_locked(at_work: tuple[Desk, Any]) -> None:
     _, browser = at_work
     with browser() as b:

@@ -25,7 +25,7 @@ from interlock.panel.asking import in_words
 from interlock.panel.browsers import Browsers
 from interlock.panel.clock import MOST_S, SPEEDS, Clock
 from interlock.panel.commands import Refused
-from interlock.panel.entry import LONGEST, Command, NotKnown, cleaned, line
+from interlock.panel.entry import LONGEST, Command, NotKnown, cleaned, line, never_late
 from interlock.panel.event import Event, stamp
 from interlock.panel.operating import Operating, Person
 from interlock.panel.picture import Picture, still, trains
@@ -286,7 +286,7 @@ class Desk:
         if not who.operates:
             raise Refused("this browser may only look")
         late = age_s(command)
-        if late > LATE_S and what not in NEVER_LATE and not (what == "block" and command.get("on")):
+        if late > LATE_S and not never_late(what, command):
             raise Refused(f"it was asked for {late:.0f} s ago, and is not done now: ask again")
         if what in SIMULATED:
             if self.field is None:
@@ -340,9 +340,6 @@ DEFECT = "a defect of this program, please report it"
 LATE_S = 5.0
 """Seconds after which what a browser has asked for is not done any more (our choice): whoever asked has seen no answer,
 and gone on to something else."""
-
-NEVER_LATE = ("stop", "cancel", "acknowledge", "remind", "lamp test")
-"""Commands that do no harm however late they come; so does to block a section."""
 
 
 def age_s(command: Command) -> float:

@@ -13,6 +13,8 @@ TEXTS = frozenset(
     ("do", "route", "signal", "section", "machine", "to", "boundary", "name", "train", "at", "text", "towards", "kind")
 )
 NUMBERS = frozenset(("heard", "after", "metres", "times"))
+TIMES = frozenset(("heard", "after"))
+"""When it was asked for, which is not asked of what is done however late it comes."""
 FLAGS = frozenset(("on", "go", "end"))
 ALARMS = "alarms"
 """The fields of commands by kind; the last is a list of pairs of texts."""
@@ -25,6 +27,10 @@ LARGEST = 10**12
 
 MOST_ALARMS = 1000
 """Alarms that are acknowledged at once."""
+
+STOP = "stop"
+NEVER_LATE = (STOP, "cancel", "acknowledge", "remind", "lamp test")
+"""Commands that do no harm however late they come; so does to block a section."""
 
 NOT_KNOWN = "this panel does not know such a command"
 
@@ -75,9 +81,16 @@ def mark(given: Any) -> int | str | None:
 
 
 def cleaned(given: Mapping[str, Any]) -> Command:
-    """A command with the fields that there are; one that is null is missing.  Raises `NotKnown`."""
+    """A command with the fields that there are; one that is null is missing.  Raises `NotKnown`, but for stop: that is
+    taken whatever stands beside it, and what is never late whatever its times are."""
     found = Command()
+    what = _text("do", given["do"]) if isinstance(given.get("do"), str) else ""
+    if what == STOP:
+        return Command(do=STOP)
+    timeless = never_late(what, given)
     for key, value in given.items():
+        if timeless and key in TIMES:
+            continue
         if value is None and key != ALARMS:  # no alarms named are all of them
             continue
         if key in TEXTS:
@@ -89,6 +102,11 @@ def cleaned(given: Mapping[str, Any]) -> Command:
         elif key == ALARMS:
             found[key] = _pairs(value)
     return found
+
+
+def never_late(what: str, command: Mapping[str, Any]) -> bool:
+    """Whether it is done however long ago it was asked for."""
+    return what in NEVER_LATE or (what == "block" and bool(command.get("on")))
 
 
 def _text(key: str, value: Any) -> str:
