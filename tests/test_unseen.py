@@ -1,19 +1,23 @@
-"""A-SCAN against lengths and speeds: what is run through between two scans is told, by two readers."""
+"""Assumptions against lengths and speeds, by two readers: what is run through between two scans (A-SCAN), where an
+overlap is given up under a train that runs (A-STAND), and where one stands foul beyond a boundary (A-BEYOND)."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from interlock.checker.check import agree
+from interlock.checker.doubted import foul_boundaries, released_early
 from interlock.checker.lengths import Lengths
 from interlock.checker.railway import Railway
 from interlock.checker.reading import loaded
 from interlock.checker.specification import shipped as specification
 from interlock.diag import Sink
 from interlock.frontend import load_text
-from interlock.model.needs import passages
+from interlock.model.foul import foul_boundaries as ours_foul
+from interlock.model.needs import passages, standing_s
 from tests.layouts import SHIPPED
 from tests.written import told
 
@@ -71,3 +75,41 @@ def test_verify_says_where_the_assumption_cannot_hold() -> None:
     said = [agree(*told(x), specification()).compared[3] for x in (LINE, LINE.replace("q2 12", "q2 10"))]
     assert "but A-SCAN" not in said[0]
     assert said[1].endswith("but A-SCAN holds of no train at full speed through q2 in 0.45 s")
+
+
+EARLY = Path("tests/diagnostics/IL3035.yaml").read_text("utf-8")
+FOUL = Path("tests/diagnostics/IL3041.yaml").read_text("utf-8")
+
+
+@pytest.mark.parametrize("place", PLACES)
+def test_both_readers_find_the_same_overlaps_and_boundaries(place: str) -> None:
+    """With a braking so weak that no release suffices, each section before an overlap has its time compared; with a
+    clearance that no boundary has, each has its points."""
+    text = Path(place).read_text("utf-8")
+    layout, _ = load_text(place, text, Sink())
+    railway = Railway(loaded(text))
+    assert layout is not None
+    braking = layout.principles.braking_ms2
+    railway.drawn.rules["overlap_release_s"] = 0.001
+    stated = {g for g, _ in layout.overlaps.releases}
+    theirs = {g: s for g, (_, s) in released_early(Lengths(railway)).items() if g not in stated}
+    ours = {str(o.signal): standing_s(layout, o.signal) for o in layout.overlaps.all if o.signal not in stated}
+    assert theirs.keys() == ours.keys() and braking > 0
+    assert all(abs(theirs[g] - ours[g]) < 1e-9 for g in ours)
+    for clearance in (layout.principles.clearance_m, 500.0):
+        railway.drawn.rules["clearance_m"] = clearance
+        far = replace(layout, principles=replace(layout.principles, clearance_m=clearance))
+        assert foul_boundaries(railway.drawn) == sorted({(str(b.node), str(b.element)) for b in ours_foul(far)})
+
+
+def test_verify_says_where_a_train_runs_on_or_stands_foul() -> None:
+    held = (
+        EARLY,
+        EARLY.replace("overlap_release_s: 60", "overlap_release_s: 86"),
+        FOUL,
+        FOUL.replace("legs: 9", "legs: 16"),
+    )
+    said = [agree(*told(x), specification()).compared[3] for x in held]
+    assert said[0].endswith("but A-STAND holds of no train at full speed to X, whose overlap is released after 60 s")
+    assert said[2].endswith("but A-BEYOND says nothing of a train that stands at W8, foul of P3")
+    assert "but" not in said[1] and "but" not in said[3]

@@ -11,6 +11,7 @@ from typing import Any
 import yaml
 
 from interlock.checker import claims, controller, outputs, plant, said
+from interlock.checker.doubted import doubts
 from interlock.checker.drawing import Unread
 from interlock.checker.railway import Railway, safe
 from interlock.checker.reading import loaded
@@ -82,9 +83,8 @@ def agree(
 
 
 def _contradicted(world: Telling) -> str:
-    """Where the layout's own numbers leave a train no time in which A-SCAN could hold."""
-    fast = [f"{s} in {seconds:.2f} s" for s, seconds in world.lengths.unseen().items()]
-    return f"; but A-SCAN holds of no train at full speed through {', '.join(fast)}" if fast else ""
+    """Where the layout's own numbers leave an assumption no room."""
+    return "".join(f"; but {x}" for x in doubts(world.lengths))
 
 
 def _body(layout: Path, text: str) -> dict[str, Any]:
