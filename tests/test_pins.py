@@ -388,6 +388,38 @@ def test_pins_that_nothing_bears_out_are_told_with_place_and_fix(
     assert (text in shown) is ("OLD" not in new), "what is only gone, `pin` is about to reserve"
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "written"),
+    [
+        ("CLR_q1: I0.3", "CRL_q1: I0.3", {r" {4}q1: .*": "q1: {CLR_q1: I0.3}"}),
+        ("q1: {CLR_q1", "qq1: {CLR_q1", {r" {4}qq1: .*": "q1: {CLR_q1: I0.3}"}),
+        ("    q1: {CLR_q1: I0.3}\n", "", None),
+        ("4: Q2}", "4: Q2}\n  mian: {1: I8}", {r" {2}mian: .*\n": "", r" {2}main: \{1.*": None}),
+    ],
+    ids=["misspelt", "another element", "beside another's", "substation"],
+)
+def test_the_lines_that_are_proposed_do(mine: Path, old: str, new: str, written: dict[str, str | None] | None) -> None:
+    """They were to be made out by hand: which element, which variables, which slot."""
+    pins = edited(mine, old, new)
+    if written is None:  # the variable stands among those of a point
+        edited(mine, "P1: {", "P1: {CLR_q1: I0.3, ")
+    (found,) = [d for d in check_file(str(mine)).diagnostics if d.code == "IL2029"]
+    lines = re.findall(r"`(\w+: \{[^`]*\})`", found.fix)
+    text = pins.read_text("utf-8")
+    if written is None:
+        assert lines[0] == "q1: {CLR_q1: I0.3}" and lines[1].startswith("P1: {DN_P1")
+        text = re.sub(r"    P1: .*", f"    {lines[1]}\n    {lines[0]}", text)
+    for pattern, wanted in (written or {}).items():
+        indent = re.match(r" \{(\d)\}", pattern)
+        assert wanted in (None, "", lines[0]) and indent is not None
+        text = re.sub(pattern, " " * int(indent[1]) + lines[0] if wanted != "" else "", text, count=1)
+    pins.write_text(text, "utf-8")
+    done = check_file(str(mine))
+    assert done.ok and not {d.code for d in done.diagnostics} & {"IL2020", "IL2021", "IL2028", "IL2029"}, (
+        done.diagnostics
+    )
+
+
 def test_an_address_that_the_layout_states_needs_no_card(mine: Path) -> None:
     mine.write_text(MINE + "addresses: {CLR_q1: I500.3}\n", "utf-8")
     run("pin", mine, "--yes")

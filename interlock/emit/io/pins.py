@@ -37,7 +37,12 @@ def _room(name: str, note: str, pins: Iterable[Pin]) -> Iterator[str]:
     for station, elements in found.items():
         yield f"  {station}:\n"
         for element, those in elements.items():
-            yield f"    {_key(element)}: {{{', '.join(f'{p.variable}: {p.address}' for p in those)}}}\n"
+            yield f"    {line_of(element, those)}\n"
+
+
+def line_of(element: str, pins: Iterable[Pin]) -> str:
+    """The line of an element."""
+    return f"{_key(element)}: {{{', '.join(f'{p.variable}: {p.address}' for p in pins)}}}"
 
 
 def _key(element: str) -> str:
