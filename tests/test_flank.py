@@ -14,7 +14,7 @@ from interlock.derivation.flank import told
 from interlock.diag import Sink
 from interlock.diag.called import called
 from interlock.logic.lower import lower
-from interlock.model.elements import Position, RouteId
+from interlock.model.elements import Position, RouteId, SectionId
 from interlock.model.layout import Layout
 from interlock.model.principles import PROFILES
 from interlock.proof.claims.catalogue import claims
@@ -25,7 +25,7 @@ from interlock.proof.induction.verdict import Verdict
 from interlock.proof.mutation.weakenings import KINDS
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
-from interlock.table.cells import PointDemand, Provider, ProviderKind, Role
+from interlock.table.cells import Because, ClearCell, PointDemand, Provider, ProviderKind, Role
 from interlock.table.rows import InterlockingTable
 from tests.layouts import grown
 
@@ -536,3 +536,50 @@ def test_what_is_there_to_hold_vehicles_is_laid_whatever_signal_stands_behind_it
     assert made is not None and not made[2].has_errors and audit(made[0], made[1]) == ()
     points = made[1].route[RouteId("XX-XI")].locking.points
     assert [(str(p.machine), str(p.position)) for p in points if p.role is Role.FLANK] == [("3", "N")]
+
+
+CALLED_OVER = """interlock: 1
+name: called_over
+principles: {flank_space: yes}
+boundaries: {A: {approach: aa 600}, B: {approach: bb 600}, C: {trains: out}, D: {trains: out}}
+tracks: {a: [A, a1 300], b: [B, b1 300], c: [c1 300, C], d: [d1 300, D]}
+points:
+  1A: {machine: 1, section: T1, toe: a.end, normal: 2B.normal}
+  2B: {machine: 2, section: T1, toe: c.start}
+  2A: {machine: 2, section: T2, toe: b.end, normal: 1B.normal}
+  1B: {machine: 1, section: T2, toe: d.start}
+crossings: {X: {arms: [{section: T1, ends: [1A.reverse, 1B.reverse]}, {section: T2, ends: [2A.reverse, 2B.reverse]}]}}
+signals:
+  SI: {from: A, into: a1}
+  SA: {from: a1, into: T1, call_on: yes}
+  SJ: {from: B, into: b1}
+  SB: {from: b1, into: T2, call_on: yes}
+"""
+
+
+def test_a_train_is_called_on_over_a_scissors_whose_arm_lies_in_a_section_beyond() -> None:
+    """T2, into which the route leads, must be clear as the flank space of the other arm: the witness had it fail, where
+    it may be d1 that fails."""
+    made = grown(CALLED_OVER)
+    assert made is not None and audit(made[0], made[1]) == ()
+    layout, table, _ = made
+    called = table.route[RouteId("SA-D.c")]
+    assert called.path.section_ids == ("T1", "T2", "d1") and "T2" in {c.name for c in called.clear.space}
+    result = prove(System(layout, lower(layout, table)), Limits(search_depth=0))
+    assert result.proved and all(w.ok for w in result.witnesses)
+
+
+def test_a_call_on_route_that_wants_what_is_no_flank_space_clear_has_no_witness() -> None:
+    """Sections beside which no vehicle comes in may fail, whatever the controller asks for."""
+    made = grown(CALLED_OVER)
+    assert made is not None
+    layout, table, _ = made
+    row = table.route[RouteId("SA-D.c")]
+    more = (*row.clear.sections, ClearCell(SectionId("d1"), Because("R2", "by mistake")))
+    weak = replace(
+        table,
+        routes=tuple(replace(r, clear=replace(r.clear, sections=more)) if r is row else r for r in table.routes),
+    )
+    result = prove(System(layout, lower(layout, weak)), Limits(search_depth=0))
+    refused = [("SA-D.c", "the request is refused: not d1 clear")]
+    assert [(w.route, w.text) for w in result.witnesses if not w.ok] == refused

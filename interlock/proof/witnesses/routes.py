@@ -19,6 +19,7 @@ from itertools import pairwise
 
 from interlock.dataclass import dataclass
 from interlock.logic import names
+from interlock.logic.expr import FALSE, Substitution
 from interlock.logic.names import Name
 from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import NodeId, Position, RouteId, SectionId
@@ -222,9 +223,38 @@ def _run(railway: ClosedLoop, lane: Lane, r: RouteSymbols, turning: str = "") ->
 
 
 def _failed_section(railway: ClosedLoop, r: RouteSymbols) -> SectionId | None:
-    """A section of a call-on route that may be reported occupied by mistake."""
+    """A section of a call-on route that may be reported occupied by mistake: not one that the route must find clear as
+    its flank space, too (R5)."""
     berths, clear = railway.topo.berths, railway.controller.symbols.sections.clear
-    return next((s for s, _ in r.path.ways[1:] if s not in berths and s in clear), None)
+    those = [s for s, _ in r.path.ways[1:] if s not in berths and s in clear]
+    beside = _beside(railway, r) if railway.layout.principles.flank_space and those else frozenset[SectionId]()
+    return next((s for s in those if s not in beside or not _wants_clear(railway, r, s)), None)
+
+
+def _beside(railway: ClosedLoop, r: RouteSymbols) -> frozenset[SectionId]:
+    """The sections between the places at which a vehicle might come into a route and the next signals there."""
+    found = set[SectionId]()
+    works, beyond = railway.layout.pointwork, railway.measured.beyond
+    for t in (railway.topo.traversals[SectionId(s)][n - 1] for s, n in r.path.ways):
+        todo = [beyond[p.node, p.leg(x.other)] for p, x in ((works.point[p], x) for p, x in t.points)]
+        todo += [
+            beyond[c.node, e]
+            for c, arm in ((works.crossing[c], arm) for c, arm in t.crossings)
+            for e in c.arms[1 - arm]
+        ]
+        while todo:
+            b = todo.pop()
+            found.add(b.section)
+            todo += b.onward
+    return frozenset(found)
+
+
+def _wants_clear(railway: ClosedLoop, r: RouteSymbols, section: SectionId) -> bool:
+    """Whether a route's signal never opens while a section is reported occupied, and so has not been clear for long."""
+    conditions = railway.controller.expanded[names.CONDITIONS(r.number)]
+    of = railway.controller.symbols.sections
+    occupied = {of.clear[section]: FALSE, of.release_timer[section]: FALSE}
+    return Substitution(occupied)(conditions) is FALSE
 
 
 def _disturbed(run: Driver, inputs: dict[str, int]) -> Driver:
