@@ -22,7 +22,7 @@ from interlock.logic.eval import Machine
 from interlock.logic.expr import NOT, TRUE, conj, interning, var, walk
 from interlock.logic.lower import lower
 from interlock.logic.words import CANCELLING, FREE, OPEN, REFUSED, SET, UNKNOWN, Case, Word, Words
-from interlock.model.elements import Position
+from interlock.model.elements import MachineId, Position
 from interlock.proof.equivalence.python_text import compare_runtime
 from interlock.proof.equivalence.structured_text import compare_dialect
 from interlock.proof.mutation.lines import Lines
@@ -58,12 +58,25 @@ def test_every_route_has_a_word_and_every_code_a_sentence_and_a_rule(name: str) 
     assert len({r.text for r in c.words.reasons.values()}) > len(c.words.reasons) * 0.9
 
 
+def test_machines_are_told_as_what_they_are() -> None:
+    """Of a crossing nothing is detected or lies reverse, and a derailer alone is no set of points."""
+    machines = built("flank_lab")[0].machines
+    said = [(machines.undetected(m), machines.lie(m, Position.REVERSE)) for m in map(MachineId, ("LC1", "2", "Gs1"))]
+    assert said == [
+        ("level crossing LC1 is not proved as it is commanded", "level crossing LC1 is closed"),
+        ("2 is not detected", "2 lies reverse"),
+        ("Gs1 is not detected", "Gs1 is off"),
+    ]
+    assert machines.trailed(MachineId("2")) == "points 2 were trailed: look at them, and confirm it"
+
+
 def test_words_say_what_a_railwayman_says() -> None:
     """A crossing is worked and proved, a bridge too; points move and are detected; of trains one is singular."""
     told = {name: {r.text for r in built(name)[2].words.reasons.values()} for name in ("flank_lab", "depot", "heishan")}
     assert {
         "set, waiting for level crossing LC1",
-        "set, waiting for points Gs1",
+        "set, waiting for derailer Gs1",
+        "derailer Gs1 was run over, or has lost its detection: look at it, and confirm it",
         "level crossing LC1 cannot be worked: section g4 is locked",
         "section g4 is not released since the restart, and level crossing LC1 is not proved closed",
         "points 2 cannot move: section w2 is locked",

@@ -81,7 +81,7 @@ def _of_machine(layout: Layout, y: Symbols, m: MachineId) -> Iterator[Possible]:
     if late is not None:
         text = f"{m} is not detected where it is commanded"
         if m in layout.machines.device:
-            text = f"{layout.machines.named(m)} is not proved as it is commanded"
+            text = layout.machines.undetected(m)
         yield Possible(f"late {m}", f"ALARM_LATE_{portable(m)}", text, at, lambda c: bool(c.outputs.get(late)))
     if trailed is not None:
         text = f"{m} was trailed: look at it"

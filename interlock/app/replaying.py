@@ -6,8 +6,9 @@ import json
 from collections.abc import Sequence
 
 from interlock.emit.drawing import place, plan_svg
-from interlock.model.elements import MachineId
+from interlock.model.elements import MachineId, Position
 from interlock.model.layout import Layout
+from interlock.model.machines import Machines
 from interlock.record.log import Event
 from interlock.record.shift import NoShift, as_written, clock
 
@@ -47,7 +48,7 @@ def trace(layout: Layout, events: Sequence[Event], since_s: float, until_s: floa
     on: dict[str, int] = {f"at.{m}.N": 1 for m in layout.machines}
     states: list[dict[str, object]] = []
     for e in events:
-        said = _said(e, on)
+        said = _said(e, on, layout.machines)
         if said and since_s <= e["t"] / 1000 <= until_s:
             text = f"{clock(e['t'] / 1000)} {said}"
             states.append({"#meta": {"index": len(states), "text": text}, **{n: bool(on.get(n)) for n in names}})
@@ -69,7 +70,7 @@ def trace(layout: Layout, events: Sequence[Event], since_s: float, until_s: floa
     return json.dumps(body, ensure_ascii=False) + "\n"
 
 
-def _said(e: Event, on: dict[str, int]) -> str:
+def _said(e: Event, on: dict[str, int], machines: Machines) -> str:
     """The sentence of an event, after what it changes is changed; empty for what shows itself."""
     kind = e["kind"]
     if kind in ("enters", "clears"):
@@ -80,7 +81,7 @@ def _said(e: Event, on: dict[str, int]) -> str:
         return f"{e['signal']} {'opens' if e['open'] else 'shows stop'}"
     elif kind == "lies":
         on[f"at.{e['machine']}.N"], on[f"at.{e['machine']}.R"] = int(e["position"] == 0), int(e["position"] == 1)
-        return f"{e['machine']} lies {'reverse' if e['position'] else 'normal'}"
+        return machines.lie(e["machine"], Position.REVERSE if e["position"] else Position.NORMAL)
     return _WORDS[kind].format(**e) if kind in _WORDS else ""
 
 

@@ -47,9 +47,26 @@ class Telling(World):
             return "open" if normal else "closed"
         if any(p.keyed for p in ends):
             return "locked by its key" if normal else "released by its key"
-        if all(p.name in (self.r.body.get("derailers") or {}) for p in ends):
+        if self._derails(m):
             return "on" if normal else "off"
         return "normal" if normal else "reverse"
+
+    def _derails(self, m: str) -> bool:
+        """A machine works derailers alone."""
+        ends = [p for p in self.r.drawn.points.values() if p.machine == m]
+        return bool(ends) and all(p.name in (self.r.body.get("derailers") or {}) for p in ends)
+
+    def w_told_as_points(self) -> list[str]:
+        return [m for m in self.w_point_machines() if not self._derails(m)]
+
+    def w_told_as_derailers(self) -> list[str]:
+        return [m for m in self.w_point_machines() if self._derails(m)]
+
+    def w_trailed_as_points(self) -> list[str]:
+        return [m for m in self.w_powered() if not self._derails(m)]
+
+    def w_trailed_as_derailers(self) -> list[str]:
+        return [m for m in self.w_powered() if self._derails(m)]
 
     def w_maximum_of(self, z: str) -> list[str]:
         most = self._most(z)

@@ -213,7 +213,7 @@ class Dispatcher:
             run.way.shut_ms = min(run.way.shut_ms, STRANGER_MS + 1)
         machine = stage.shown.fails(seen)
         if machine is not None:
-            return f"{machine} is not detected"
+            return self.railway.layout.machines.undetected(machine)
         full = next((n for n in stage.shown.beyond if not seen.get(n, 1)), None)
         return "a train stands on the line beyond" if full and run.way.shut_ms > STRANGER_MS else ""
 

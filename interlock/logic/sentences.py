@@ -1,7 +1,8 @@
 """What is said of a variable while it is false, and while it is true: one sentence a family, with the rule behind it.
 
 A person at the panel reads these, in refusals and in the list of codes of a controller.  `{0}`, `{1}`: what the
-variable stands at; `{0:section}`: with its kind; `{lies}`: how the machine is reported (`Machines.lies`).
+variable stands at; `{0:section}`: with its kind; `{lies}`: how the machine is reported (`Machines.lies`); `{trailed}`:
+what is said of one that was run through (`Machines.trailed`).
 """
 
 from __future__ import annotations
@@ -53,7 +54,7 @@ SENTENCES: dict[Family, Sentence] = {
     ),
     names.USED: Sentence("no train has come into {0:section}", "a train is in {0:section}", rules.SECTIONAL_RELEASE),
     names.TRAIN_LOCK: Sentence("", "{0:section} is locked for a train", rules.KINDS_OF_ROUTES),
-    names.TRAILED: Sentence("", "{0:points} were trailed: look at them, and confirm it", rules.POINTS),
+    names.TRAILED: Sentence("", "{trailed}", rules.POINTS),
     names.CONTACT: Sentence("{lies}", "{lies}", rules.POINTS),
     names.DETECTED: Sentence("{lies}", "{lies}", rules.POINTS),
     names.CONDITION: Sentence("{0:condition} does not hold", "", rules.EXTERNAL_CONDITIONS),
@@ -101,7 +102,8 @@ def sentence(name: Name, is_true: bool, machines: Machines) -> str:
         return ""
     said = found.when_true if is_true else found.when_false
     lies = [machines.lies(MachineId(str(name.at[0])), x, is_true) for x in name.at[1:] if isinstance(x, Position)]
-    return said.format(*(_Element(x) for x in name.at), lies="".join(lies))
+    trailed = machines.trailed(MachineId(str(name.at[0]))) if name.family is names.TRAILED else ""
+    return said.format(*(_Element(x) for x in name.at), lies="".join(lies), trailed=trailed)
 
 
 def about(name: Name) -> tuple[str, ...]:

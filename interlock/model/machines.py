@@ -55,7 +55,24 @@ class Machines(Collection[MachineId]):
         if device is not None:
             crossing = device.kind is DeviceKind.LEVEL_CROSSING
             return called(str(device.kind), machine) if crossing else str(machine)
-        return called("points", machine)
+        return called("derailer" if self.is_derailer(machine) else "points", machine)
+
+    def lie(self, machine: MachineId, position: Position) -> str:
+        """Where a machine lies now: `P1 lies reverse`, `Gs1 is off`, `level crossing LC is closed`."""
+        name, word = self.named(machine) if machine in self.device else str(machine), self.word(machine, position)
+        return f"{name} {'lies' if word in ('normal', 'reverse') else 'is'} {word}"
+
+    def trailed(self, machine: MachineId) -> str:
+        """That points were trailed, or a derailer was run over, or only has lost its detection."""
+        if self.is_derailer(machine):
+            return f"{self.named(machine)} was run over, or has lost its detection: look at it, and confirm it"
+        return f"{self.named(machine)} were trailed: look at them, and confirm it"
+
+    def undetected(self, machine: MachineId) -> str:
+        """That a machine is not where it was commanded: points are detected, what a road crosses is proved."""
+        if machine in self.device:
+            return f"{self.named(machine)} is not proved as it is commanded"
+        return f"{machine} is not detected"
 
     def lies(self, machine: MachineId, position: Position, is_so: bool) -> str:
         """That a machine is reported in a position, or is not: points are detected, what a road crosses is proved."""
