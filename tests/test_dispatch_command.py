@@ -71,6 +71,13 @@ def test_a_command_that_is_proposed_can_be_carried_out(layout: str) -> None:
     assert proposed is not None and run(f"layouts/{layout}.yaml", proposed[1])[0] == 0
 
 
+def test_the_rails_of_a_derailer_are_no_place() -> None:
+    """They end a track, and it was proposed to send a train there."""
+    for place in ("nowhere", "D1.of", "D1.off"):
+        _, text = run("layouts/depot.yaml", f"1:LINE>{place}")
+        assert f"there is no place {place}\n" in text and ".off" not in text.split("fix:")[1], text
+
+
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [

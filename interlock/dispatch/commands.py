@@ -18,7 +18,7 @@ from interlock.diag.called import called
 from interlock.diag.suggest import did_you_mean, nearest
 from interlock.dispatch.plan.errands import OUTSIDE, Errand, Leg, NoVoyage, Place, TooManyPlaces
 from interlock.dispatch.plan.railway import Railway
-from interlock.model.elements import BoundaryKind, SectionId, SignalId
+from interlock.model.elements import BoundaryKind, BufferKind, SectionId, SignalId
 from interlock.model.stopping import MARGIN_M, stands_on
 from interlock.table.cells import TraversalKey
 from interlock.table.rows import VoyageRow
@@ -159,7 +159,7 @@ def _leg(railway: Railway, text: str) -> Leg:
         *(str(b.node) for b in layout.track.boundaries),
         *(str(g.id) for g in layout.signalling.signals),
     ]
-    places += [str(b.node) for b in layout.track.buffers]
+    places += [str(b.node) for b in layout.track.buffers if b.kind is not BufferKind.DERAIL]
     if to not in places:
         raise BadOrder("IL6004", f"there is no place {to}", places, to)
     for s in via:
