@@ -55,6 +55,12 @@ def test_the_proof_page_gives_every_assumption_in_its_words() -> None:
         assert f"- **{id_}**: {sentence}" in page
 
 
+def test_the_readme_names_every_assumption() -> None:
+    told = README.split("**Assumptions**")[1].split("**Engines.**")[0]
+    for id_ in ASSUMPTIONS | OF_TIMERS:
+        assert f"({id_})" in told, id_
+
+
 def test_links_in_the_documents_lead_somewhere() -> None:
     for page in [*Path().glob("*.md"), *Path("interlock/docs").glob("*.md"), *Path("proofs").glob("*.md")]:
         for target in re.findall(r"\]\(([^)#:]+)\)", page.read_text("utf-8")):

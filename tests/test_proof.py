@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from itertools import chain
 from pathlib import Path
@@ -9,7 +10,6 @@ from pathlib import Path
 import pytest
 
 from interlock.app.check import check_file
-from interlock.logic.plant import ASSUMPTIONS
 from interlock.model.elements import SectionId
 from interlock.model.traversal import Topology
 from interlock.proof.claims import CLAIMS, Facts, claims
@@ -21,7 +21,7 @@ from interlock.proof.induction.verdict import Verdict
 from interlock.proof.prover import prove
 from interlock.proof.system.neighbourhood import walked
 from interlock.proof.system.transition import System
-from tests.campaigns.assumptions import CASES, OTHERS, harm
+from tests.campaigns.assumptions import CASES, OTHERS, SENTENCES, harm
 from tests.certified import accepted, certified
 from tests.layouts import SHIPPED, built
 
@@ -82,9 +82,29 @@ def test_dropping_an_assumption_gives_a_train_movement_to_harm(assumption: str, 
 
 
 def test_the_ledger_names_every_assumption() -> None:
-    assert {a for a, _, _ in CASES} | set(OTHERS) == set(ASSUMPTIONS)
+    assert {a for a, _, _ in CASES} | set(OTHERS) == set(SENTENCES)
     ledger = Path("proofs/assumptions.md").read_text("utf-8")
-    assert all(f"## {a}\n\n{text}" in ledger for a, text in ASSUMPTIONS.items())
+    assert all(f"## {a}\n\n{text}" in ledger for a, text in SENTENCES.items())
+    told = {a for a, _, _ in CASES if f"## {a}\n\n{SENTENCES[a]}\n\nWithout it, on `" in ledger}
+    assert told == {a for a, _, _ in CASES}
+
+
+@pytest.mark.parametrize("assumption", OTHERS)
+def test_of_an_assumption_without_a_movement_to_harm_there_is_nothing_to_drop(assumption: str) -> None:
+    # what has a switch gets its movement to harm searched for, and none is said of it unsearched
+    for name in {name for _, name, _ in CASES}:
+        layout, _, controller = built(name)
+        whole, without = (System(layout, controller, x) for x in (frozenset(), frozenset({assumption})))
+        assert without.relation.definitions == whole.relation.definitions
+        assert without.relation.inputs == whole.relation.inputs
+        assert without.relation.assumptions == whole.relation.assumptions
+        assert without.loop.plant.hazards == whole.loop.plant.hazards
+
+
+def test_the_proof_page_tells_which_assumptions_tests_drop() -> None:
+    page = Path("interlock/docs/proof.md").read_text("utf-8")
+    dropped = page.split("Tests drop each of ")[1].split(", and find a train movement to harm")[0]
+    assert set(re.findall(r"A-[A-Z-]+[A-Z]", dropped)) == {a for a, _, _ in CASES}
 
 
 def test_without_scanning_before_moving_the_proof_does_not_hold() -> None:

@@ -57,7 +57,7 @@ class System:
             {i.name: i.size for i in controller.inputs if i.size},
             timers,
             definitions,
-            (*plant.assumptions, *assumed(timers.values(), self.ties)),
+            (*plant.assumptions, *(x for x in assumed(timers.values(), self.ties) if x.id not in dropped)),
             after,
         )
         self.where = Neighbourhood(self.loop, self.relation)
