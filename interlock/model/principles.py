@@ -130,8 +130,9 @@ MEANING: dict[str, str] = {
         "is not counts as occupied"
     ),
     "lamp_proof": (
-        "whether the lamps of signals are reported (R11, Chinese practice): a signal opens only while its stop lamp"
-        " is intact, shows caution while its clear lamp is not, and stop while no other lamp is left"
+        "whether the lamps of stop, clear, caution and identifier are reported (R11, Chinese practice; white, call-on "
+        "and speed lamps are not): a signal opens only while its stop lamp is intact, shows caution while its clear "
+        "lamp is not, and stop while no main lamp is left"
     ),
     "local_requests": (
         "whether routes are asked for on the spot too, and which of two requests in one scan is taken: the local "

@@ -39,12 +39,16 @@ from interlock.proof.claims.space import flank_space
 from interlock.proof.claims.terminals import terminals
 
 CLAIMS: dict[str, str] = {
-    "T-COLLISION": "No train comes into a section in which another train stands, nor two at once.",
-    "T-DIAMOND": "No two trains are on the two arms of a diamond crossing.",
-    "T-FOUL": "No train passes a point while another stands foul of it.",
+    "T-COLLISION": "No train comes into a section in which another train stands, nor two at once, shunting on sight in "
+    "a berth apart.",
+    "T-DIAMOND": "No two trains are on the two arms of a diamond crossing, unless both have stood there since the "
+    "restart and nobody has called either.",
+    "T-FOUL": "No train passes a point while another stands foul of it, unless both have stood there since the restart "
+    "and nobody has called either.",
     "T-DERAIL": "No train meets a point that is moving or set against it.",
     "T-POINT-MOVES": "No point moves under a train, and no train comes to a point that moves.",
-    "T-ROAD": "No train is on a level crossing, bridge or other interlock that is not closed for it.",
+    "T-ROAD": "No train is on a level crossing, bridge or other interlock that is not closed for it, but one that has "
+    "stood there since the restart and that nobody has called.",
     "T-FLANK": "While a train uses a point or diamond, or may overrun a signal over it, no vehicle can roll into it "
     "from the flank.",
     "T-SCISSORS": "While a train uses one crossover of a scissors, the other one lies normal.",
@@ -91,8 +95,9 @@ CLAIMS: dict[str, str] = {
     "speed for the path, a main signal that opens shows one.",
     "S-ENTRY": "A main signal that is open to a signal shows a speed, and none above the one for which the overlap "
     "there is made, as its points lie.",
-    "S-LAMP": "Where lamps are reported: a signal opens only while its stop lamp is intact, and shows nothing else "
-    "than stop while no lamp for it is.",
+    "S-LAMP": "Where lamps are reported: a signal opens only while its stop lamp is intact, shows a main aspect only "
+    "while a lamp for it is, and its identifier light only while that is.  (White, call-on and speed lamps are not "
+    "reported.)",
     "S-STOP": "At every signal stop is lit exactly when no main, white or identifier lamp is; no two of these are lit "
     "at once, a speed only beside a main lamp, none that speaks to movements of which the layout does not let the "
     "signal speak, and a distant signal shows either clear or caution.",
