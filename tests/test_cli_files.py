@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -63,6 +64,27 @@ def test_no_plc_text_without_a_proof_unless_marked(tmp_path: Path) -> None:
     assert run(*args, "--unproved").exit_code == 1
     assert "NOT PROVED" in (folder / "st/iec/wrong_waiver.st").read_text("utf-8").splitlines()[0]
     assert "NOT PROVED" in (folder / "runtime.py").read_text("utf-8").splitlines()[0]
+
+
+def test_everything_that_people_read_says_that_nothing_is_proved(tmp_path: Path) -> None:
+    """Marked are texts, report, plan and printed sheets; files that other programs read as data cannot be."""
+    args = ("compile", "layouts/refuted/wrong_waiver.yaml", "-o", str(tmp_path), "--unproved")
+    assert run(*args, "--dialect", "all", "--dialect", "c99").exit_code == 1
+    folder = tmp_path / "wrong_waiver"
+    left = {
+        str(p.relative_to(folder))
+        for p in folder.rglob("*")
+        if p.is_file() and b"NOT PROVED" not in p.read_bytes() and p.parent.name != "counterexamples"
+    }
+    assert {Path(x).suffix for x in left} == {".csv", ".json", ".sdf", ".xlsx", ".TcTTO"}
+    with zipfile.ZipFile(folder / "table.xlsx") as book:
+        pages = [book.read(n).decode() for n in book.namelist() if n.startswith("xl/worksheets/sheet")]
+    printed = [x for x in pages if "Not certified" in x or "NOT PROVED" in x]
+    assert printed and all("NOT PROVED" in x for x in printed)
+    plan = (folder / "plan.svg").read_text("utf-8")
+    assert ">NOT PROVED: for study only, never for a railway<" in plan
+    proved = run("compile", "layouts/fig2_2.yaml", "-o", str(tmp_path / "proved"))
+    assert proved.exit_code == 0 and "NOT PROVED" not in (tmp_path / "proved/fig2_2/plan.svg").read_text("utf-8")
 
 
 def test_a_folder_that_is_not_ours_is_left_alone(tmp_path: Path) -> None:

@@ -15,7 +15,7 @@ from pathlib import Path
 from interlock import __version__
 from interlock.app.check import Checked, derive_file
 from interlock.app.draw import plan_notes
-from interlock.app.making import claims_json
+from interlock.app.making import NOT_PROVED, claims_json
 from interlock.app.prove import prove_derived
 from interlock.app.proved import Proved
 from interlock.app.target import target_notes
@@ -113,8 +113,8 @@ def _documents(checked: Checked, proved: Proved, plan: str) -> tuple[dict[str, b
     files = {
         "table.json": table_json(layout, table).encode(),
         "table.csv": table_csv(table).encode(),
-        "table.xlsx": table_xlsx(layout, table),
-        "plan.svg": opening(plan).encode(),
+        "table.xlsx": table_xlsx(layout, table, "" if proved.green else NOT_PROVED),
+        "plan.svg": opening(plan, "" if proved.green else NOT_PROVED).encode(),
         "matrix.csv": matrix_csv(table).encode(),
         "table_railml.json": railml_json(layout, table).encode(),
         **({"voyages.csv": voyages_csv(table).encode()} if table.voyages else {}),
@@ -140,7 +140,7 @@ def _report(checked: Checked, proved: Proved, plan: str, files: dict[str, bytes]
         [(t.file, t.equal) for t in proved.texts],
         assumed_of(layout),
         files,
-        "" if proved.green else "NOT PROVED: for study only, never for a railway",
+        "" if proved.green else NOT_PROVED,
     )
 
 

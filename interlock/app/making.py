@@ -132,6 +132,10 @@ def _undriven(checked: Checked, proof: ProofResult) -> Iterator[Diagnostic]:
         yield Diagnostic("IL4006", Severity.ERROR, f"route {w.route} cannot be driven: {w.text}", where, fix)
 
 
+NOT_PROVED = "NOT PROVED: for study only, never for a railway"
+"""The mark of what people read of a layout of which not everything is proved."""
+
+
 def _origin(layout: Layout) -> list[str]:
     return [
         f"Interlocking {layout.name}, made by interlock {__version__}. Standard program, not certified.",
@@ -144,7 +148,7 @@ def _header(layout: Layout, results: Sequence[ClaimResult], proved: bool) -> lis
     told = json.dumps(claims_json(results), sort_keys=True)
     head = [*_origin(layout), f"claims {hashlib.sha256(told.encode()).hexdigest()}"]
     if not proved:
-        head.insert(0, "NOT PROVED: for study only, never for a railway")
+        head.insert(0, NOT_PROVED)
     return head
 
 

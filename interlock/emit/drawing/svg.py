@@ -61,6 +61,9 @@ def _id(text: str) -> str:
     return quoteattr(text.replace(" ", "\u00a0"))
 
 
+TITLE = '<text class="title" x="12" y="22">'
+
+
 def plan_svg(layout: Layout, drawing: Drawing | None = None) -> str:
     """The plan, for a page that holds it; as a document of its own it is `opening(plan)`."""
     d = drawing or place(layout)
@@ -74,13 +77,16 @@ def plan_svg(layout: Layout, drawing: Drawing | None = None) -> str:
         f'<svg xmlns="http://www.w3.org/2000/svg" class="plan" viewBox="0 0 {w} {h}" width="{w}" height="{h}" '
         f'role="img"{start}>\n'
         f"<title>{title}</title>\n<style>{STYLE}</style>\n"
-        f'<rect width="{w}" height="{h}" fill="#fff"/>\n<text class="title" x="12" y="22">{title}</text>\n'
+        f'<rect width="{w}" height="{h}" fill="#fff"/>\n{TITLE}{title}</text>\n'
         f"{body}\n</svg>\n"
     )
 
 
-def opening(plan: str) -> str:
-    """A plan as a document of its own: a large one opens where its lines come in."""
+def opening(plan: str, mark: str = "") -> str:
+    """A plan as a document of its own: a large one opens where its lines come in; before its title stands the mark."""
+    if mark:
+        told = f'<tspan fill="#b00020" font-weight="bold">{escape(mark)}</tspan>  '
+        plan = plan.replace(TITLE, f"{TITLE}{told}", 1)
     return plan.replace("</style>\n", f"</style>\n{OPENS}", 1) if ' data-start="' in plan else plan
 
 

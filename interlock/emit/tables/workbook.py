@@ -34,14 +34,15 @@ LARGE = 200  # routes: from here on pairs of routes are told in table.json and m
 WIDE = {"Column": 20.0, "Item": 34.0, "Rule": 8.0, "Reason": 90.0, "Routes": 50.0}
 
 
-def table_xlsx(layout: Layout, table: InterlockingTable) -> bytes:
-    """Table, voyages, national forms, reasons, matrices.  Dates are fixed, so that the contents are reproducible."""
+def table_xlsx(layout: Layout, table: InterlockingTable, mark: str = "") -> bytes:
+    """Table, voyages, national forms, reasons, matrices; every sheet for print bears the mark.  Dates are fixed, so
+    that the contents are reproducible."""
     import xlsxwriter  # a proof writes none
 
     out = io.BytesIO()
     with xlsxwriter.Workbook(out, {"constant_memory": True}) as book:
         book.set_properties({"title": f"Interlocking table {layout.name}", "created": datetime(2000, 1, 1)})
-        writer = _Writer(book, layout, table.layout_digest, _formats(book))
+        writer = _Writer(book, layout, table.layout_digest, _formats(book), mark)
         for sheet, name, file in _sheets(layout, table):
             writer.printed(sheet, name, file)
         large = len(table.routes) > LARGE
@@ -83,6 +84,7 @@ class _Writer:
     layout: Layout
     digest: str
     formats: dict[str, Any]
+    mark: str
 
     def printed(self, sheet: Sheet, name: str, file: str) -> None:
         """A sheet for print: title block, table, what it leaves out, legend, signature boxes."""
@@ -97,7 +99,7 @@ class _Writer:
         block = title_block(self.layout, self.digest, form.language)
         page.write_string(0, 0, form.title.native(form.language), self.formats["title"])
         page.write_string(1, 0, "   ".join(f"{label}: {fact}" for label, fact in block), self.formats["label"])
-        about = [NOT_CERTIFIED[form.language], *([form.after] if form.after else [])]
+        about = [x for x in (self.mark, NOT_CERTIFIED[form.language], form.after) if x]
         page.write_string(2, 0, "; ".join(about) + ".", self.formats["note"])
         page.repeat_rows(0, 3)
         if heads:
@@ -115,7 +117,7 @@ class _Writer:
         page.fit_to_pages(1, 0)
         block = self.layout.printed.title_block
         revision = "" if block is None else " ".join(x for x in (block.number, block.revision, block.date) if x)
-        left, middle = (t.replace("&", "&&") for t in (f"{self.layout.name} {name}", revision))
+        left, middle = (t.replace("&", "&&") for t in (f"{self.layout.name} {name}  {self.mark}".rstrip(), revision))
         page.set_footer(f"&L{left}&C{middle}&R&P / &N")
 
     def _row(self, page: Any, y: int, cells: Sequence[str], style: str) -> None:
