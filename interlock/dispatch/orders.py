@@ -258,7 +258,13 @@ class Derivation:
             left = " that are not blocked" if self.file.blocked else ""
             text = f"{len(self.file.fleet)} trains have {room} places to stand{left}"
             self.sink.add("IL6009", text, self.orders.at("fleet", key=True), "add waiting places, or their capacity")
-
+            room = 0
+        for name, p in self.file.places.items() if room else ():
+            begin = sum(train.at == name for train in self.file.fleet.values())
+            if begin > p.capacity:
+                text = f"{begin} trains begin at {name}, which holds {p.capacity}"
+                fix = "raise its `capacity`, or let some trains begin elsewhere"
+                self.sink.add("IL6009", text, self.orders.at("places", name), fix)
         first: dict[str, str] = {}
         for number, train in self.file.fleet.items():
             at = self.file.places[train.at].at
