@@ -153,7 +153,7 @@ def test_a_route_that_is_not_listed_is_counted_in_every_printed_table(profile: s
     (hidden,) = [r for r in table.routes if not r.listed]
     assert hidden.names == ("into_1",) and hidden.id in {r.route for r in table.route["S1-W"].locking.hostile}
     lines = table_csv(table).splitlines()
-    assert lines[-1].startswith(",1 more routes are not listed,") and len(lines) == len(Printed(table).all) + 1
+    assert lines[-1].startswith(",1 more route is not listed,") and len(lines) == len(Printed(table).all) + 1
     sheets = [s for s in national_sheets(layout, table) if s.of_routes]
     kinds = {"de_sslz": RouteKind.MAIN, "de_sslr": RouteKind.SHUNT}
     for s in sheets:

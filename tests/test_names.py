@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from interlock.app.compile import build
 from interlock.checker.railway import safe
 from interlock.diag import Severity, Sink
+from interlock.emit.io import names_csv
 from interlock.frontend import load_text
 from interlock.frontend.scalars import NAME
 from interlock.logic.lower import lower
@@ -224,3 +225,13 @@ def test_no_shipped_layout_has_names_that_look_alike(path: Path) -> None:
     sink = Sink()
     load_text(path.name, path.read_text("utf-8"), sink)
     assert not sink.has("IL7010")
+
+
+def test_names_are_listed_where_a_written_one_is_as_long_as_its_name() -> None:
+    """Ladegleis Sü 3 is Ladegleis_c6nm, of 14 signs as well: the list was left out."""
+    made = grown(TEXT.format("ap", "a", "1", "d", "X", "c").replace("reverse: stub.start", "reverse: Z"))
+    other = grown(TEXT.format("ap", "Ladegleis Sü 3", "1", "d", "X", "c").replace("reverse: stub.start", "reverse: Z"))
+    underlined = grown(TEXT.format("ap", "a-b c", "1", "d", "X", "c").replace("reverse: stub.start", "reverse: Z"))
+    assert made is not None and other is not None and underlined is not None
+    assert names_csv(made[0]) == names_csv(underlined[0]) == ""
+    assert "section,Ladegleis Sü 3,Ladegleis_c6nm" in names_csv(other[0])

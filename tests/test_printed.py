@@ -148,7 +148,7 @@ def test_a_way_that_is_not_listed_is_not_listed_with_any_overlap() -> None:
     table = made[1]
     assert [r.id for r in table.routes if not r.listed] == ["X2-X3", "X2-X3.o2"]
     printed = lines(table_csv(table))
-    assert printed[-1][1] == "1 more routes are not listed" and not any(row[1] == "X2-X3" for row in printed)
+    assert printed[-1][1] == "1 more route is not listed" and not any(row[1] == "X2-X3" for row in printed)
 
 
 def test_the_american_sheet_names_the_overlap_with_which_alone_a_signal_conflicts() -> None:

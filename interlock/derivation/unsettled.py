@@ -34,7 +34,7 @@ def report_flanks(
     for name, (r, over) in sorted(bare.items()):
         sink.add(
             "IL4001",
-            f"nothing keeps vehicles away from {name}; {_routes(paths, over)} pass there",
+            f"nothing keeps vehicles away from {name}; {_routes(paths, over)} {'pass' if over.bit_count() > 1 else 'passes'} there",
             None,
             _remedy(layout, options, r, lambda m, x: True),
             about=_element(layout, r),

@@ -3,7 +3,7 @@
 Every detection, detector contact, lamp proof and external condition is a digital input, every machine command and lamp
 a digital output.  Each substation besides has a heartbeat input, or a diagnosis bit, or both, and where it has outputs,
 an output by which it sees that the controller is alive.  Everything else is written and read by the operator's
-place.  Cards have 16 channels; every substation keeps at least a tenth of its channels spare.
+place.  Cards have 16 channels; every substation keeps spare a tenth of those that it needs.
 
 What is pinned (`model/pins.py`) stays where it is, and so does the channel of what is gone.  What is new takes free
 channels of its substation's cards, then those of a new card in bytes that nobody has.

@@ -78,6 +78,11 @@ def joined(cell: Sequence[Part[str]], mark: Callable[[RouteRow], str], separator
     return "; ".join(f"{m}{t}" for m, t in zip(marks, texts, strict=True))
 
 
+def unlisted(rows: int) -> str:
+    """So many rows are not printed, in English."""
+    return f"{rows} more routes are not listed" if rows > 1 else "1 more route is not listed"
+
+
 @dataclass(frozen=True)
 class Printed:
     """A table as it is printed."""

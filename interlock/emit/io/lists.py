@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from datetime import datetime
@@ -56,8 +57,8 @@ def channels_csv(layout: Layout, controller: Controller, a: Allocation) -> str:
 
 
 def names_csv(layout: Layout) -> str:
-    """Each element with its name in PLC text, one row each; empty where all are written as they are, but for `-` and
-    `/`."""
+    """Each element with its name in PLC text, one row each; empty where all are written as they are, but for `-`, `/`
+    and spaces."""
     kinds: tuple[tuple[str, Iterable[str]], ...] = (
         ("layout", (layout.name,)),
         ("section", (s.id for s in layout.track.sections)),
@@ -68,7 +69,7 @@ def names_csv(layout: Layout) -> str:
         ("boundary", (b.node for b in layout.track.boundaries)),
     )
     rows = [(kind, name, portable(name)) for kind, names in kinds for name in names]
-    if all(len(name) == len(written) and written.isascii() for _, name, written in rows):
+    if all(re.sub("[-/ ]", "_", name) == written for _, name, written in rows):
         return ""
     return _csv([("Kind", "Name", "Name in PLC text"), *rows])
 

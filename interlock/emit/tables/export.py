@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from interlock.table.columns import COLUMNS, VOYAGE_COLUMNS
 from interlock.table.matrix import Matrix, beyond_matrix, matrix
 from interlock.table.national import Sheet
-from interlock.table.printed import Printed
+from interlock.table.printed import Printed, unlisted
 from interlock.table.rows import InterlockingTable
 from interlock.table.runs import MEANING, in_runs
 
@@ -28,7 +28,7 @@ def printed_rows(table: InterlockingTable) -> list[list[str]]:
     printed = Printed(table)
     rows = [[c.printed(w) for c in COLUMNS] for w in printed.listed]
     if printed.unlisted:
-        rows.append(["", f"{printed.unlisted} more routes are not listed", *[""] * (len(COLUMNS) - 2)])
+        rows.append(["", unlisted(printed.unlisted), *[""] * (len(COLUMNS) - 2)])
     return rows
 
 

@@ -15,7 +15,7 @@ from interlock.table.national.de_protection import flank, overlaps, two_way
 from interlock.table.national.sheet import Heading, Sheet
 from interlock.table.national.uk import points_table, route_table
 from interlock.table.national.us import aspect_chart, locking_sheet, switch_table
-from interlock.table.printed import Printed
+from interlock.table.printed import Printed, unlisted
 from interlock.table.rows import InterlockingTable
 
 Form = Callable[[Layout, InterlockingTable], Sheet]
@@ -33,7 +33,7 @@ def national_sheets(layout: Layout, table: InterlockingTable) -> tuple[Sheet, ..
     return tuple(_counted(form(layout, table), table) for form in SHEETS.get(layout.profile, ()))
 
 
-_UNLISTED = {"en": "{} more routes are not listed", "zh": "另有 {} 条进路未列出", "de": "{} weitere nicht aufgeführt"}
+_UNLISTED = {"zh": "另有 {} 条进路未列出", "de": "{} weitere nicht aufgeführt"}
 
 
 def _counted(sheet: Sheet, table: InterlockingTable) -> Sheet:
@@ -41,7 +41,8 @@ def _counted(sheet: Sheet, table: InterlockingTable) -> Sheet:
     hidden = Printed(table).unlisted
     if not hidden or not sheet.of_routes:
         return sheet
-    note = (_UNLISTED[sheet.language].format(hidden), *[""] * (len(sheet.headings) - 1))
+    text = _UNLISTED[sheet.language].format(hidden) if sheet.language in _UNLISTED else unlisted(hidden)
+    note = (text, *[""] * (len(sheet.headings) - 1))
     return replace(sheet, rows=(*sheet.rows, note))
 
 
