@@ -583,3 +583,13 @@ def test_a_call_on_route_that_wants_what_is_no_flank_space_clear_has_no_witness(
     result = prove(System(layout, lower(layout, weak)), Limits(search_depth=0))
     refused = [("SA-D.c", "the request is refused: not d1 clear")]
     assert [(w.route, w.text) for w in result.witnesses if not w.ok] == refused
+
+
+def test_of_one_route_it_is_said_that_it_passes_there(tmp_path: Path) -> None:
+    text = Path("layouts/refuted/wrong_waiver.yaml").read_text("utf-8").split("waive:")[0] + "exclude:\n"
+    file = tmp_path / "one.yaml"
+    for entry, end in (("X1", "A"), ("X1", "B"), ("X3", "C")):
+        text += f"  - {{from: {entry}, to: {end}, reason: not wanted}}\n"
+    file.write_text(text, "utf-8")
+    (bare,) = [d.message for d in check_file(str(file)).diagnostics if d.code == "IL4001"]
+    assert bare == "nothing keeps vehicles away from P1.reverse; route X2-C passes there"

@@ -32,9 +32,10 @@ def report_flanks(
         if p.requester.waiver is None and options.preferred(p.requester) is None:
             bare[p.requester.name] = p.requester, bare.get(p.requester.name, (p.requester, 0))[1] | p.routes
     for name, (r, over) in sorted(bare.items()):
+        there = "pass there" if over.bit_count() > 1 else "passes there"
         sink.add(
             "IL4001",
-            f"nothing keeps vehicles away from {name}; {_routes(paths, over)} {'pass' if over.bit_count() > 1 else 'passes'} there",
+            f"nothing keeps vehicles away from {name}; {_routes(paths, over)} {there}",
             None,
             _remedy(layout, options, r, lambda m, x: True),
             about=_element(layout, r),
