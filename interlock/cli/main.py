@@ -36,6 +36,7 @@ VERBS = {
     "draw": "Draw the track plan as SVG.",
     "play": "Make a page that replays a trace or a record.",
     "why": "Print the reason for each cell of a route's row.",
+    "diff": "Print what has changed in the interlocking table between two layouts.",
     "dispatch": "Carry out train commands on the controller and its plant; show plans and deadlocks.",
     "simulate": "Simulate shifts of a fleet on the emitted runtime.",
     "record": "Check event logs, convert them to Parquet, query them with SQL.",

@@ -71,6 +71,7 @@ COMMANDS: tuple[tuple[int, str], ...] = (
     (1, "draw s.yaml -o s.yaml"),
     (0, "play counterexamples/wrong_waiver-T-FLANK.itf.json -o played.html"),
     (0, "why s.yaml X2-X3"),
+    (0, "diff s.yaml s.yaml"),
     (0, "explain"),
     (0, "explain IL4001"),
     (0, "explain R5"),
