@@ -1,7 +1,8 @@
 """The derivation as a visible order of steps.
 
 Input: a `Layout`.  Output: an `InterlockingTable`; diagnostics
-IL4001-IL4005, IL4010-IL4012, IL4016-IL4018, IL2007, IL2008, IL2019, IL2024, IL3012, IL3023; warning IL7011.
+IL4001-IL4005, IL4010-IL4012, IL4016-IL4018, IL2007, IL2008, IL2019, IL2024, IL3012, IL3023;
+warnings IL7011, IL7014-IL7016.
 """
 
 from __future__ import annotations
@@ -27,6 +28,7 @@ from interlock.derivation.locks import derive_locks, route_demands
 from interlock.derivation.named import derive_automatic, derive_names
 from interlock.derivation.own_train import check_own_train
 from interlock.derivation.practice import check_practice
+from interlock.derivation.protecting import check_protecting
 from interlock.derivation.reached import check_reached
 from interlock.derivation.routes import Path, find_routes
 from interlock.derivation.shown import check_shown
@@ -121,6 +123,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     _never_set(layout, paths, rows, by_key, sink)
     voyages, automatic = derive_voyages(layout, rows, by_key, sink), derive_automatic(layout, paths, sink)
     check_practice(layout, paths, by_key, sink)
+    check_protecting(layout, demands, by_key, sink)
     check_through(layout, paths, hostile, voyages, sink)
     check_shown(layout, rows, sink)
     check_starts(layout, rows, sink)
