@@ -494,3 +494,61 @@ def test_a_shorter_overlap_that_is_advised_lets_trains_through_and_is_proved(
     hostile = {r.id: set(r.locking.hostile.routes) for r in done.table.routes}
     assert any(b not in hostile[a] for a in hostile for b in hostile if a.startswith("X2-X3") and b.startswith("X3-"))
     assert prove(System(done.layout, lower(done.layout, done.table)), Limits(search_s=0)).proved
+
+
+def exchanged(text: str, point: str, leg: str) -> str:
+    """A layout with the toe and a leg of a point exchanged, wherever they are written."""
+    own = re.search(rf"^  {point}: {{.*$", text, re.MULTILINE)
+    assert own is not None
+    turn = {"toe": leg, leg: "toe"}
+    line_ = re.sub(rf"\b(toe|{leg}):", lambda m: f"{turn[m[1]]}:", own[0])
+    text = text.replace(own[0], line_)
+    return re.sub(rf"\b{point}\.(toe|{leg})\b", lambda m: f"{point}.{turn[m[1]]}", text)
+
+
+@pytest.mark.parametrize("leg", ["normal", "reverse"])
+@pytest.mark.parametrize("point", [f"{end}{k}" for end in "WE" for k in range(1, 5)])
+def test_points_with_toe_and_leg_exchanged_make_a_loop_that_is_told(tmp_path: Path, point: str, leg: str) -> None:
+    """At every end of a station of five tracks, with the point that is wrong."""
+    text = exchanged(station(5), point, leg)
+    assert text != station(5) and exchanged(text, point, leg) == station(5)
+    told = [d for d in checked(tmp_path, text).diagnostics if d.code == "IL7017"]
+    assert told and all(f"`toe` and `{leg}` of {point}" in d.fix for d in told)
+    about = {str(d.about.name) for d in told if d.about is not None}
+    allow = f"allow:\n  - {{lint: IL7017, at: [{', '.join(sorted(about))}], reason: trains turn here}}\n"
+    assert not [d for d in checked(tmp_path, text + allow).diagnostics if d.code in ("IL7017", "IL2018")]
+
+
+@pytest.mark.parametrize("name", ["turning_loop", "loading_loop"])
+def test_a_balloon_that_leads_nowhere_else_is_meant(name: str) -> None:
+    assert not any(d.code == "IL7017" for d in check_file(f"tests/layouts_for_tests/{name}.yaml").diagnostics)
+
+
+PIT = """interlock: 1
+name: pit
+profile: mine
+boundaries:
+  W: {approach: ap 150}
+buffers: [HOIST]
+tracks:
+  lead: [W, q1 120]
+  loopa: [la 240]
+  loopb: [lb 150]
+  cage: [cg 40, HOIST]
+points:
+  P1: {section: q2, toe: lead.end, normal: loopa.start, reverse: loopb.end, legs: 15}
+  P2: {section: q3, toe: loopa.end, normal: loopb.start, reverse: cage.start, legs: 15}
+signals:
+  S0: {from: W, into: q1}
+  S1: {from: q1, into: q2}
+  SA: {from: la, into: q3}
+  SB: {from: lb, into: q2}
+  SC: {from: cg, into: q3}
+"""
+
+
+def test_a_pit_bottom_with_sidings_on_its_loop_is_meant(tmp_path: Path) -> None:
+    """Only a boundary beside the loop makes it likely that a point is drawn wrong."""
+    assert "IL7017" not in {code for code, _ in lints(tmp_path, PIT)}
+    out = PIT.replace("buffers: [HOIST]\n", "").replace("{approach: ap 150}", "{approach: ap 150}\n  E: {trains: out}")
+    assert ("IL7017", "P1") in lints(tmp_path, out.replace("HOIST", "E"))

@@ -9,6 +9,7 @@ from interlock.frontend.checks.facing import check_facing
 from interlock.frontend.checks.foul import check_foul
 from interlock.frontend.checks.lanes import check_lanes
 from interlock.frontend.checks.lengths import check_lengths
+from interlock.frontend.checks.loops import check_loops
 from interlock.frontend.checks.machines import check_machines
 from interlock.frontend.checks.overlaps import check_overlaps
 from interlock.frontend.checks.principles import check_principles
@@ -37,5 +38,6 @@ CHECKS = (
     check_telegram,
     check_approach,
     check_facing,
+    check_loops,
     check_repeated,
 )

@@ -1,0 +1,92 @@
+"""Ways that only lead back to where they began, while the way beside them leads on.  IL7017.
+
+A point drawn with its toe and a leg exchanged makes a balloon loop of two tracks between points: whoever runs into the
+one comes back over the other.  A balloon that is meant has no way on out of it but to tracks that end, so that both its
+legs lead back and nowhere else; only those are warned of beside which a boundary lies.
+"""
+
+from __future__ import annotations
+
+from interlock.dataclass import dataclass
+from interlock.diag import Element
+from interlock.diag.called import called
+from interlock.frontend.context import Context
+from interlock.model.elements import EdgeId, NodeId, Point, PointId, Position
+from interlock.model.layout import Layout
+from interlock.model.traversal import onward_edges
+
+_LEG = {Position.NORMAL: "normal", Position.REVERSE: "reverse"}
+
+
+@dataclass(frozen=True)
+class _Ways:
+    """Where ways from a leg of a point lead: over which legs they come back, to which ends, and over which points they
+    come by a leg."""
+
+    back: frozenset[Position]
+    boundaries: tuple[NodeId, ...]
+    ends: bool
+    trailing: tuple[tuple[PointId, Position], ...]
+
+
+def check_loops(ctx: Context, layout: Layout) -> None:
+    """Report legs that lead back to their point over its other leg and nowhere else, where that one leads on."""
+    for p in layout.pointwork.points:
+        for x in Position:
+            if p.derailer:
+                continue
+            here = _ways(layout, p, x)
+            if here.back != {x.other} or here.boundaries or here.ends:
+                continue
+            there = _ways(layout, p, x.other)
+            exchanged = _exchanged(layout, here, there)
+            if not there.boundaries or exchanged is None:
+                continue
+            point, leg = exchanged
+            ctx.add(
+                "IL7017",
+                f"whoever runs over {p.id}.{_LEG[x]} comes back to {called('point', p.id)} over its other leg, and "
+                f"nowhere else: a balloon loop, while {p.id}.{_LEG[x.other]} also leads to "
+                f"{', '.join(there.boundaries[:3])}",
+                ctx.at_key("points", p.id),
+                f"if no loop is meant, see whether `toe` and `{_LEG[leg]}` of {point} are exchanged",
+                about=Element("points", p.id),
+            )
+
+
+def _ways(layout: Layout, p: Point, x: Position) -> _Ways:
+    todo, seen = [(p.leg(x), p.node)], set[tuple[EdgeId, NodeId]]()
+    back, boundaries, trailing, ends = (
+        set[Position](),
+        dict[NodeId, None](),
+        dict[tuple[PointId, Position], None](),
+        False,
+    )
+    while todo:
+        edge, node = todo.pop()
+        e = layout.track.edge[edge]
+        if (edge, node) in seen or (e.one_way and e.a != node):
+            continue
+        seen.add((edge, node))
+        far = layout.track.far(edge, node)
+        point = layout.pointwork.point_at.get(far)
+        over = None if point is None else point.position_of(edge)
+        if far == p.node:  # over its toe one is past it, as if one had never come
+            back, ends = back | ({over} if over is not None else set()), ends or over is None
+            continue
+        if point is not None and over is not None:
+            trailing[point.id, over] = None
+        if far in layout.track.boundary_at:
+            boundaries[far] = None
+        ends = ends or far in layout.track.buffer_at
+        todo += [(onward, far) for onward in onward_edges(layout, far, edge)]
+    return _Ways(frozenset(back), tuple(boundaries), ends, tuple(trailing))
+
+
+def _exchanged(layout: Layout, here: _Ways, there: _Ways) -> tuple[PointId, Position] | None:
+    """The first point that the loop comes to over one leg, and over whose other leg one leaves it for a boundary."""
+    for point, over in here.trailing:
+        p = layout.pointwork.point[point]
+        if set(_ways(layout, p, over.other).boundaries) & {*there.boundaries}:
+            return point, over.other
+    return None
