@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 
 from interlock.diag.called import called
 from interlock.frontend.context import Context
@@ -52,13 +52,25 @@ def check_connected(ctx: Context, layout: Layout) -> None:
                 ctx.at(*_place(ctx, section)),
                 "a detector watches one piece of track: name each piece",
             )
+    _check_parts(ctx, layout, parts)
+
+
+def _check_parts(ctx: Context, layout: Layout, sections: Mapping[str, Sequence[Edge]]) -> None:
+    """Report each part of the layout that is joined to no boundary; where there is none, those beside the first
+    signal's."""
     starts = {b.node for b in layout.track.boundaries} or {g.node for g in layout.signalling.signals[:1]}
-    reached = {n for piece in _pieces(layout.track.edges) if piece & starts for n in piece}
-    for section, edges in sorted(parts.items()):
-        if not any(e.a in reached for e in edges):
-            ctx.add(
-                "IL3010",
-                f"no train can reach {called('section', section)}: it is joined to no boundary",
-                ctx.at(*_place(ctx, section)),
-                "join it to the rest of the layout, or remove it",
-            )
+    pieces = _pieces(layout.track.edges)
+    for piece in (p for p in pieces if not p & starts):
+        those = sorted(s for s, edges in sections.items() if any(e.a in piece for e in edges))
+        more = f" and {len(those) - 8} more" if len(those) > 8 else ""
+        named = called("section", those[0]) if len(those) == 1 else f"sections {', '.join(those[:8])}{more}"
+        apart = "joined to no boundary"
+        if starts and not layout.track.boundaries:
+            apart = f"not joined to the part of signal {layout.signalling.signals[0].id}"
+        ctx.add(
+            "IL3010",
+            f"no train can reach {named}: the layout falls into {len(pieces)} parts that do not touch, and this one is "
+            f"{apart}",
+            ctx.at(*_place(ctx, those[0])),
+            "join it to the rest of the layout, make a layout of its own of it, or remove it",
+        )

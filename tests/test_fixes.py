@@ -1,0 +1,37 @@
+"""What diagnostics propose: the numbers and names in them are right, and whoever follows them is rid of the diagnostic."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from interlock.app.check import check_file
+from interlock.diag import Diagnostic
+
+
+def said(folder: Path, text: str, code: str) -> list[Diagnostic]:
+    """The diagnostics of a code that `check` gives for a layout."""
+    path = folder / "layout.yaml"
+    path.write_text(text, "utf-8")
+    return [d for d in check_file(str(path)).diagnostics if d.code == code]
+
+
+PARTS = """interlock: 1
+name: parts
+buffers: [B1, B2, B3, B4, B5, B6]
+tracks:
+  one: [B1, a 100, b 100, B2]
+  two: [B3, c 100, d 100, B4]
+  three: [B5, e 100, B6]
+signals:
+  S: {from: a, into: b}
+  T: {from: c, into: d}
+"""
+
+
+def test_a_layout_that_falls_into_parts_is_told_once_for_each(tmp_path: Path) -> None:
+    two, three = said(tmp_path, PARTS, "IL3010")
+    assert "no train can reach sections c, d: the layout falls into 3 parts" in two.message
+    assert "no train can reach section e: " in three.message and "not joined to the part of signal S" in three.message
+    text = PARTS.replace("buffers: [B1, ", "boundaries:\n  B1: {approach: w 900}\nbuffers: [")
+    assert all("this one is joined to no boundary" in d.message for d in said(tmp_path, text, "IL3010"))
+    assert len(said(tmp_path, PARTS.partition("signals:")[0], "IL3010")) in (0, 3), "no boundary, no signal"
