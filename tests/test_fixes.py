@@ -1,4 +1,4 @@
-"""What diagnostics propose: the numbers and names in them are right, and whoever follows them is rid of the diagnostic."""
+"""What diagnostics propose: numbers and names in them are right, and whoever follows them is rid of the diagnostic."""
 
 from __future__ import annotations
 

@@ -53,9 +53,10 @@ def found(folder: Path, derailer: str, *, principles: str = "", siding: str = "s
     return [f"{d.message} | {d.fix}" for d in said]
 
 
+@pytest.mark.parametrize("principles", ["", ", flank_by: signal"])
 @pytest.mark.parametrize("right", [ON, TRAP])
-def test_one_that_routes_lay_is_passed_over(tmp_path: Path, right: str) -> None:
-    assert found(tmp_path, right) == []
+def test_one_that_routes_lay_is_passed_over(tmp_path: Path, right: str, principles: str) -> None:
+    assert found(tmp_path, right, principles=principles) == []
 
 
 def test_a_derailer_the_wrong_way_round(tmp_path: Path) -> None:
@@ -67,13 +68,6 @@ def test_a_derailer_the_wrong_way_round(tmp_path: Path) -> None:
 def test_a_trap_point_the_wrong_way_round(tmp_path: Path) -> None:
     (said,) = found(tmp_path, WRONG)
     assert "leads into the trap what runs out" in said and "exchange `toe` and `reverse` of T" in said
-
-
-@pytest.mark.parametrize("right", [ON, TRAP])
-def test_a_signal_that_is_trusted_instead(tmp_path: Path, right: str) -> None:
-    (said,) = found(tmp_path, right, principles=", flank_by: signal")
-    assert "towards P.reverse signal S is trusted instead (`flank_by: signal`)" in said
-    assert "`principles: {flank_by: point}`" in said
 
 
 def test_a_signal_between_the_points_and_the_derailer(tmp_path: Path) -> None:
@@ -89,11 +83,3 @@ def test_the_trap_of_a_running_line_is_for_those_that_come_to_its_toe() -> None:
     done = check_file("tests/layouts_for_tests/devices.yaml")
     assert done.table is not None and not any(d.code == "IL7016" for d in done.diagnostics)
     assert not any((d.machine, str(d.position)) == ("P6", "R") for r in done.table.routes for d in r.locking.points)
-
-
-def test_the_safety_siding_of_a_published_station_that_its_table_never_lays() -> None:
-    """Neither the students' table nor this one: signals are trusted, as the profile has it."""
-    (said,) = (d for d in check_file("tests/stations/czbs.yaml").diagnostics if d.code == "IL7016")
-    assert "signals D8, D6 are trusted instead" in said.message
-    rows = [line.split(",") for line in Path("tests/stations/czbs.csv").read_text("utf-8").splitlines()[1:]]
-    assert not any("8" in r[3].split() for r in rows)

@@ -1,5 +1,5 @@
-"""Derailers and trap points that no route lays where they protect: they stand the wrong way round, or a signal is
-trusted in their place (R5).
+"""Derailers and trap points that no route lays where they protect: they stand the wrong way round, or behind a
+signal (R5).
 
 Warning IL7016.  Only those are told of to which a flank leads: what none leads to may be worked for itself.
 """
@@ -16,7 +16,6 @@ from interlock.diag import Element, Sink
 from interlock.diag.called import called
 from interlock.model.elements import BufferKind, EdgeId, MachineId, NodeId, Point, Position, SignalId
 from interlock.model.layout import Layout
-from interlock.model.principles import FlankChoice
 from interlock.model.traversal import onward_edges, topology
 from interlock.table.cells import Provider, ProviderKind
 
@@ -29,8 +28,6 @@ class _Met:
     flank: str
     toe: bool
     between: SignalId | None
-    trusted: tuple[str, ...]
-    """The signals that protect the place."""
 
 
 def check_protecting(layout: Layout, demands: Demands, locks: Locks, sink: Sink) -> None:
@@ -79,13 +76,12 @@ def _outward(
     """The idle points to which one comes from a requester, no further than to what protects it; past a signal over
     plain track alone."""
     turned = {(MachineId(p.name), p.position) for p in providers if p.kind is ProviderKind.POINT}
-    trusted = tuple(p.name for p in providers if p.kind is ProviderKind.SIGNAL)
     todo: list[tuple[EdgeId, NodeId, float, SignalId | None]] = [(r.edge, r.node, 0.0, None)]
     seen = set[tuple[EdgeId, NodeId]]()
     while todo:
         edge, node, gone, past = todo.pop()
         e = layout.track.edge[edge]
-        if (edge, node) in seen or (e.one_way and e.a == node):
+        if (edge, node) in seen or e.nothing_comes_to(node):
             continue
         seen.add((edge, node))
         far, gone = layout.track.far(edge, node), gone + e.length
@@ -93,7 +89,7 @@ def _outward(
         position = None if point is None else point.position_of(edge)
         if far in idle:
             if position is not idle[far][1]:
-                yield far, _Met(r.name, position is None, past, trusted)
+                yield far, _Met(r.name, position is None, past)
             continue
         signal = layout.signalling.facing.get((far, edge))
         if far == r.node or (past is not None and (signal is not None or point is not None)):
@@ -110,16 +106,11 @@ _WORD = {Position.NORMAL: "normal", Position.REVERSE: "reverse"}
 
 def _report(layout: Layout, p: Point, x: Position, met: Sequence[_Met], sink: Sink) -> None:
     """Say which of the slips it is; nothing where it is none of them."""
-    trusted = [m for m in met if not m.toe and m.between is None and m.trusted]
     before, turned = [m for m in met if not m.toe and m.between is not None], [m for m in met if m.toe]
-    demand = f"have the routes that need it lay {p.id}: `demand`"
-    if trusted and layout.principles.flank_by is FlankChoice.SIGNAL:
-        why = f"towards {trusted[0].flank} {_signals(trusted[0].trusted)} trusted instead (`flank_by: signal`)"
-        fix = f"`principles: {{flank_by: point}}`, or {demand}"
-    elif before:
+    if before:
         signal = str(before[0].between)
         why = f"{called('signal', signal)} stands between it and {before[0].flank}, and is trusted instead"
-        fix = f"set {signal} further out than {p.id}, or {demand}"
+        fix = f"set {signal} further out than {p.id}, or have the routes that need it lay {p.id}: `demand`"
     elif turned and all(m.toe for m in met) and (p.derailer or not _to_boundary(layout, p, x.other)):
         goes, comes = ("throws off", "derail") if p.derailer else ("leads into the trap", "catch")
         why = f"seen from {turned[0].flank} it is the wrong way round, and {goes} what runs out from there, "
@@ -145,7 +136,3 @@ def _to_boundary(layout: Layout, p: Point, x: Position) -> bool:
                 return True
             todo += [(e, far) for e in onward_edges(layout, far, edge)]
     return False
-
-
-def _signals(names: Sequence[str]) -> str:
-    return f"signal {names[0]} is" if len(names) == 1 else f"signals {', '.join(names)} are"

@@ -101,8 +101,8 @@ MEANING: dict[str, str] = {
     "leg_m": "length of the legs of a point where the layout states none (our choice)",
     "flank_by": (
         "whether a flank is protected by turning a point or by a signal at stop, where both can (R5); in either "
-        "case a flank where nothing can come is asked for nothing, a point is turned away from the end of a track, and a "
-        "derailer is laid, and a point that leads into a trap for it, whatever signal stands behind"
+        "case a flank where nothing can come is asked for nothing, a point is turned away from the end of a track, and "
+        "a derailer is laid, and a point that leads into a trap for it, whatever signal stands behind"
     ),
     "flank_space": (
         "whether the track between a flank and what protects it must be reported clear (R5: Flankenschutzraum; "
