@@ -314,7 +314,7 @@ class Stations:
             for k, (sim, end) in enumerate(self.ends):
                 self.under_way[k].append(told[1 - k])
                 telegram = {f"{name}_{end}": value for name, value in self.under_way[k].pop(0).items()}
-                steps(sim, 1, **telegram, **((west, east)[k] or {}))
+                steps(sim, 1, **(telegram | ((west, east)[k] or {})))
             assert not (self.west.is_on("BH_E") and self.east.is_on("BH_W"))
 
 
@@ -334,6 +334,35 @@ def test_the_direction_changes_when_a_departure_is_set_and_never_has_two_owners(
     line.run(2, east={"CAN_Y3": 1})
     line.run(6 * delay + 10)
     assert line.west.is_on("BH_E") and on(line.west, "YP_X3") and not line.east.is_on("BH_W")
+
+
+def test_a_direction_that_is_given_to_a_neighbour_who_does_not_take_it_is_taken_back_by_hand() -> None:
+    """It stayed given until our own restart: the neighbour had gone out of service before he took it."""
+    west = Stations(1).west
+    silent = {"NR_E": 0, "NG_E": 0, "NN_E": 0, "NH_E": 0}
+    steps(west, 10, **silent)
+    steps(west, 70, **silent, TKN_E=1)
+    steps(west, 3, **{**silent, "NN_E": 1})
+    steps(west, 2, **{**silent, "NR_E": 1})
+    steps(west, 600, **silent)
+    assert west.is_on("BG_E") and not west.is_on("BH_E")
+    steps(west, 2, **silent, TKN_E=1)
+    assert not west.is_on("BG_E") and not west.is_on("BH_E"), "nobody has it until the agreed time is over"
+    steps(west, 70, **silent, TKN_E=1)
+    assert west.is_on("BH_E")
+
+
+@pytest.mark.parametrize("delay", [1, 3, 6])
+def test_a_direction_that_is_taken_back_while_the_neighbour_takes_it_is_his(delay: int) -> None:
+    """`run` looks at it after every scan: never two have it."""
+    for pressed in range(2 * delay + 3):
+        line = Stations(delay)
+        line.run(10)
+        line.run(70, west={"TKN_E": 1})
+        line.run(4 + delay, east={"REQ": number(line.east, "Y3-W")})
+        line.run(pressed)
+        line.run(6 * delay + 80, west={"TKN_E": 1})
+        assert line.west.is_on("BH_E") != line.east.is_on("BH_W")
 
 
 def test_an_overlap_swings_until_a_train_is_close() -> None:

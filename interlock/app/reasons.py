@@ -230,8 +230,9 @@ class Reasons:
         return list(found.values())
 
     def of_direction(self, boundary: NodeId, moment: Moment) -> list[Reason]:
-        """Why the special manual change of direction does not run while it is asked for (R12)."""
-        return self._told(names.MANUAL_RUNS(boundary), moment, {"operator"})
+        """Why the special manual change of direction does not run while it is asked for (R12); that the direction is
+        given, is no reason: it is taken back first."""
+        return self._told(names.MANUAL_RUNS(boundary), moment, {"operator", "not given away"})
 
     def of_release(self, section: SectionId, moment: Moment) -> list[Reason]:
         """Why a section is not released by hand, however long that is asked for: a route is set over it, or what lies

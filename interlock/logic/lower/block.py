@@ -118,6 +118,13 @@ def change(d: Draft) -> None:
         )
 
 
+def _taken_back(x: BlockSymbols) -> Expr:
+    """The operator begins a special manual change while the direction is given, and the neighbour has not taken it:
+    from then on he is told that it is given no more, and the agreed time begins."""
+    by_hand = (var(names.VALID), var(names.RESTART_OVER), var(x.manual))
+    return conj((*by_hand, var(x.give), neg(var(x.gives)), neg(var(x.has))))
+
+
 def terms(d: Draft, r: RouteRow) -> list[Term]:
     """The direction is ours, where the route leaves over a boundary with a token."""
     if r.conditions.token is None:
@@ -156,6 +163,7 @@ def keep(d: Draft) -> None:
             (
                 Term(disj((var(x.give), var(names.TOKEN_GOES(b)))), "held or given"),
                 Term(neg(arrived), "not arrived", "until the neighbour has it"),
+                Term(neg(_taken_back(x)), "not taken back", "until the operator takes it back by hand"),
             ),
             group,
         )
