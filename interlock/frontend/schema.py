@@ -133,10 +133,10 @@ class SlipSpec(Part):
         "of a single slip: the only pair that slip rails join; without it, the slip is double", None
     )
     machines: list[Name] = key(
-        "its machines: of two of a double slip the first chooses between `1a` and `2a` (`blades: near`: between `1b` and "
-        "`2b`), the second between the others; of two of a `single` slip the first has the blades at its `a` end and "
-        "chooses between `1b` and `2b`, as the table of slips has it; one, for a slip that has only one, lays all blades "
-        "for the straight ways (normal) or for the slips (reverse); without it, `NAMEa` and `NAMEb`",
+        "its machines: of two of a double slip the first chooses between `1a` and `2a` (`blades: near`: between `1b` "
+        "and `2b`), the second between the others; of two of a `single` slip the first has the blades at its `a` end "
+        "and chooses between `1b` and `2b`, as the table of slips has it; one, for a slip that has only one, lays all "
+        "blades for the straight ways (normal) or for the slips (reverse); without it, `NAMEa` and `NAMEb`",
         [],
         most=2,
     )
