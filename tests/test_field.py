@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import queue
 import random
@@ -637,6 +638,22 @@ def test_an_address_is_looked_at_before_the_proof(given: str, said: str, monkeyp
     assert no.exit_code == 2 and said in no.output, no.output
 
 
+def test_the_end_of_a_run_names_the_substations_that_could_not_be_written(ready: Ready) -> None:
+    """It said that every output that could be reached is restrictive, and not which could not."""
+    west, east = Station(ready, "west"), Station(ready, "east")
+    path, args = ready.proved.checked.path, [f"west=127.0.0.1:{west.port}", f"east=127.0.0.1:{east.port}"]
+    east.kill()
+    try:
+        run = ["run", path, "--modbus", args[0], "--modbus", args[1], "--cycles", "2"]
+        done = CliRunner().invoke(cli, run)
+        assert done.exit_code == 0 and "\nNOT WRITTEN: substation east: " in done.output, done.output
+        assert "substation west: " not in done.output.split("NOT WRITTEN", 1)[1]
+        done = CliRunner().invoke(cli, [*run, "--format", "json"])
+        assert list(json.loads(done.output.splitlines()[-1])["not_written"]) == ["east"], done.output
+    finally:
+        west.kill()
+
+
 def test_a_scada_asks_for_a_route_and_the_run_says_who_did(ready: Ready) -> None:
     west, east = Station(ready, "west"), Station(ready, "east")
     port, seen = free_port(), list[int]()
@@ -692,8 +709,10 @@ def test_the_panel_works_real_substations_and_leaves_them_restrictive(ready: Rea
         assert not ask(do="put", section="q1", towards="X1")["ok"] and desk.browsers.still["simulated"] is False
         ask(do="set", route="X7-X1")
         until(lambda: west.lamp("YP_X7"))
+        east.kill()
         desk.stop()
         assert west.lamp("YS_X7") and not west.lamp("YP_X7") and desk.broken == ""
+        assert list(desk.ran.unwritten) == ["east"]
     finally:
         desk.stop()
         west.kill()

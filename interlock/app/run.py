@@ -340,12 +340,14 @@ def run(
     now: Callable[[], float] = time.monotonic,
     sleep: Callable[[float], None] = time.sleep,
     poll: Poll | None = None,
+    left: Callable[[Mapping[str, str]], None] = lambda stations: None,
 ) -> Generator[tuple[Cycle, float], None, None]:
     """Cycles in their time, each with the seconds that it took.
 
     `ask` gives the inputs of the operator's place, from the cycle before and the milliseconds since it.  `now` and
     `sleep`: the clock in seconds, another one where time is simulated, too.  `poll`: how substations are asked.  When
-    the generator is closed, or anything is thrown, every output is written restrictive.
+    the generator is closed, or anything is thrown, every output is written restrictive; `left` is told of the
+    substations that could not be written then, and why.
     """
     assert ready.controller is not None and ready.allocation is not None
     plc = SoftPlc(
@@ -365,4 +367,4 @@ def run(
             yield result, took
             sleep(max(0.0, cycle_ms / 1000 - (now() - began)))
     finally:
-        plc.close()
+        left(plc.close())

@@ -8,7 +8,7 @@ import shutil
 import signal
 import sys
 import time
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from threading import Timer
@@ -127,6 +127,23 @@ def end_as_by_ctrl_c() -> None:
 
 def _end(number: int, frame: object) -> None:
     raise KeyboardInterrupt
+
+
+def ending(unwritten: Mapping[str, str], longest_s: float, cycle_ms: int) -> dict[str, Any]:
+    """The last event of a run; `unwritten`: the substations that could not be written at the end, and why."""
+    stopped = "every output that could be reached is restrictive"
+    event = {"stopped": stopped, "ms": round(longest_s * 1000, 1), "of": cycle_ms}
+    return event | ({"not_written": dict(unwritten)} if unwritten else {})
+
+
+def ended(event: Mapping[str, Any]) -> str:
+    """The same for people."""
+    left = [
+        f"NOT WRITTEN: substation {name}: {why}; its own watch has to let go of its outputs"
+        for name, why in event.get("not_written", {}).items()
+    ]
+    last = f"stopped; the longest cycle took {event['ms']} ms of {event['of']} ms"
+    return "\n".join([event["stopped"], *left, last])
 
 
 def took(began: float) -> str:

@@ -15,7 +15,7 @@ from pathlib import Path
 import click
 
 from interlock.app.run import Ready
-from interlock.cli.common import end_as_by_ctrl_c, told
+from interlock.cli.common import end_as_by_ctrl_c, ended, ending, told
 from interlock.cli.operator_place import answering
 from interlock.field.alone import InUse
 from interlock.field.operator_place import DOES, Reply
@@ -77,8 +77,7 @@ def run_panel(
         try:
             serve(desk, access, sock)
         finally:
-            ms = round(desk.longest_s * 1000, 1)
-            _say({"stopped": "every output that could be reached is restrictive", "ms": ms, "of": cycle_ms}, form)
+            _say(ending(desk.ran.unwritten, desk.ran.longest_s, cycle_ms), form)
     if desk.broken:
         click.echo(f"error: the controller has stopped: {desk.broken}", err=True)
         sys.exit(70)
@@ -101,7 +100,7 @@ def _say(event: dict[str, object], form: str) -> None:
     if form == "json":
         click.echo(json.dumps(event, ensure_ascii=False))
     elif "stopped" in event:
-        click.echo(f"{event['stopped']}\nstopped; the longest cycle took {event['ms']} ms of {event['of']} ms")
+        click.echo(ended(event))
     else:
         click.echo("".join(f"{k}: {v}" for k, v in event.items()))
     sys.stdout.flush()

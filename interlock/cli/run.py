@@ -20,7 +20,16 @@ from interlock.app.alarms import TRAIN, Watch
 from interlock.app.answers import Answers
 from interlock.app.check import Checked
 from interlock.app.run import BadCommand, Operator, Ready, beyond_modbus, prepare, run
-from interlock.cli.common import end_as_by_ctrl_c, exit_code, format_option, progress, proof_body, show_proof
+from interlock.cli.common import (
+    end_as_by_ctrl_c,
+    ended,
+    ending,
+    exit_code,
+    format_option,
+    progress,
+    proof_body,
+    show_proof,
+)
 from interlock.cli.operator_place import answering, parsed
 from interlock.dataclass import dataclass
 from interlock.diag.extras import install
@@ -215,11 +224,11 @@ def _run(
     end_as_by_ctrl_c()
     before: dict[str, bool] = {}
     said: tuple[object, ...] = ()
-    longest = 0.0
+    longest, left, ms = 0.0, dict[str, str](), clock.cycle_ms
     try:
         with (
             answering(ready, place, typed.asked if requests else None) as server,
-            closing(run(ready, links, clock.cycle_ms, clock.cycles, typed.ask, poll=Beside())) as cycles_run,
+            closing(run(ready, links, ms, clock.cycles, typed.ask, poll=Beside(), left=left.update)) as cycles_run,
         ):
             for result, took in cycles_run:
                 standing = typed.after(result)
@@ -235,8 +244,7 @@ def _run(
                 before = dict(result.outputs)
     except KeyboardInterrupt:
         pass
-    ended, ms = "every output that could be reached is restrictive", round(longest * 1000, 1)
-    say({"stopped": ended, "ms": ms, "of": clock.cycle_ms})
+    say(ending(left, longest, ms))
 
 
 @click.command("run")
@@ -381,5 +389,5 @@ def _text(event: dict[str, Any]) -> None:
             click.echo(f"inputs {state}{''.join(f'; {x}' for x in lost)}")
         case {"output": name, "value": value}:
             click.echo(f"  {name} = {value}")
-        case {"stopped": text, "ms": longest, "of": cycle}:
-            click.echo(f"{text}\nstopped; the longest cycle took {longest} ms of {cycle} ms")
+        case {"stopped": _}:
+            click.echo(ended(event))

@@ -13,11 +13,13 @@ import time
 import traceback
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import closing, suppress
+from dataclasses import field
 from typing import Any
 
 from interlock.app.alarms import HAZARD, RECORD, TRAIN, Watch
 from interlock.app.reasons import Moment, Reason
 from interlock.app.run import Ready, run
+from interlock.dataclass import dataclass
 from interlock.field.plc import Cycle, Link
 from interlock.field.polling import Beside, InTurn
 from interlock.panel.alarms import Alarm
@@ -34,6 +36,14 @@ from interlock.panel.simulated import SimulatedField
 from interlock.panel.stock import LENGTH_M, Impossible
 
 Reply = Callable[[dict[str, Any]], None]
+
+
+@dataclass
+class Ran:
+    """How the cycles went: the longest, and the substations that could not be written at the end, and why."""
+
+    longest_s: float = 0.0
+    unwritten: dict[str, str] = field(default_factory=dict)
 
 
 class Desk:
@@ -72,7 +82,7 @@ class Desk:
         )
         self._watch = self._watching()
         self.power = True
-        self.longest_s = 0.0
+        self.ran = Ran()
         self._queue: queue.SimpleQueue[tuple[Person, dict[str, Any], Reply]] = queue.SimpleQueue()
         self._last = Cycle({}, {}, False, ())
         self._dt_ms = cycle_ms
@@ -130,7 +140,8 @@ class Desk:
         for s in self.operating.stands.blocks:
             self._note(Event("note", f"section {s} is still blocked", at=(f"s:{s}",)))
         poll = InTurn() if self.field is not None else Beside()
-        with closing(run(self.ready, self.links, self._cycle_ms, None, self._inputs, now, sleep, poll)) as cycles:
+        left, ms = self.ran.unwritten.update, self._cycle_ms
+        with closing(run(self.ready, self.links, ms, None, self._inputs, now, sleep, poll, left)) as cycles:
             for cycle, _ in cycles:
                 self._after(cycle)
                 if self._stop.is_set() or not self.power:
@@ -189,7 +200,7 @@ class Desk:
             self._recorder.cycle(cycle)
         self.publish(cycle, (*found, *self._watch.past, *([HAZARD] if self._hazards else [])))
         self.browsers.tell(self.picture.of(cycle, self._watch.idle), lambda: self._rest(cycle))
-        self.longest_s = max(self.longest_s, time.monotonic() - self._began)
+        self.ran.longest_s = max(self.ran.longest_s, time.monotonic() - self._began)
 
     # --- telling -----------------------------------------------------------------------------------
 
