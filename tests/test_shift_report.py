@@ -19,7 +19,8 @@ from interlock.app.worked import Options, Worked
 from interlock.cli.play import command as play
 from interlock.cli.record import command as record
 from interlock.record import Recorded, read
-from interlock.record.graph import graph_svg
+from interlock.record.graph import MOST_LINES, graph_svg
+from interlock.record.log import LATEST_MS
 from interlock.record.report import shift_html
 from interlock.record.shift import LOADS, TIPS, NoShift, figures, to_csv
 from interlock.simulate.mishaps import TRIAL
@@ -102,6 +103,15 @@ def test_the_graph_has_a_line_for_each_train_that_never_goes_back_in_time() -> N
             assert all(0 <= x <= box[2] and 0 <= y <= box[3] for x, y in spots)
     loads = sum(e["kind"] == "loaded" for e in r.events)
     assert sum(p.attrib.get("stroke-width") == "5" for p in root.iter(f"{{{space['s']}}}path")) == loads
+
+
+def test_the_graph_of_a_log_that_reaches_a_distant_year_is_no_larger() -> None:
+    """A line was drawn every quarter of an hour, 277 million of them."""
+    _, r = shift()
+    far = graph_svg((*r.events[:-1], {**r.events[-1], "t": LATEST_MS}))
+    width = float(ElementTree.fromstring(far).attrib["viewBox"].split()[2])
+    assert MOST_LINES / 4 <= far.count(" V") <= MOST_LINES + 2 and width < 45_000
+    assert ">0 h<" in far and ">1048576 h<" in far
 
 
 def test_a_span_is_played_as_it_was() -> None:

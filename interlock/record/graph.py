@@ -19,6 +19,10 @@ COLOURS = ("#0b5fa5", "#c2410c", "#15803d", "#7e22ce", "#b91c1c", "#0f766e", "#a
 
 LEFT, TOP, HOUR, GAP = 120.0, 46.0, 150.0, 14.0
 
+MOST_LINES = 1000
+"""Lines of time at most: quarters of an hour of the longest shift that is simulated; a log may say anything
+(our choice)."""
+
 Spot = tuple[float, float]
 
 
@@ -116,10 +120,12 @@ def _out(axis: Axis, section: str, to: str) -> float:
 def graph_svg(events: Sequence[Event]) -> str:
     """The graph of a shift's record."""
     heading, axis = events[0], Axis(events[0])
-    seconds = max(events[-1]["t"] / 1000, 1.0)
+    seconds, step = max(events[-1]["t"] / 1000, 1.0), 900
+    while seconds / step > MOST_LINES:
+        step *= 4
 
     def x(t: float) -> float:
-        return LEFT + t / 3600 * HOUR
+        return LEFT + t / (4 * step) * HOUR
 
     width, height = x(seconds) + 30, axis.bottom + 40
     out = [
@@ -128,18 +134,7 @@ def graph_svg(events: Sequence[Event]) -> str:
         f"<title>{escape(heading['layout'])}: time-distance graph</title>",
         f'<rect width="{width:.0f}" height="{height:.0f}" fill="#fff"/>',
     ]
-    quarter = 0
-    while quarter * 900 <= seconds + 1:
-        t, whole = quarter * 900, quarter % 4 == 0
-        ink = "#9ca3af" if whole else "#e5e7eb"
-        out.append(
-            f'<path d="M{x(t):.1f} {TOP} V{axis.bottom:.1f}" stroke="{ink}" stroke-width="{1 if whole else 0.5}"/>'
-        )
-        if whole:
-            out.append(
-                f'<text x="{x(t):.1f}" y="{TOP - 8}" text-anchor="middle" fill="#374151">{quarter // 4} h</text>'
-            )
-        quarter += 1
+    out += _grid(axis, seconds, step, x)
     out += _bands(axis, x(0), x(seconds), heading)
     for k, (train, line) in enumerate(sorted(lines(events, axis).items(), key=lambda p: (len(p[0]), p[0]))):
         out += _train(train, line, COLOURS[k % len(COLOURS)], x)
@@ -147,6 +142,21 @@ def graph_svg(events: Sequence[Event]) -> str:
             f'<text x="{LEFT + 46 * k:.0f}" y="16" fill="{COLOURS[k % len(COLOURS)]}">train {escape(train)}</text>'
         )
     return "\n".join([*out, "</svg>", ""])
+
+
+def _grid(axis: Axis, seconds: float, step: int, x: Callable[[float], float]) -> list[str]:
+    """A line every `step` seconds; every fourth one has its hour."""
+    out = []
+    for k in range(int((seconds + 1) // step) + 1):
+        at, whole = x(k * step), k % 4 == 0
+        ink = "#9ca3af" if whole else "#e5e7eb"
+        out.append(
+            f'<path d="M{at:.1f} {TOP} V{axis.bottom:.1f}" stroke="{ink}" stroke-width="{1 if whole else 0.5}"/>'
+        )
+        if whole:
+            text = f"{k * step // 3600} h"
+            out.append(f'<text x="{at:.1f}" y="{TOP - 8}" text-anchor="middle" fill="#374151">{text}</text>')
+    return out
 
 
 def _bands(axis: Axis, left: float, right: float, heading: Event) -> list[str]:
