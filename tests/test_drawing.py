@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from interlock.app.check import check_file
 from interlock.cli.main import cli
 from interlock.diag import Sink
 from interlock.emit.drawing import Drawing, place, plan_svg
@@ -416,3 +417,12 @@ def test_crossings_and_doors_bear_their_names(name: str) -> None:
     layout, _, _ = built(name)
     told = {t.text for t in place(layout).labels if t.kind == "of-device"}
     assert told == {str(x.id) for x in layout.signalling.devices} != set()
+
+
+def test_a_crossing_over_two_sections_is_named_once_where_these_are_beside_each_other() -> None:
+    """LC2 lies over the joint of two sections; L52 of the other layout is drawn over tracks that are far apart."""
+    far = "tests/layouts_for_tests/overlaps_join"
+    for name, device, times in (("layouts/crossing_line", "LC2", 1), (far, "L52", 2)):
+        layout = check_file(f"{name}.yaml").layout
+        assert layout is not None
+        assert [t.text for t in place(layout).labels if t.kind == "of-device"].count(device) == times

@@ -9,10 +9,12 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
+from math import hypot
 
 from interlock.emit.drawing.canvas import (
     DISTANT,
     SIGNAL,
+    UNIT,
     Box,
     Drawing,
     Label,
@@ -55,20 +57,29 @@ def put_names(d: Drawing, named: dict[EdgeId, SectionId]) -> None:
     _devices(d)
 
 
+BESIDE = 3.0 * UNIT
+"""Pixels within which the places of a device have one name: over tracks or sections side by side."""
+
+
 def _devices(d: Drawing) -> None:
-    """Level crossings, doors and other interlocks by their names, above or below each place, where there is room."""
+    """Level crossings, doors and other interlocks by their names, above or below each place, where there is room; once
+    for places that are beside each other."""
     for device in d.layout.signalling.devices:
+        named: list[Spot] = []
         for x, y in device_spots(d, device.over):
-            _put_if(d, [Label("of-device", device.id, device.id, x, y + dy) for dy in (-20, 28, -32, 40, -44, 52)])
+            if all(hypot(x - u, y - v) > BESIDE for u, v in named):
+                labels = [Label("of-device", device.id, device.id, x, y + dy) for dy in (-20, 28, -32, 40, -44, 52)]
+                named += [(x, y)] if _put_if(d, labels) else []
 
 
-def _put_if(d: Drawing, places: Sequence[Label]) -> None:
+def _put_if(d: Drawing, places: Sequence[Label]) -> bool:
     """A label in the first place where it covers nothing, moved along the track as little as needed; else nowhere."""
     tries = (label.moved(dx, 0) for label in places for dx in (0, 6, -6, 12, -12, 18, -18, 24, -24))
     label = next((x for x in tries if not d.taken.meets(_around(x))), None)
     if label is not None:
         d.labels.append(label)
         d.taken.add(label.box, name=True)
+    return label is not None
 
 
 def _points(d: Drawing) -> None:
