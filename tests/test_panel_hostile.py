@@ -19,7 +19,7 @@ from interlock.panel.desk import DEFECT, Desk
 from interlock.panel.entry import ALARMS, FLAGS, LARGEST, LONGEST, NOT_KNOWN, NUMBERS, TEXTS, NotKnown, cleaned, line
 from interlock.panel.operating import Person
 from interlock.panel.recorder import Recorder
-from interlock.panel.server import Access
+from interlock.panel.server import WAITING, Access
 from interlock.record.log import Chain, read
 from tests.panels import QUICK, Browser, panel, unproved
 
@@ -202,6 +202,23 @@ def test_who_asks_without_end_does_not_hold_up_the_cycle(ready: Ready) -> None:
     assert len(count) == 2
     desk._commands()
     assert len(count) == 3
+
+
+def test_a_browser_has_a_number_of_commands_that_wait_and_may_still_put_all_signals_to_stop(ready: Ready) -> None:
+    """Whoever sent without end filled the queue, and others waited behind him."""
+    with panel(ready) as (desk, browser), browser(name="first") as b, browser(name="second") as other:
+        carried_out, desk._commands = desk._commands, lambda: None  # type: ignore[method-assign]
+        for _ in range(WAITING + 10):
+            b.ws.send_json({"do": "why", "route": "none", "re": 1})
+        b.until(lambda: len(b.answers) == 10)
+        assert all("50 commands of this browser wait" in a["why"][0][0] for a in b.answers)
+        b.ws.send_json({"do": "stop", "re": 2})
+        other.ws.send_json({"do": "why", "route": "none", "re": 3})
+        desk._commands = carried_out  # type: ignore[method-assign]
+        b.until(lambda: len(b.answers) == WAITING + 11)
+        assert b.answers[-1] == {"re": 2, "ok": True}
+        other.until(lambda: other.answers)
+        assert b.ask("why", route="none")["why"] == [["there is no route none", []]], "nothing waits any more"
 
 
 def test_what_is_called_otherwise_is_not_asked_for(ready: Ready) -> None:

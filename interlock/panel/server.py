@@ -10,7 +10,7 @@ import asyncio
 import hmac
 import json
 import socket
-from collections.abc import AsyncIterator, Callable
+from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager, suppress
 from importlib import resources
 from types import FrameType
@@ -50,6 +50,10 @@ LOCAL = ("127.0.0.1", "localhost", "::1")
 
 BEHIND = 200
 """Messages that may wait for one browser; one that falls behind further is let go, and comes back by itself."""
+
+WAITING = 50
+"""Commands of one browser that may wait for the next cycle; so many again where they put all signals to stop, which is
+not refused because of others (our choice)."""
 
 LARGEST = 4096
 """Characters of a command at most."""
@@ -122,6 +126,7 @@ class _Talk:
         self.desk, self.access, self.ws = desk, access, ws
         self.loop = asyncio.get_running_loop()
         self.out: asyncio.Queue[str | None] = asyncio.Queue(BEHIND)
+        self.waiting = 0
 
     async def run(self) -> None:
         """From hello until it goes."""
@@ -141,17 +146,22 @@ class _Talk:
                 command = await self._read()
                 if not isinstance(command, dict):
                     break
-                self.desk.ask(who, command, self._reply(command.get("re")))
+                self._ask(who, command)
         finally:
             self.desk.browsers.forget(self._tell)
             sending.cancel()
             with suppress(RuntimeError):  # it is closed already
                 await self.ws.close(1003)
 
-    def _reply(self, re: Any) -> Callable[[dict[str, Any]], None]:
-        """Tells the browser what became of its command, by the mark that it gave to it."""
-        mark = entry.mark(re)
-        return lambda answer: self._tell(sent({"re": mark, **answer}))
+    def _ask(self, who: Person, command: dict[str, Any]) -> None:
+        """Hand on a command, if not too many wait; it is answered by the mark that the browser gave to it."""
+        mark = entry.mark(command.get("re"))
+        if self.waiting >= WAITING * (2 if command.get("do") == "stop" else 1):
+            why = f"{self.waiting} commands of this browser wait to be carried out: it is not done, ask again"
+            self._queue(sent({"re": mark, "ok": False, "why": [[why, []]]}))
+            return
+        self.waiting += 1
+        self.desk.ask(who, command, lambda answer: self._tell(sent({"re": mark, **answer}), answers=True))
 
     async def _read(self) -> Any:
         """The next message, None for one that is none."""
@@ -161,12 +171,13 @@ class _Talk:
         except (KeyError, ValueError, RecursionError):  # KeyError: it is bytes
             return None
 
-    def _tell(self, text: str) -> None:
+    def _tell(self, text: str, answers: bool = False) -> None:
         """Called in the thread of the cycles."""
         with suppress(RuntimeError):  # the loop has ended
-            self.loop.call_soon_threadsafe(self._queue, text)
+            self.loop.call_soon_threadsafe(self._queue, text, answers)
 
-    def _queue(self, text: str) -> None:
+    def _queue(self, text: str, answers: bool = False) -> None:
+        self.waiting -= answers
         if self.out.full():
             self.desk.browsers.forget(self._tell)
             self.out.get_nowait()
