@@ -21,6 +21,7 @@ from interlock.emit.tables.document import table_json
 from interlock.emit.tables.export import table_csv
 from interlock.frontend import load_text
 from interlock.logic.controller import Controller
+from interlock.logic.eval import Machine
 from interlock.logic.expr import conj, neg, var
 from interlock.logic.lower import lower
 from interlock.model.elements import RouteId
@@ -372,6 +373,19 @@ def test_of_two_doors_of_an_air_lock_only_one_is_open() -> None:
         == ()
     )
     assert availability(closed_loop(layout, controller), table).shown
+
+
+def test_by_hand_both_doors_open_since_they_are_tied_through_routes_alone() -> None:
+    """What R13 and the page of the language say of them."""
+    _, _, controller = built("../tests/layouts_for_tests/air_lock")
+    machine = Machine(controller)
+    well = {"VALID": 1, **{i.name: 1 for i in controller.inputs if i.name.startswith("CLR_")}}
+    shut = {"DN_D1": 1, "DN_D2": 1}
+    for _ in range(700):
+        machine.scan({**well, **shut}, 1000)
+    machine.scan({**well, **shut, "RELALL": 1}, 1000)
+    outputs = machine.scan({**well, "DR_D1": 1, "DN_D2": 1, "MR_D1": 1, "MR_D2": 1}, 1000)
+    assert outputs["YR_D1"] and outputs["YR_D2"]
 
 
 def test_a_door_that_could_always_be_opened_to_trains_is_driven_both_ways(monkeypatch: pytest.MonkeyPatch) -> None:

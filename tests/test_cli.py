@@ -153,6 +153,8 @@ def test_explain_knows_diagnostics_rules_claims_assumptions_and_principles() -> 
         assert done.exit_code == 0 and said in done.output, code
         body = json.loads(run("explain", code, "--format", "json").output)[0]
         assert body["page"] == done.output and body["kind"] in ("rule", "claim", "function", "assumption", "principle")
+    assert "at half of `line_speed_kmh` at least" in run("explain", "A-RESTART").output
+    assert "no train, is shorter" in run("explain", "A-SCAN").output
     assert "did you mean A-SCAN?" in run("explain", "A-SCANN").output
 
 

@@ -134,9 +134,11 @@ def _page(found: Topic) -> str:
             "ask it.\n"
         )
     if found.kind == "assumption":
+        besides = _docs("proof.md").read_text("utf-8").partition(f"- **{found.code}**: {found.title}")[2]
         return (
-            f"{found.title}\n\nEvery claim is proved under this assumption and the others (`interlock explain` lists "
-            "them): where it does not hold on the ground, nothing that rests on it is proved.\n"
+            f"{found.title}{besides.partition(chr(10))[0]}\n\n"
+            "Every claim is proved under this assumption and the others (`interlock explain` lists them): where it "
+            "does not hold on the ground, nothing that rests on it is proved.\n"
         )
     values = [f"| {profile} | {written(getattr(p, found.code))} |" for profile, p in PROFILES.items()]
     table = "\n".join(["| profile | value |", "|---|---|", *values])

@@ -156,7 +156,9 @@ MEANING: dict[str, str] = {
     "line_speed_kmh": "highest speed of trains where a section states none (our choice)",
     "shunt_speed_kmh": "highest speed of shunting movements (our choice)",
     "braking_ms2": (
-        "braking of the worst train, in m/s^2 (our choice; `mine` stops from 20 km/h within the 40 m of the coal rules)"
+        "braking of the worst train, in m/s^2 (our choice; in `mine` it brakes from 20 km/h within 39 m, the coal "
+        "rules' 40 m for goods, and needs 66 m with `output_delay_s` and `reaction_s`; their 20 m for trains "
+        "with men are not met: state what yours do)"
     ),
     "reaction_s": "time until a driver who sees stop applies the brake (our choice)",
     "output_delay_s": "time from a decision of the controller until the driver can see it (two scans; our choice)",
@@ -166,8 +168,8 @@ MEANING: dict[str, str] = {
     ),
     "point_run_s": "time in which a point machine runs from one position to the other (our choice)",
     "restart_delay_s": (
-        "time after power-up before which no section is released: whatever ran at the power cut has come to a stand"
-        " (R16; our choice)"
+        "time after power-up before which no section is released: whatever ran at the power cut, at half of "
+        "`line_speed_kmh` at least, has come to a stand (R16; our choice)"
     ),
     "main_closes": (
         "whether a main signal returns to stop with the first axle (railway practice), or when the whole movement "
