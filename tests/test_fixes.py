@@ -1,8 +1,10 @@
-"""What diagnostics propose: numbers and names in them are right, and whoever follows them is rid of the diagnostic."""
+"""What diagnostics propose: their numbers and names are right, and whoever follows them is rid of the diagnostic."""
 
 from __future__ import annotations
 
 from pathlib import Path
+
+import pytest
 
 from interlock.app.check import check_file
 from interlock.diag import Diagnostic
@@ -35,3 +37,14 @@ def test_a_layout_that_falls_into_parts_is_told_once_for_each(tmp_path: Path) ->
     text = PARTS.replace("buffers: [B1, ", "boundaries:\n  B1: {approach: w 900}\nbuffers: [")
     assert all("this one is joined to no boundary" in d.message for d in said(tmp_path, text, "IL3010"))
     assert len(said(tmp_path, PARTS.partition("signals:")[0], "IL3010")) in (0, 3), "no boundary, no signal"
+
+
+@pytest.mark.parametrize(("metres", "told"), [(49, True), (50, False), (59, False), (60, False)])
+def test_the_joint_at_which_an_overlap_ends_lies_between_those_metres(tmp_path: Path, metres: int, told: bool) -> None:
+    text = Path("tests/diagnostics/IL3043.yaml").read_text("utf-8")
+    (before,) = said(tmp_path, text, "IL3043")
+    assert "between 50 and 80 m beyond X" in before.fix
+    split = f"X1 {metres}, q1 {60 - metres}" if metres < 60 else "X1 60"
+    text = text.replace("a1 800, q1 60", f"a1 800, {split}")
+    found = said(tmp_path, text.replace("from: a1, into: q1", "from: a1, into: X1"), "IL3043")
+    assert bool(found) == told

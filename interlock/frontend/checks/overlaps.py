@@ -108,7 +108,8 @@ def _takes_off(ctx: Context, layout: Layout, g: SignalId) -> None:
                     f"the overlap of {g} is {wanted:g} m long, and the derailer {end.id} lies {run:g} m beyond {g}: it "
                     f"is taken off for the overlap, since {t.section} is held whole",
                     ctx.at_key("overlaps" if g in ctx.file.overlaps else "signals", g),
-                    f"begin a new section before {end.id}, so that the overlap ends there and {end.id} stays on",
+                    f"begin a new section between {wanted:g} and {run:g} m beyond {g}, so that the overlap ends there "
+                    f"and {end.id} stays on",
                     about=Element("signals", g),
                 )
 
