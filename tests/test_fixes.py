@@ -8,13 +8,21 @@ import pytest
 
 from interlock.app.check import check_file
 from interlock.diag import Diagnostic
+from interlock.logic.lower import lower
+from interlock.proof.system.loop import closed_loop
+from interlock.proof.witnesses.routes import witnesses
 
 
 def said(folder: Path, text: str, code: str) -> list[Diagnostic]:
     """The diagnostics of a code that `check` gives for a layout."""
+    return [d for d in check_file(str(written(folder, text))).diagnostics if d.code == code]
+
+
+def written(folder: Path, text: str) -> Path:
+    """A file with a layout."""
     path = folder / "layout.yaml"
     path.write_text(text, "utf-8")
-    return [d for d in check_file(str(path)).diagnostics if d.code == code]
+    return path
 
 
 PARTS = """interlock: 1
@@ -48,3 +56,46 @@ def test_the_joint_at_which_an_overlap_ends_lies_between_those_metres(tmp_path: 
     text = text.replace("a1 800, q1 60", f"a1 800, {split}")
     found = said(tmp_path, text.replace("from: a1, into: q1", "from: a1, into: X1"), "IL3043")
     assert bool(found) == told
+
+
+SIDING = """interlock: 1
+name: siding
+principles: {line_speed_kmh: 60}
+boundaries:
+  W: {approach: wa 400}
+  E: {approach: ea 400}
+buffers: [B]
+tracks:
+  west: [W, a 300]
+  east: [b 60, c 300, E]
+  siding: [s 100, B]
+points:
+  P: {section: b, toe: west.end, normal: east.start, reverse: siding.start, legs: 5}
+sections:
+  s: {detected: no}
+signals:
+  XW: {from: W, into: a}
+  XE: {from: E, into: c}
+  A: {from: a, into: b}
+  C: {from: c, into: b}
+  S: {from: s, into: b, kind: combined}
+"""
+
+
+def test_a_section_without_detection_within_the_fouling_point_is_an_error(tmp_path: Path) -> None:
+    """Routes past it could never be set; the witness run shows the same."""
+    (found,) = said(tmp_path, SIDING, "IL4002")
+    assert "5 m from it, where 15.5 m are needed, and s has no detection" in found.message
+    assert "routes A-E, C-W can never be set" in found.message
+    (joint,) = (d for d in said(tmp_path, SIDING, "IL3018") if "b|s" in d.message)
+    assert "routes over the other leg of P require s clear" in joint.message and "10.5 m further out" in joint.fix
+    assert undriven(tmp_path, SIDING) == {"A-E", "C-W"}
+    assert undriven(tmp_path, SIDING.replace("legs: 5", "legs: 15.5")) == set()
+    assert undriven(tmp_path, SIDING.replace("s: {detected: no}", "s: {}")) == set()
+
+
+def undriven(folder: Path, text: str) -> set[str]:
+    """The routes of a layout that no run of its controller can set and drive."""
+    done = check_file(str(written(folder, text)))
+    assert done.layout is not None and done.table is not None
+    return {w.route for w in witnesses(closed_loop(done.layout, lower(done.layout, done.table))) if not w.ok}

@@ -37,7 +37,8 @@ from interlock.derivation.through import check_through
 from interlock.derivation.voyages import derive_voyages
 from interlock.diag import Element, Sink
 from interlock.diag.called import called
-from interlock.model.elements import BufferKind, RouteId, SignalId
+from interlock.model.elements import BufferKind, RouteId, SectionId, SignalId
+from interlock.model.foul import foul_joints
 from interlock.model.layout import Layout
 from interlock.model.overlap import ends_short, entry_speed, wanted_m
 from interlock.model.traversal import topology
@@ -276,6 +277,7 @@ def _never_set(
     """Routes that something of their own keeps from being set, a joint or their train, and those without a train."""
     check_reached(layout, paths, sink)
     _foul_themselves(rows, sink)
+    _foul_of_unseen(layout, rows, sink)
     check_own_train(layout, rows, locks, sink)
 
 
@@ -294,6 +296,24 @@ def _foul_themselves(rows: Sequence[RouteRow], sink: Sink) -> None:
         )
         fix = f"move the joint out of the fouling point, or exclude the route{many}: `exclude: [{', '.join(barred)}]`"
         sink.add("IL4002", text, None, fix, about=Element("sections", section))
+
+
+def _foul_of_unseen(layout: Layout, rows: Sequence[RouteRow], sink: Sink) -> None:
+    """Joints that are foul of a route and begin a section without detection, which is never reported clear."""
+    found: dict[tuple[str, SectionId], list[str]] = {}
+    for r in rows:
+        for c in r.clear.foul:
+            if c.when is None and c.section in layout.track.undetected and c.section not in r.path.section_ids:
+                found.setdefault((c.because.text, c.section), []).append(r.id)
+    for (why, section), ids in found.items():
+        joint = next((f for f in foul_joints(layout) if f.neighbour == section and why.endswith(f.name)), None)
+        far = "" if joint is None else f", {joint.distance:g} m from it, where {joint.needed:g} m are needed"
+        fix = f"move the joint out of the fouling point{'' if joint is None else f', to {joint.needed:g} m'}, or have "
+        text = (
+            f"{why}{far}, and {section} has no detection, so that it always counts as occupied: route"
+            f"{'s' if len(ids) > 1 else ''} {', '.join(ids)} can never be set"
+        )
+        sink.add("IL4002", text, None, f"{fix}{section} detected", about=Element("sections", section))
 
 
 def _notes(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> None:

@@ -16,10 +16,12 @@ def check_foul(ctx: Context, layout: Layout) -> None:
         ctx.add(
             "IL3018",
             f"the joint {before}|{f.neighbour} is foul of {f.name}: it lies {f.distance:g} m "
-            f"from the {kind[:-1]}, and {f.needed:g} m are needed",
-            ctx.at_key(kind, f.element),
-            f"routes over the other {side} of {f.element} will require {f.neighbour} clear"
+            f"from the {kind[:-1]}, and {f.needed:g} m are needed; routes over the other {side} of {f.element} require "
+            f"{f.neighbour} clear"
             + (f" unless {f.when[0]} is detected {f.when[1].other}" if f.when is not None else ""),
+            ctx.at_key(kind, f.element),
+            f"where it is to be free, draw the joint {f.needed - f.distance:g} m further out (`legs`)"
+            + (", or state where the fouling point is (`fouling`)" if kind == "points" else ""),
         )
         if f.near is not None:
             it, metres, needed = f.near
