@@ -99,3 +99,37 @@ def undriven(folder: Path, text: str) -> set[str]:
     done = check_file(str(written(folder, text)))
     assert done.layout is not None and done.table is not None
     return {w.route for w in witnesses(closed_loop(done.layout, lower(done.layout, done.table))) if not w.ok}
+
+
+def test_a_board_before_a_boundary_needs_a_joint_there(tmp_path: Path) -> None:
+    text = Path("tests/mistakes/shunting_to_a_boundary.yaml").read_text("utf-8")
+    (found,) = said(tmp_path, text, "IL4003")
+    assert "give the last metres of m3 a section of their own" in found.fix and "`kind: limit`" in found.fix
+    text = text.replace("m3 400", "m3 380, m4 20") + "  L: {from: m3, into: m4, kind: limit}\n"
+    assert not said(tmp_path, text, "IL4003") and check_file(str(tmp_path / "layout.yaml")).ok
+
+
+RING = """interlock: 1
+name: ring
+principles: {line_speed_kmh: 40}
+boundaries:
+  DEP: {approach: dx 300}
+tracks:
+  ring: [P1.normal, r1 150, r2 150, r3 150, P1.toe]
+  dep: [DEP, d1 120, P1.reverse]
+points:
+  P1: {section: p}
+signals:
+  S1: {from: p, into: r1}
+  S2: {from: r1, into: r2}
+  S3: {from: r2, into: r3}
+  S6: {from: r3, into: p}
+  D: {from: DEP, into: d1}
+  D2: {from: d1, into: p}
+"""
+
+
+def test_a_way_that_comes_back_to_its_own_section_lacks_a_signal(tmp_path: Path) -> None:
+    (found,) = said(tmp_path, RING, "IL4003")
+    assert found.message.endswith("signal D2: it meets p again") and "a signal is missing on the way" in found.fix
+    assert not said(tmp_path, RING + "  U: {from: r2, into: r1}\n", "IL4003")

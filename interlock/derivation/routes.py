@@ -203,10 +203,16 @@ def _tell_none(g: SignalId, dropped: Sequence[_Dropped], sink: Sink) -> None:
     if whys:
         fix = "check its direction; the notes name each way left out, `interlock explain IL4005` what to do"
     if whys and all(w.startswith(SHUNT_STAYS) for w in whys):
+        last = ", ".join(dict.fromkeys(d.ways[-1].section for d in dropped if d.ways))
         fix = (
-            "let it end before the boundary: put a board there (`kind: limit`, or `kind: board` if trains end there, "
-            "too), or say `berth: no` of a road there that it leaves at a shunt signal on the way back; `interlock "
-            "explain IL4005`"
+            f"let it end before the boundary: give the last metres of {last} a section of their own, since a board "
+            "stands at a joint, and put one there (`kind: limit`, or `kind: board` if trains end there, too); or say "
+            "`berth: no` of a road there that it leaves at a shunt signal on the way back; `interlock explain IL4005`"
+        )
+    elif whys and all(w.startswith(COMES_BACK) for w in whys):
+        fix = (
+            "check its direction; if that is right, a signal is missing on the way, at which its route ends before it "
+            "comes there again"
         )
     why = f": {'; '.join(whys)}" if whys else ""
     text = f"no route leads from {called('signal', g)}{why}"
@@ -227,6 +233,8 @@ def where_routes_lead(entry: str | None, exit_: str | None, led: Iterable[tuple[
 
 SHUNT_STAYS = "a shunting movement does not leave"
 """Why a shunting movement does not run on over a boundary; at which one follows."""
+COMES_BACK = "it meets "
+"""Why a way ends that comes to a section again; to which one follows."""
 
 
 @dataclass(frozen=True)
@@ -511,6 +519,6 @@ def _search(layout: Layout, topo: Topology, g: Signal, kind: RouteKind) -> Itera
                 stays = f"{SHUNT_STAYS if kind is RouteKind.SHUNT else 'a train does not leave'} at {t.exit}"
                 yield (ExitKind.BOUNDARY, t.exit, path) if leaves else (None, stays, path)
             elif any(w.section == onward for w in path):
-                yield None, f"it meets {onward} again", path
+                yield None, f"{COMES_BACK}{onward} again", path
             else:
                 stack.append((onward, t.exit, path))
