@@ -208,7 +208,11 @@ def test_what_is_gone_stays_reserved_until_it_is_released(mine: Path) -> None:
     rows = csv.DictReader(io.StringIO(channels_csv(layout, controller, allocate(layout, controller))))
     assert {r["Address"]: r["When 1"] for r in rows}["I2.2"] == "reserved for RL_X1 of X1"
     assert "did you mean RL_X1?" in run("pin", mine, "--release", "RL_Y1", code=1)
-    assert "no channel is reserved for q1" in run("pin", mine, "--release", "q1", code=1)
+    for kept in ("q1", "CLR_q1"):
+        answer = run("pin", mine, "--release", kept, code=1)
+        assert f"no channel is reserved for {kept}: the layout has it, and it keeps its channels" in answer
+    assert "that is a route, and no wire leads to routes" in run("pin", mine, "--release", "X1-X3", code=1)
+    assert "reserved are those of X" in run("pin", mine, "--release", "nothing", code=1)
     assert "2 released" in run("pin", mine, "--release", "X1")
     mine.write_text(MINE + "conditions: {ROPE: {text: rope, over: [q1]}}\n", "utf-8")
     assert "new      E_ROPE: main I2.2" in run("pin", mine)

@@ -25,6 +25,7 @@ from interlock.logic.expr import interning
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.model.pins import Pin, Pins
+from interlock.table.rows import InterlockingTable
 
 
 class NotReserved(Exception):
@@ -90,7 +91,7 @@ def pin_file(path: str, release: Sequence[str] = ()) -> Repinned:
     with interning():
         controller = lower(layout, table)
         try:
-            released = _named(layout, controller, release)
+            released = _named(layout, table, controller, release)
             pins = repinned(layout, controller, released)
         except BadAddress as error:
             fix = "see io/channels.csv of a compiled layout for the variables with a wire"
@@ -110,16 +111,25 @@ def repinned(layout: Layout, controller: Controller, released: Set[str] = frozen
     return allocate(replace(layout, hardware=replace(layout.hardware, pins=_without(kept, wrong))), controller).pins
 
 
-def _named(layout: Layout, controller: Controller, names: Sequence[str]) -> frozenset[str]:
+def _named(layout: Layout, table: InterlockingTable, controller: Controller, names: Sequence[str]) -> frozenset[str]:
     """The reserved variables of these names, or of elements of these names."""
-    here = {w.variable for w in wires(layout, controller)}
-    reserved = [p for n, p in layout.hardware.pins.by_variable.items() if n not in here]
+    here = wires(layout, controller)
+    gone = layout.hardware.pins.by_variable.keys() - {w.variable for w in here}
+    reserved = [p for n, p in layout.hardware.pins.by_variable.items() if n in gone]
+    kept = {x for w in here for x in (w.variable, w.element)}
+    routes = {x for r in table.routes for x in (r.id, *r.names)}
     found: set[str] = set()
     for name in names:
         those = {p.variable for p in reserved if name in (p.variable, p.element)}
         if not those:
             known = sorted({x for p in reserved for x in (p.variable, p.element)})
-            hint = did_you_mean(name, known) if known else "nothing is"
+            elements = ", ".join(sorted({p.element for p in reserved})) or "none"
+            if name in kept:
+                hint = f"the layout has it, and it keeps its channels; reserved are those of what is gone: {elements}"
+            elif name in routes:
+                hint = f"that is a route, and no wire leads to routes; reserved are those of elements: {elements}"
+            else:
+                hint = str(did_you_mean(name, known, f"reserved are those of {elements}")) if known else "nothing is"
             raise NotReserved(f"no channel is reserved for {name}: {hint}")
         found |= those
     return frozenset(found)
