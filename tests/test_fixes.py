@@ -11,6 +11,7 @@ from interlock.diag import Diagnostic
 from interlock.logic.lower import lower
 from interlock.proof.system.loop import closed_loop
 from interlock.proof.witnesses.routes import witnesses
+from tests.cli_runs import run
 
 
 def said(folder: Path, text: str, code: str) -> list[Diagnostic]:
@@ -133,3 +134,33 @@ def test_a_way_that_comes_back_to_its_own_section_lacks_a_signal(tmp_path: Path)
     (found,) = said(tmp_path, RING, "IL4003")
     assert found.message.endswith("signal D2: it meets p again") and "a signal is missing on the way" in found.fix
     assert not said(tmp_path, RING + "  U: {from: r2, into: r1}\n", "IL4003")
+
+
+SHORT_BLOCKS = """interlock: 1
+name: blocks
+profile: uk
+principles: {overlap_m: 0, line_speed_kmh: 60}
+boundaries:
+  A: {trains: in, approach: ax 400}
+  O: {trains: out}
+tracks:
+  a: [A, a1 200, a2 60, p 40, o1 60, o2 200, O]
+signals:
+  S: {from: A, into: a1}
+  S1: {from: a1, into: a2}
+  S2: {from: a2, into: p}
+  SO: {from: o1, into: o2}
+overlaps:
+  S1: {length: 180}
+"""
+
+
+def test_an_overlap_past_a_signal_without_one_holds_the_train_that_ran_on_to_it(tmp_path: Path) -> None:
+    """The planner, which knows nothing of the warning, finds no way through either, and one as soon as it is heeded."""
+    (found,) = said(tmp_path, SHORT_BLOCKS, "IL7014")
+    assert "no train runs through at S1" in found.message and "runs on to S2 stands in it there" in found.message
+    assert "`overlaps: {S1: {length: 60}}`" in found.fix
+    command = ("dispatch", str(tmp_path / "layout.yaml"), "1:A>O", "--length", "40")
+    assert run(*command).exit_code == 1
+    assert not said(tmp_path, SHORT_BLOCKS.replace("length: 180", "length: 60"), "IL7014")
+    assert run(*command).exit_code == 0 and "PLAN  4 routes" in run(*command).output

@@ -32,25 +32,34 @@ def check_through(
 
 
 def _check_overlaps(layout: Layout, paths: Sequence[Path], hostile: Conflicts, sink: Sink) -> None:
-    """Signals to which no route can be set together with one that leads on: the overlap holds what lies past the next
-    main signal, too, so that routes to that one need it as overlap or as path (R4, R6)."""
+    """Signals whose overlap holds what lies past the next main signal, too, where routes to or from that one need it as
+    overlap or as path (R4, R6): to which no route can be set together with one that leads on; or from which a train
+    runs on to the next signal and stands there in that overlap, which is held while it is occupied."""
     to: dict[SignalId, list[Path]] = {}
-    on: dict[SignalId, int] = {}
+    on: dict[SignalId, list[Path]] = {}
     for p in paths:
         if p.kind is RouteKind.MAIN and p.onward is None:
             to.setdefault(SignalId(p.exit), []).append(p)
-            on[p.entry] = on.get(p.entry, 0) | 1 << p.number - 1
+            on.setdefault(p.entry, []).append(p)
     main = {(g.node, layout.track.section_of(g.into)): g for g in layout.signalling.signals if g.main}
     for g, those in to.items():
         past = [(p, x) for p in those if (x := _passed(main, p)) is not None]
-        if g not in on or len(past) < len(those) or any(on[g] & ~hostile.bits(p.id) for p in those):
+        if g not in on or len(past) < len(those):
+            continue
+        barred = [hostile.bits(p.id) for p in those]
+        through = [q for q in on[g] if not all(b >> q.number - 1 & 1 for b in barred)]
+        ahead = [on.get(SignalId(q.exit), []) for q in through]
+        if not all(rs and all(b >> r.number - 1 & 1 for r in rs for b in barred) for rs in ahead):
             continue
         beyond = min((x for _, x in past), key=lambda x: x.metres).signal
+        why = f"no route onward from {g} can be set together with {' or '.join(p.id for p in those)}"
+        if through:
+            ends = " or ".join(dict.fromkeys(q.exit for q in through))
+            why = f"a train that runs on to {ends} stands in it there, where it is held, and no route onward can be set"
         sink.add(
             "IL7014",
-            f"no train runs through at {g}: its overlap leads past {called('signal', beyond.id)}, so that no route "
-            f"onward from {g} can be set together with {' or '.join(p.id for p in those)}; trains stop at {g} until "
-            "it is released",
+            f"no train runs through at {g}: its overlap leads past {called('signal', beyond.id)}, so that {why}; "
+            f"trains {'must ' if through else ''}stop at {g} until it is released",
             None,
             f"where it may end before {beyond.id}: {_shorter(layout, g, past)}",
             about=Element("signals", g),
