@@ -164,3 +164,17 @@ def test_an_overlap_past_a_signal_without_one_holds_the_train_that_ran_on_to_it(
     assert run(*command).exit_code == 1
     assert not said(tmp_path, SHORT_BLOCKS.replace("length: 180", "length: 60"), "IL7014")
     assert run(*command).exit_code == 0 and "PLAN  4 routes" in run(*command).output
+
+
+@pytest.mark.parametrize("name", ["P1", "A1"])
+def test_a_name_that_two_elements_bear_is_told_where_a_substation_names_it(tmp_path: Path, name: str) -> None:
+    text = Path("tests/diagnostics/IL7018.yaml").read_text("utf-8").replace("  P1: {from", f"  {name}: {{from")
+    both = name == "P1"
+    lists = text.replace("[P1]", f"[{name}]" if both else f"[P1, {name}]")
+    found = said(tmp_path, lists, "IL7018")
+    assert [d.message for d in found] == (
+        ["substation hut: P1 is a machine of points and a signal, and all of it is wired there"] if both else []
+    )
+    allow = "allow:\n  - {lint: IL7018, at: [P1], reason: both hang there}\n"
+    assert not said(tmp_path, lists + allow, "IL7018") and bool(said(tmp_path, lists + allow, "IL2018")) != both
+    assert not said(tmp_path, text.partition("substations:")[0], "IL7018"), "nothing is ambiguous there"

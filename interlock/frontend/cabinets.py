@@ -1,12 +1,14 @@
 """What hangs on a layout beside its logic: cabinets and addresses (document B 2.2), and hints for the plan.
 
-Output: diagnostics IL2004, IL2014, IL2015, IL3030, and the elements.
+Output: diagnostics IL2004, IL2014, IL2015, IL3030, IL7018, and the elements.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
+from interlock.diag import Element
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.ports import Wiring
@@ -55,6 +57,7 @@ def resolve_substations(ctx: Context, wiring: Wiring) -> tuple[Substation, ...]:
             ctx.at_key("substations", rest[1]),
             "one of them may be empty: it takes what no other names",
         )
+    _twice(ctx, wiring, holder)
     missing = [e for e in known if e not in holder]
     if given and missing and not rest:
         ctx.add(
@@ -64,6 +67,31 @@ def resolve_substations(ctx: Context, wiring: Wiring) -> tuple[Substation, ...]:
             "name each of them, or add a substation with an empty list for the rest",
         )
     return tuple(Substation(n, tuple(elements)) for n, elements in given.items())
+
+
+def _twice(ctx: Context, wiring: Wiring, holder: Mapping[str, str]) -> None:
+    """Report names in the lists of substations that two elements bear: both are wired there."""
+    f = ctx.file
+    kinds = {
+        "section": {*wiring.sections, *wiring.approaches},
+        "machine of points": {str(p.machine) for p in wiring.points},
+        "level crossing": {*f.level_crossings},
+        "interlock": {*f.interlocks},
+        "signal": {*f.signals, *f.distants},
+        "condition": {*f.conditions},
+    }
+    for element, name in holder.items():
+        meant = [kind for kind, those in kinds.items() if element in those]
+        if len(meant) > 1:
+            what = " and ".join(f"{'an' if k == 'interlock' else 'a'} {k}" for k in meant)
+            ctx.add(
+                "IL7018",
+                f"substation {name}: {element} is {what}, and all of it is wired there",
+                ctx.at("substations", name, f.substations[name].index(element)),
+                f"give one of them another name if {'they hang' if len(meant) == 2 else 'some of them hang'} on "
+                "different substations",
+                about=Element("substations", element),
+            )
 
 
 def resolve_health(ctx: Context) -> tuple[Health, ...]:
