@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from interlock.checker.formula import Formula
+from interlock.checker.formula import Formula, some
+from interlock.checker.lengths import whole_ms
 from interlock.checker.railway import Calling, Path, Signal
 from interlock.checker.terminals import Terminals
 from interlock.checker.track import Demand, Way
+from interlock.checker.words import fact
 from interlock.verify import need
 
 
@@ -36,6 +38,19 @@ class Added(Terminals):
 
     def w_holding_routes(self) -> list[int]:
         return [r for r in self.w_routes() if f"AH_R{r}" in self.state]
+
+    def w_routes_held_longer(self) -> list[int]:
+        """The routes that hold what was added to them for longer than until their train is wholly in."""
+        return [r for r in self.w_routes() if self.w_hold_of(r)]
+
+    def w_hold_of(self, r: int) -> int:
+        """For how many milliseconds: the longest that some demand has it do."""
+        wishes = (x for x in self.r.body.get("demand") or () if "hold" in x and r in self.chosen_routes(x["routes"]))
+        return max((whole_ms(float(x["hold"])) for x in wishes), default=0)
+
+    def w_is_one_of_these(self, t: str) -> Formula:
+        """Something says how long the timer must be."""
+        return some((super().w_is_one_of_these(t), fact(t in map(self.w_hold_timer, self.w_routes_held_longer()))))
 
     def w_demanded_of(self, r: int) -> list[Demand]:
         """The points that the author has a route lock, but those on its own path."""
@@ -71,6 +86,7 @@ class Added(Terminals):
         for x in self.r.body.get("demand") or ():
             whole = [k for k in ("point", "lies", "clear") if k in x] in (["point", "lies"], ["clear"])
             need(whole, "a demand names a point and how it lies, or a section that is clear")
+            need("point" in x or not float(x.get("hold", 0)), "no section that is demanded clear is held longer")
             if self.r.paths.chosen(x["routes"], c, p) and (x["routes"].get("kind") == "call-on") is called_on:
                 yield x
 

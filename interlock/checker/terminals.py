@@ -447,6 +447,9 @@ class Terminals(Lamps):
     def w_hand_timers(self, b: str) -> list[str]:
         return [self.w_hand_timer(b)]
 
+    def w_hold_timer(self, r: int) -> str:
+        return f"AHT_R{r}"
+
     def w_restart_timer(self) -> str:
         return "RST"
 

@@ -38,7 +38,7 @@ class Telling(World):
         c, p = self.run_of(r)
         asked = [x for called_on in (False, True) for x in self._demands(c, p, called_on) if "point" in x]
         machines = [(self._machine_of(x["point"]), x) for x in asked]
-        return [Wish(m, self._lies(m, x["lies"] == "normal"), str(x["reason"])) for m, x in machines]
+        return [Wish(m, self._lies(m, x["lies"] == "normal"), _reason(x)) for m, x in machines]
 
     def _lies(self, m: str, normal: bool) -> str:
         """What a machine is said to do that lies normal or reverse."""
@@ -176,3 +176,9 @@ class Telling(World):
     def leads_so(self, x: Mapping[str, Any], r: int) -> bool:
         """A route leads from where to where the author says, past signals with an identifier light, too."""
         return self.r.paths.chosen(x, *self._whole(r))
+
+
+def _reason(wish: Mapping[str, Any]) -> str:
+    """Why a route locks a machine, in the author's words, and for how long after its train has come in."""
+    longer = float(wish.get("hold", 0))
+    return str(wish["reason"]) + (f"; held {longer:g} s longer" if longer else "")

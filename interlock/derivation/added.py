@@ -73,12 +73,15 @@ def with_added(layout: Layout, paths: Sequence[Path], derived: Demands, sink: Si
         for p in those:
             lies = {x.machine: x for x in found[p.id]}.get(d.machine)
             if lies is None and not _against_key(layout, d):
-                why = Because("R5", f"{DEMANDED}{d.reason}")
-                found[p.id].append(PointDemand(d.machine, d.position, Role.ADDED, p.ways[0].section, why))
-            elif lies is not None and lies.position is d.position:
-                idle.append(p)
-            else:
+                found[p.id].append(_cell(d, p))
+            elif lies is None or lies.position is not d.position:
                 _contradicts(layout, d, p, lies, i, sink)
+            elif d.hold <= (lies.hold or 0):
+                idle.append(p)
+            elif lies.role is Role.ADDED:
+                found[p.id][found[p.id].index(lies)] = _cell(d, p)
+            else:
+                _never_longer(d, p, lies, i, sink)
         if not those:
             text = f"no route demands {d.machine} {d.position} ({d.reason})"
             fix = f"`routes` chooses them by `from`, `to`, `via` and `kind`: correct it{_led(d.routes, paths)}"
@@ -88,6 +91,12 @@ def with_added(layout: Layout, paths: Sequence[Path], derived: Demands, sink: Si
             text = f"the demand of {d.machine} {d.position} adds nothing: it lies so for {those_ids} anyway"
             sink.add("IL4012", text, None, "remove it", about=Element("demand", i))
     return {r: tuple(demands) for r, demands in found.items()}
+
+
+def _cell(d: Demanded, p: Path) -> PointDemand:
+    longer = f"; held {d.hold:g} s longer" if d.hold else ""
+    why = Because("R5", f"{DEMANDED}{d.reason}{longer}")
+    return PointDemand(d.machine, d.position, Role.ADDED, p.ways[0].section, why, d.hold or None)
 
 
 def demanded_clear(layout: Layout, paths: Sequence[Path], sink: Sink) -> Mapping[RouteId, tuple[ClearCell, ...]]:
@@ -131,6 +140,12 @@ def _contradicts(layout: Layout, d: Demanded, p: Path, lies: PointDemand | None,
     text = f"{d.machine} {d.position} cannot be demanded of {p.id}: {says}"
     fix = "remove the demand, choose fewer routes, or exclude the route: `exclude:`"
     sink.add("IL4011", text, None, fix, about=Element("demand", i))
+
+
+def _never_longer(d: Demanded, p: Path, lies: PointDemand, i: int, sink: Sink) -> None:
+    text = f"{d.machine} {d.position} cannot be held {d.hold:g} s longer for {p.id}: it lies so there anyway"
+    fix = "remove `hold`, or choose fewer routes: what a path, its flanks or its overlap lock goes with their sections"
+    sink.add("IL4011", f"{text}, and is let go with what asks for it: {lies.because.text}", None, fix, about=Element("demand", i))
 
 
 def idle_barred(layout: Layout, paths: Sequence[Path], hostile: Mapping[RouteId, int], sink: Sink) -> None:

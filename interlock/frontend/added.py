@@ -35,10 +35,15 @@ def resolve_demanded(ctx: Context, wiring: Wiring) -> tuple[Demanded | DemandedC
     out: list[Demanded | DemandedClear] = []
     for i, x in enumerate(ctx.file.demand):
         whole = (x.point is None) == (x.lies is None) and (x.point is None) != (x.clear is None)
+        idle = x.clear is not None and x.hold > 0
         if not whole:
             text = f"a demand of {_named(x) or 'nothing'}: it takes a point and how it lies, or a section that is clear"
             fix = "write `point: 3, lies: normal`, or `clear: s7`; for both write two demands"
             ctx.add("IL3034", text, ctx.at("demand", i), fix)
+        elif idle:
+            text = f"a demand of {x.clear} clear, held {x.hold:g} s longer: a section that is demanded clear is never held"
+            fix = "remove `hold`; where no other movement shall run over it meanwhile, demand a point, too"
+            ctx.add("IL3034", text, ctx.at("demand", i, "hold"), fix)
         elif x.clear is not None and x.clear not in wiring.sections:
             no_section(ctx, wiring, x.clear, ctx.at("demand", i, "clear"), "a demand")
         elif x.clear is not None:
@@ -52,7 +57,7 @@ def resolve_demanded(ctx: Context, wiring: Wiring) -> tuple[Demanded | DemandedC
         else:
             routes = resolve_choice(ctx, wiring, x.routes, ("demand", i, "routes"), "a demand")
             position = Position.NORMAL if x.lies == "normal" else Position.REVERSE
-            out.append(Demanded(machines[x.point], position, routes, x.reason))
+            out.append(Demanded(machines[x.point], position, routes, x.reason, x.hold))
     return tuple(out)
 
 

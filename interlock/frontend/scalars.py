@@ -23,6 +23,7 @@ LONGEST_FOLDER = 60
 MAX_LENGTH_M = 100_000.0
 STEEPEST = 1000  # permille: no track is steeper than 1 in 1
 FASTEST = 400  # km/h
+LONGEST_HOLD_S = 3600
 ADDRESS = re.compile(r"([IQ])([0-9]{1,4})\.([0-7])")
 """I or Q, byte, bit."""
 _NUMBER = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)")
@@ -229,6 +230,19 @@ def _amount(value: object, zero: bool = True) -> float:
     return x
 
 
+def _hold(value: object) -> float:
+    """Seconds for which something is held longer."""
+    if not isinstance(value, str):
+        raise PydanticCustomError("number", "a number is expected")
+    x = number(value)
+    if not 0 <= x <= LONGEST_HOLD_S:
+        fix = f"write seconds, 0 to {LONGEST_HOLD_S}; 30 are usual"
+        raise PydanticCustomError(
+            "range", "{v} s is no time to hold points (0 to {m} s)", {"v": value, "m": LONGEST_HOLD_S, "fix": fix}
+        )
+    return x
+
+
 def _permille(value: object) -> float:
     if not isinstance(value, str):
         raise PydanticCustomError("number", "a number is expected")
@@ -368,6 +382,9 @@ Seconds = Annotated[
     WithJsonSchema({"type": "number", "exclusiveMinimum": 0, "maximum": 86400}),
 ]
 Amount = Annotated[float, BeforeValidator(_amount), WithJsonSchema({"type": "number", "minimum": 0, "maximum": 86400})]
+Hold = Annotated[
+    float, BeforeValidator(_hold), WithJsonSchema({"type": "number", "minimum": 0, "maximum": LONGEST_HOLD_S})
+]
 Speed = Annotated[int, BeforeValidator(_speed), WithJsonSchema({"type": "integer", "minimum": 5, "maximum": 400})]
 Kmh = Annotated[
     float, BeforeValidator(_towards), WithJsonSchema({"type": "number", "exclusiveMinimum": 0, "maximum": FASTEST})

@@ -182,6 +182,8 @@ SHOWN = _route("H_R{}", "has been open")
 STATUS = _route("YX_R{}", "word: free, set, open, being cancelled, what it waits for, why it is refused")
 WHAT_IT_DOES = _route("XW_R{}", "word: what it does while it is set and its signal is at stop")
 HOLDS_ADDED = _route("AH_R{}", "holds what the author added to it")
+HOLD_RUNS = _route("AHI_R{}", "holds what was added to it, and is not under way any more")
+HOLD_OVER = _route("AHT_R{}", "has held what was added to it for so long")
 
 # --- the controller: lines, conditions, zones ----------------------------------------------------
 

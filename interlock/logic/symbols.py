@@ -227,6 +227,8 @@ class RouteSymbols:
     passing: Name | None = None
     added: Name | None = None
     """The variable that tells that it holds what the author has added to it: hostile routes and points."""
+    hold_timer: Name | None = None
+    """The timer that runs while it holds that longer, no more under way."""
 
     @property
     def open_while(self) -> tuple[Name, ...]:

@@ -490,6 +490,8 @@ class Demanded:
     position: Position
     routes: Choice
     reason: str
+    hold: float = 0.0
+    """Seconds for which the routes hold what was added to them after they would let it go."""
 
 
 def of_points(demands: Iterable[Demanded | DemandedClear]) -> list[Demanded]:

@@ -159,7 +159,7 @@ class Layout(Facts):
 
     def to_text(self) -> str:
         """One readable, canonical text form."""
-        stated = asdict(self, dict_factory=lambda found: {k: v for k, v in found if v or k not in _OF_CHOICES})
+        stated = asdict(self, dict_factory=lambda found: {k: v for k, v in found if v or k not in _OF_ENTRIES})
         for part in _PARTS:
             stated |= {_IN_TEXT.get((part, k), k): v for k, v in stated.pop(part).items()}
         facts = {k: v for k, v in stated.items() if k != "pins" and (v or k not in _ONLY_STATED)}
@@ -175,7 +175,7 @@ _IN_TEXT = {
     ("overlaps", "releases"): "overlap_releases",
 }
 """Facts of a part whose key in the text is not their name there."""
-_OF_CHOICES = frozenset({"not_via", "called_on"})
+_OF_ENTRIES = frozenset({"not_via", "called_on", "hold"})
 _ONLY_STATED = frozenset(
     {"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted", "hands", "target", "health"}
     | {"title_block", "named_kinds", "no_berths", "signal_releases", "anchors"}

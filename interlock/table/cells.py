@@ -56,6 +56,8 @@ class PointDemand:
     role: Role
     section: SectionId
     because: Because
+    hold: float | None = None
+    """Seconds for which the route holds what the author added to it after it would let it go; None where it does not."""
 
 
 class ProviderKind(StrEnum):

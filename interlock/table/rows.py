@@ -115,6 +115,12 @@ class RouteLocking:
         """The machines that the author has the route lock."""
         return tuple(p for p in self.points if p.role is Role.ADDED)
 
+    @cached_property
+    def hold(self) -> float:
+        """Seconds for which the route holds what was added to it after it would let it go: the longest of its
+        demands'."""
+        return max((p.hold for p in self.added if p.hold is not None), default=0.0)
+
 
 @dataclass(frozen=True)
 class RouteClear:

@@ -53,7 +53,7 @@ class HostileGroup:
     routes: tuple[int, ...]
 
 
-ONLY_STATED = frozenset({"onward", "destination", "passed", "demanded_clear"})
+ONLY_STATED = frozenset({"onward", "destination", "passed", "demanded_clear", "hold"})
 """Keys that are written only where they say something."""
 
 ROUTE = {

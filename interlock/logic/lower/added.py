@@ -3,13 +3,16 @@
 AH: a route holds what was added to it.  From its grant until its train is wholly in its last section, or, where the
 route leads out over a boundary or has no other section, until its last section is released.  The lock that is looked at
 is the last to go, since sections are released from rear to front; the overlap goes when the train stands.
+
+AHI, AHT: where the author asks for it (`hold`), the route holds it so many seconds longer, counted without a break; a
+grant of the same route meanwhile begins anew.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from interlock.logic import names
+from interlock.logic import names, rules
 from interlock.logic.controller import Join, Term
 from interlock.logic.expr import Expr, disj, neg, var
 from interlock.logic.lower.draft import Draft
@@ -64,6 +67,11 @@ def clear(d: Draft, r: RouteRow) -> list[Term]:
     ]
 
 
+def hold_timer(r: RouteRow) -> Name | None:
+    """The timer after which the route lets go what was added to it; None where it does at once."""
+    return names.HOLD_OVER(r.number) if r.locking.hold else None
+
+
 def held(d: Draft, m: MachineId) -> list[Expr]:
     """Some route holds a machine that was added to it."""
     return [var(names.HOLDS_ADDED(r.number)) for r in d.routes.adding.get(m, ())]
@@ -94,14 +102,26 @@ def keep(d: Draft) -> None:
         under_way = disj(
             (var(names.GRANTED(r.number)), var(names.ACTIVE(r.number)), d.sections.lock(*last_left(r)), *overlaps)
         )
+        way, note = under_way, "set, or its train not yet wholly in the last section"
+        if r.locking.hold:
+            way = disj((under_way, neg(_longer(d, r, under_way))))
+            note = f"{note}, or so less than {r.locking.hold:g} s ago"
         d.kept(
             name,
             False,
             f"route {r.id} holds what was added to it",
             Join.ALL,
-            (
-                Term(disj((var(name), var(names.GRANTED(r.number)))), "held or granted"),
-                Term(under_way, "under way", "set, or its train not yet wholly in the last section"),
-            ),
+            (Term(disj((var(name), var(names.GRANTED(r.number)))), "held or granted"), Term(way, "under way", note)),
             f"route {r.id}",
         )
+
+
+def _longer(d: Draft, r: RouteRow, under_way: Expr) -> Expr:
+    """The route has held what was added to it for so many seconds since it was under way."""
+    terms = (
+        Term(var(names.HOLDS_ADDED(r.number)), "held"),
+        Term(neg(under_way), "not under way", "not set, and its train wholly in the last section"),
+    )
+    input_, note = names.HOLD_RUNS(r.number), f"route {r.id} keeps what was added to it"
+    d.wire(input_, Join.ALL, terms, f"route {r.id}", f"{note} ({rules.FLANK_PROTECTION})")
+    return d.timer(names.HOLD_OVER(r.number), input_, r.locking.hold, f"{note} ({rules.FLANK_PROTECTION})")

@@ -118,6 +118,7 @@ def _route(d: Draft, r: RouteRow) -> RouteSymbols:
         names.SHOWN(r.number),
         names.PASSING(r.number) if r.signal.closing.whole is not None else None,
         added.holds(r),
+        added.hold_timer(r),
     )
 
 

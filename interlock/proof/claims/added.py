@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from interlock.logic.expr import FALSE, Expr, conj, disj, iff, implies, neg, var
+from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, iff, implies, neg, var
 from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import Choice, SignalId, of_points, of_sections
 from interlock.model.traversal import Traversal
@@ -65,6 +65,7 @@ def held(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         yield id_, f"{r.id} held", implies(after(var(r.proceed)), after(holds))
         ends = conj((holds, neg(after(holds))))
         yield id_, f"{r.id} given up", implies(ends, neg(disj((var(r.active), after(var(r.active)), _last_lock(f, r)))))
+        yield from _held_longer(f, r)
         for d in of_points(f.layout.declared.demanded):
             if (d.machine, d.position) in r.path.demands and route_fits(f, d.routes, r):
                 commanded = after(var(f.sym.machines.command[d.machine, d.position]))
@@ -74,6 +75,25 @@ def held(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         for r, x in ((r, x) for r in ones for x in others if r is not x):
             both = conj(after(var(name)) for name in (r.added, x.added) if name is not None)
             yield "S-DECLARED", f"{i}: {r.id} and {x.id}", neg(both)
+
+
+def _held_longer(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
+    """What was added is given up when the route's hold is over, and no sooner; the hold does not run before the route
+    would give it up without."""
+    if not hold_s(f, r):
+        return
+    timer = r.hold_timer
+    holds, input_, over = var(r.added) if r.added is not None else FALSE, TRUE, FALSE
+    if timer is not None:
+        input_, over = var(f.timers[timer].input), var(timer)
+    yield "S-DEMANDED", f"{r.id} held longer", implies(conj((holds, neg(f.after(holds)))), over)
+    going = disj((neg(holds), var(r.active), _last_lock(f, r)))
+    yield "S-DEMANDED", f"{r.id} held longer since", implies(input_, neg(going))
+
+
+def hold_s(f: Facts, r: RouteSymbols) -> float:
+    """Seconds for which a route holds what was added to it after it would give it up: the longest of the author's."""
+    return max((d.hold for d in of_points(f.layout.declared.demanded) if route_fits(f, d.routes, r)), default=0.0)
 
 
 def route_fits(f: Facts, choice: Choice, r: RouteSymbols) -> bool:

@@ -13,6 +13,7 @@ from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, iff
 from interlock.logic.names import Name
 from interlock.model.elements import Position, SignalId
 from interlock.model.times import overlap_release_s, supervision_s, whole_ms
+from interlock.proof.claims.added import hold_s
 from interlock.proof.claims.kinds import Facts
 
 
@@ -103,6 +104,7 @@ def _delays(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     ordered |= {name: [supervision_s(f.layout, m), needs.run / 1000] for m, name in f.sym.machines.late_timer.items()}
     ordered |= {name: [rules.release_delay_s] for name in f.sym.sections.release_timer.values()}
     ordered[f.sym.start.restart_timer] = [rules.restart_delay_s, needs.restart / 1000]
+    ordered |= {r.hold_timer: [hold_s(f, r)] for r in f.sym.routes if r.hold_timer is not None}
     if f.sym.machines.start_timer is not None:
         ordered[f.sym.machines.start_timer] = [rules.point_start_gap_s]
     for name, seconds in ordered.items():

@@ -8,6 +8,7 @@ from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, iff, neg, var
 from interlock.logic.names import Name
 from interlock.model.elements import Position, SignalId
 from interlock.model.times import whole_ms
+from interlock.proof.functions.routes import kept_longer
 from interlock.proof.functions.words import Words
 
 
@@ -29,6 +30,7 @@ def delays(w: Words) -> Iterator[tuple[str, str, Expr]]:
         reasons[name] = conj(
             (w.sections.wholly_in(before), f.locking.locked_out(before, node), w.sections.occupied(before))
         )
+    reasons |= {r.hold_timer: kept_longer(w, r) for r in sym.routes if r.hold_timer is not None}
     if sym.machines.start_timer is not None and sym.machines.started is not None:
         reasons[sym.machines.start_timer] = neg(var(sym.machines.started))
     for x in sym.token.values():

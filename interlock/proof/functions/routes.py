@@ -300,15 +300,27 @@ def _added_lie(w: Words, r: RouteSymbols) -> Iterator[Expr]:
 
 
 def _holds_added(w: Words, r: RouteSymbols, name: Name) -> Expr:
-    """What was added is held from the grant until the train is wholly in the last section (R6)."""
+    """What was added is held from the grant until the train is wholly in the last section (R6), and longer where the
+    author asks for it: until that is over, and no longer."""
+    longer = FALSE if r.hold_timer is None else neg(var(r.hold_timer))
+    held = conj((disj((var(name), w.signals.set_now(r))), disj((_under_way(w, r), longer))))
+    return iff(w.after(var(name)), held)
+
+
+def kept_longer(w: Words, r: RouteSymbols) -> Expr:
+    """A route holds what was added to it, and would have given it up."""
+    return FALSE if r.added is None else conj((var(r.added), neg(_under_way(w, r))))
+
+
+def _under_way(w: Words, r: RouteSymbols) -> Expr:
+    """A route is set, its train is not yet wholly in the last section, or its overlap is held."""
     last = w.topo.traversals[r.path.ways[-1][0]][r.path.ways[-1][1] - 1]
     leaves = last.exit in w.layout.track.boundary_at or r.path.berth is not None
     through = r.path.ways if leaves or len(r.path.ways) == 1 else r.path.ways[:-1]
     overlaps = [x for o, x in w.sym.overlaps.held.items() if r.path.overlap is not None and o[0] == r.path.overlap[0]]
     mine = [w.sym.overlaps.held[r.path.overlap]] if r.path.overlap is not None else []
     those = overlaps if r.path.overlap is not None and r.path.overlap[0] in w.sym.overlaps.swings else mine
-    under_way = disj((w.signals.set_now(r), var(r.active), w.f.locking.lock(*through[-1]), *map(var, those)))
-    return iff(w.after(var(name)), conj((disj((var(name), w.signals.set_now(r))), under_way)))
+    return disj((w.signals.set_now(r), var(r.active), w.f.locking.lock(*through[-1]), *map(var, those)))
 
 
 def _overlaps(w: Words, r: RouteSymbols) -> list[tuple[SignalId, int]]:
