@@ -336,6 +336,9 @@ RESTRICTS: dict[str, Case] = {
     "demand.clear": said(
         FORK, DEMAND.replace("point: P1, lies: normal", "clear: q4") % "from: X1", DEMANDED, DEMAND % "from: S1"
     ),
+    "demand.hold": said(
+        FORK, DEMAND.replace("reason", "hold: 30, reason") % "from: X1", "there is no timer AHT_R", DEMAND % "from: X1"
+    ),
     "demand.routes": said(FORK, DEMAND % "from: X1", DEMANDED, DEMAND % "from: Y1"),
     "choice.from": said(FORK, DEMAND % "from: X1", DEMANDED, DEMAND % "from: Y1"),
     "choice.to": said(FORK, HOSTILE % "from: X2, to: B", DECLARED, HOSTILE % "from: X2, to: N3"),

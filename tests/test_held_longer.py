@@ -1,10 +1,11 @@
-"""What a route has locked by `demand` stays held for so many seconds longer (`hold`): beyond the end of a route a train
-may still be running when it is wholly in."""
+"""What a route has locked by `demand` stays held so many seconds longer (`hold`): beyond the end of a route a train may
+still be running when it is wholly in."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -16,19 +17,236 @@ from interlock.derivation import derive
 from interlock.diag import Sink
 from interlock.emit.tables.document import table_json
 from interlock.frontend import load_text
-from interlock.logic.controller import Controller
-from interlock.logic.eval import Interpreter
-from interlock.logic.expr import neg, var
 from interlock.logic.lower import lower
-from interlock.model.layout import Layout
 from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.verdict import Verdict
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
+from interlock.simulate.run import load
 from interlock.table.columns import COLUMNS
-from interlock.table.rows import InterlockingTable
+from interlock.table.national import national_sheets
+from interlock.table.rows import RouteLocking
 from interlock.verify import Rejected
+from tests.campaigns.simulate import Case
+from tests.layouts import grown
+from tests.test_added import made
 from tests.written import told
 
-TEXT = Path("tests/layouts_for_tests/held_longer.yaml").read_text("utf-8")
-NO_SEARCH = Limits(search_s=0)
+FILE = "tests/layouts_for_tests/held_longer.yaml"
+TEXT = Path(FILE).read_text("utf-8")
+AT_ONCE = TEXT.replace("hold: 30, ", "")
+HOLD = "{point: 2, lies: normal, routes: {from: A}, hold: 30, reason: overrun}"
+A, B, N, Y = 1, 2, 3, 4
+"""The routes A-N, B-Y, N-E and Y-E, by number."""
+
+
+class Line:
+    """The emitted runtime with its points, which turn in a second; each scan half a second."""
+
+    def __init__(self) -> None:
+        names = load(Case.of(FILE).runtime)
+        self.controller: Any = names["Controller"]()
+        self.inputs = {n: int(n.startswith(("CLR_", "VALID"))) for n in names["INPUTS"]}
+        self.lies = "N"
+        self.run(700)
+
+    def run(self, seconds: float, **inputs: int) -> None:
+        """So many seconds with these inputs, which stay; a request lasts for one scan."""
+        number = inputs.pop("REQ", 0)
+        self.inputs |= inputs
+        for _ in range(round(2 * seconds)):
+            detected = {f"D{x}_2": int(x == self.lies) for x in "NR"}
+            self.controller.scan(self.inputs | detected | {"REQ": number}, 500)
+            number = 0
+            turned = [x for x in "NR" if self.controller.state[f"C{x}_2"]]
+            self.lies = turned[0] if turned else self.lies
+
+    def until_in(self) -> None:
+        """A train comes in from W, and is wholly in the last section; the lock that it leaves is gone a scan later."""
+        self.run(5, RELALL=1)
+        self.run(5, RELALL=0, REQ=A)
+        assert self.controller.state["S_R1"]
+        self.run(5, CLR_w0=0)
+        self.run(5, CLR_w1=0)
+        self.run(5, CLR_w0=1, CLR_k1=0)
+        self.run(0.5, CLR_w1=1)
+        for _ in range(20):
+            self.run(0.5)
+            if not self.controller.state["L_w1_1"]:
+                return
+        raise AssertionError("w1 is not released")
+
+    def set(self, number: int) -> bool:
+        """Whether a route is set when it is asked for."""
+        self.run(1, REQ=number)
+        return bool(self.controller.state[f"A_R{number}"])
+
+
+def turned(number: int, after_s: float, hand: bool = False) -> bool:
+    """Whether the point turns so many seconds after the train is wholly in, for a route or by hand."""
+    line = Line()
+    line.until_in()
+    line.run(after_s)
+    if hand:
+        line.run(1, MR_2=1)
+    elif not line.set(number):
+        return False
+    return line.lies == "R"
+
+
+@pytest.mark.parametrize("hand", [False, True])
+def test_a_point_beyond_the_end_does_not_move_while_the_train_may_be_running(hand: bool) -> None:
+    assert not turned(Y, 1, hand) and not turned(Y, 28, hand)
+    assert turned(Y, 31, hand)
+
+
+def test_what_is_declared_hostile_to_the_route_is_kept_out_as_long() -> None:
+    for after_s, free in ((1, False), (28, False), (31, True)):
+        line = Line()
+        line.until_in()
+        line.run(after_s)
+        assert line.set(N) is free
+
+
+def test_lost_inputs_do_not_shorten_it_and_a_restart_forgets_it_as_it_does_the_rest() -> None:
+    line = Line()
+    line.until_in()
+    line.run(10)
+    line.run(5, VALID=0)
+    line.run(13, VALID=1)
+    assert not line.set(Y)
+    line.run(3)
+    assert line.set(Y)
+    assert Line().controller.state["AH_R1"] is False
+
+
+def test_it_counts_from_a_cancellation_too() -> None:
+    line = Line()
+    line.run(5, RELALL=1)
+    line.run(5, RELALL=0, REQ=A)
+    line.run(1, CAN_A=1)
+    line.run(28, CAN_A=0)
+    assert not line.controller.state["A_R1"] and line.controller.state["AH_R1"]
+    line.run(3)
+    assert not line.controller.state["AH_R1"]
+
+
+def test_a_grant_of_the_same_route_meanwhile_begins_anew() -> None:
+    line = Line()
+    line.run(5, RELALL=1)
+    line.run(5, RELALL=0, REQ=A)
+    line.run(1, CAN_A=1)
+    line.run(20, CAN_A=0)
+    assert line.set(A)
+    line.run(1, CAN_A=1)
+    line.run(28, CAN_A=0)
+    assert not line.controller.state["A_R1"] and line.controller.state["AH_R1"]
+
+
+# --- table, proof, second checker -----------------------------------------------------------------
+
+
+def test_it_stands_in_the_table_with_its_seconds_and_the_audit_looks_for_them() -> None:
+    layout, table = made(TEXT)
+    (route,) = [r for r in table.routes if r.locking.added]
+    cell = next(c for c in COLUMNS if c.key == "flank_points").text(route)
+    assert cell == "2 N (demanded: overrun; held 30 s longer)" and route.locking.hold == 30
+    assert '"hold":30.0' in table_json(layout, table) and '"hold"' not in table_json(*made(AT_ONCE))
+    short = tuple(replace(p, hold=29.0) for p in route.locking.points)
+    rows = tuple(replace(r, locking=_with(r.locking, short)) if r is route else r for r in table.routes)
+    assert [x.column for x in audit(layout, replace(table, routes=rows))] == ["points"]
+
+
+@pytest.mark.parametrize("profile", ["generic", "uk", "de", "cn"])
+def test_it_stands_in_every_national_form(profile: str) -> None:
+    with_, without = (
+        [s.rows for s in national_sheets(*made(text.replace("_kmh: 40", "_kmh: 40, overlap_m: 0"))) if s.of_routes]
+        for text in (f"{x}profile: {profile}\n" for x in (TEXT, AT_ONCE))
+    )
+    assert with_ != without
+
+
+def _with(locking: RouteLocking, points: Any) -> RouteLocking:
+    return replace(locking, points=points)
+
+
+def test_it_is_proved_and_the_second_checker_agrees() -> None:
+    layout, table = made(TEXT)
+    result = prove(System(layout, lower(layout, table)), Limits(search_s=0))
+    assert {c.verdict for c in result.claims} == {Verdict.PROVED} and not result.dropped
+    assert agree(*told(TEXT), specification.shipped()).left == ()
+
+
+@pytest.mark.parametrize(
+    ("controller", "why"),
+    [
+        (AT_ONCE, "there is no timer AHT_R1"),
+        (TEXT.replace("hold: 30", "hold: 29.999"), "claim D-PRESET lacks"),
+    ],
+)
+def test_a_controller_that_lets_go_sooner_is_refused_by_the_second_checker(controller: str, why: str) -> None:
+    _, system, text = told(controller)
+    with pytest.raises(Rejected, match=why):
+        agree(loaded(TEXT), system, text, specification.shipped())
+
+
+def test_a_time_that_nobody_asks_for_is_refused_by_the_second_checker() -> None:
+    _, system, text = told(TEXT)
+    with pytest.raises(Rejected, match=r"S-DEMANDED|D-PRESET"):
+        agree(loaded(AT_ONCE), system, text, specification.shipped())
+
+
+def test_the_longest_of_the_demands_of_a_route_counts() -> None:
+    text = TEXT + "  - " + HOLD.replace("30", "45").replace("overrun", "a steep grade") + "\n"
+    for layout_text in (text, TEXT.replace(f"  - {HOLD}\n", text[len(TEXT) :] + f"  - {HOLD}\n")):
+        layout, table = made(layout_text)
+        (route,) = [r for r in table.routes if r.locking.added]
+        assert [p.hold for p in route.locking.added] == [45]
+        assert {t.name: t.preset_ms for t in lower(layout, table).timers}["AHT_R1"] == 45_000
+        assert agree(*told(layout_text), specification.shipped()).left == ()
+
+
+def test_zero_seconds_are_none() -> None:
+    one, other = grown(TEXT.replace("hold: 30", "hold: 0")), grown(AT_ONCE)
+    assert one is not None and other is not None and one[0].digest == other[0].digest
+    assert lower(*one[:2]).steps == lower(*other[:2]).steps
+
+
+# --- what cannot be -------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("hold", "code", "said"),
+    [
+        ("-1", "IL1014", "-1 s is no time to hold points (0 to 3600 s)"),
+        ("3601", "IL1014", "3601 s is no time to hold points (0 to 3600 s)"),
+        ("30 s", "IL1013", "'30 s' is not a number"),
+        ("[30]", "IL1013", "a number is expected"),
+    ],
+)
+def test_a_hold_is_a_number_of_seconds(hold: str, code: str, said: str) -> None:
+    sink, text = Sink(), TEXT.replace("hold: 30", f"hold: {hold}")
+    assert load_text("held_longer.yaml", text, sink)[0] is None
+    (found,) = [d for d in sink.diagnostics if d.severity == "error"]
+    assert (found.code, said in found.message) == (code, True), found
+    with pytest.raises(Rejected):
+        agree(loaded(text), *told(TEXT)[1:], specification.shipped())
+
+
+def test_a_section_that_is_demanded_clear_is_not_held() -> None:
+    sink, text = Sink(), TEXT.replace("point: 2, lies: normal", "clear: T2")
+    assert load_text("held_longer.yaml", text, sink)[0] is None
+    (found,) = [d for d in sink.diagnostics if d.severity == "error"]
+    assert found.code == "IL3034" and "never held" in found.message
+    with pytest.raises(Rejected, match="clear is held longer"):
+        agree(loaded(text), *told(TEXT)[1:], specification.shipped())
+
+
+def test_a_point_that_lies_so_anyway_cannot_be_held_longer() -> None:
+    """On the path, as flank protection or in an overlap it goes with the sections that ask for it."""
+    sink = Sink()
+    layout, _ = load_text("held_longer.yaml", TEXT.replace("from: A}, hold", "from: N}, hold"), sink)
+    assert layout is not None
+    derive(layout, sink)
+    (found,) = [d for d in sink.diagnostics if d.severity == "error"]
+    assert found.code == "IL4011" and "2 N cannot be held 30 s longer for N-E" in found.message

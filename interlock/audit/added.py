@@ -45,7 +45,11 @@ def added(layout: Layout, table: InterlockingTable, matched: Mapping[str, Trip])
         clear = {d.section for d in of_sections(layout.declared.demanded) if chosen(d.routes, mine)}
         if {c.section for c in r.clear.demanded or ()} != clear:
             yield r.id, "sections", f"demanded clear are {', '.join(sorted(clear)) or 'none'}"
-        asked = {(d.machine, d.position) for d in of_points(layout.declared.demanded) if chosen(d.routes, mine)}
+        wishes = [d for d in of_points(layout.declared.demanded) if chosen(d.routes, mine)]
+        longest = max((d.hold for d in wishes), default=0)
+        if max((p.hold or 0 for p in r.locking.points if p.role == "added"), default=0) != longest:
+            yield r.id, "points", f"what is demanded is held {longest:g} s longer"
+        asked = {(d.machine, d.position) for d in wishes}
         lies = {(p.machine, p.position) for p in r.locking.points}
         for m, x in sorted(asked - lies):
             yield r.id, "points", f"{m} {x} is demanded"

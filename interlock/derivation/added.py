@@ -145,7 +145,13 @@ def _contradicts(layout: Layout, d: Demanded, p: Path, lies: PointDemand | None,
 def _never_longer(d: Demanded, p: Path, lies: PointDemand, i: int, sink: Sink) -> None:
     text = f"{d.machine} {d.position} cannot be held {d.hold:g} s longer for {p.id}: it lies so there anyway"
     fix = "remove `hold`, or choose fewer routes: what a path, its flanks or its overlap lock goes with their sections"
-    sink.add("IL4011", f"{text}, and is let go with what asks for it: {lies.because.text}", None, fix, about=Element("demand", i))
+    sink.add(
+        "IL4011",
+        f"{text}, and is let go with what asks for it: {lies.because.text}",
+        None,
+        fix,
+        about=Element("demand", i),
+    )
 
 
 def idle_barred(layout: Layout, paths: Sequence[Path], hostile: Mapping[RouteId, int], sink: Sink) -> None:

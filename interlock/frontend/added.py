@@ -41,7 +41,9 @@ def resolve_demanded(ctx: Context, wiring: Wiring) -> tuple[Demanded | DemandedC
             fix = "write `point: 3, lies: normal`, or `clear: s7`; for both write two demands"
             ctx.add("IL3034", text, ctx.at("demand", i), fix)
         elif idle:
-            text = f"a demand of {x.clear} clear, held {x.hold:g} s longer: a section that is demanded clear is never held"
+            text = (
+                f"a demand of {x.clear} clear, held {x.hold:g} s longer: a section that is demanded clear is never held"
+            )
             fix = "remove `hold`; where no other movement shall run over it meanwhile, demand a point, too"
             ctx.add("IL3034", text, ctx.at("demand", i, "hold"), fix)
         elif x.clear is not None and x.clear not in wiring.sections:

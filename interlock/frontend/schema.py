@@ -13,12 +13,12 @@ from interlock.diag.codes import LINTS
 from interlock.frontend.keys import Part, key
 from interlock.frontend.principles import PrinciplesSpec
 from interlock.frontend.scalars import (
-    Hold,
     XY,
     Approach,
     Count,
     End,
     FolderName,
+    Hold,
     Item,
     Kilometre,
     Kmh,
@@ -359,8 +359,7 @@ class DemandSpec(Part):
     clear: Name | None = key("a section, clear while the signal shows proceed; without it, `point` and `lies`", None)
     routes: ChoiceSpec = key("the routes that demand it")
     hold: Hold = key(
-        "seconds for which the routes hold what was added to them after they would let it go, 0 to 3600; not with "
-        "`clear`",
+        "seconds for which the routes hold what was added to them after they would let it go; not with `clear`",
         0.0,
     )
     reason: Reason = key("why they do; not empty")

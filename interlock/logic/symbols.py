@@ -205,6 +205,8 @@ class RoutePath:
     """Numbers of the routes that the author declares hostile."""
     demands: tuple[tuple[MachineId, Position], ...] = ()
     """Machines that the author has it lock."""
+    hold_timer: Name | None = None
+    """The timer that runs while it holds longer what the author has added to it, and is not under way any more."""
 
 
 @dataclass(frozen=True)
@@ -227,8 +229,6 @@ class RouteSymbols:
     passing: Name | None = None
     added: Name | None = None
     """The variable that tells that it holds what the author has added to it: hostile routes and points."""
-    hold_timer: Name | None = None
-    """The timer that runs while it holds that longer, no more under way."""
 
     @property
     def open_while(self) -> tuple[Name, ...]:

@@ -57,7 +57,7 @@ class PointDemand:
     section: SectionId
     because: Because
     hold: float | None = None
-    """Seconds for which the route holds what the author added to it after it would let it go; None where it does not."""
+    """Seconds for which the route holds what was added to it after it would let it go; None where it does not."""
 
 
 class ProviderKind(StrEnum):

@@ -9,7 +9,7 @@ from dataclasses import replace
 from functools import cached_property
 
 from interlock.dataclass import dataclass
-from interlock.model.elements import CrossingId, NodeId, RouteId, SectionId, SignalId
+from interlock.model.elements import CrossingId, MachineId, NodeId, RouteId, SectionId, SignalId
 from interlock.table.cells import (
     ApproachCell,
     AspectCell,
@@ -120,6 +120,11 @@ class RouteLocking:
         """Seconds for which the route holds what was added to it after it would let it go: the longest of its
         demands'."""
         return max((p.hold for p in self.added if p.hold is not None), default=0.0)
+
+    @property
+    def held_longer(self) -> tuple[MachineId, ...]:
+        """The machines that it holds so."""
+        return tuple(p.machine for p in self.added) if self.hold else ()
 
 
 @dataclass(frozen=True)

@@ -118,7 +118,6 @@ def _route(d: Draft, r: RouteRow) -> RouteSymbols:
         names.SHOWN(r.number),
         names.PASSING(r.number) if r.signal.closing.whole is not None else None,
         added.holds(r),
-        added.hold_timer(r),
     )
 
 
@@ -132,6 +131,7 @@ def _path(d: Draft, r: RouteRow) -> RoutePath:
         tuple(x.number for x in d.routes.leading_past(r)),
         tuple(d.table.route[c.route].number for c in r.locking.barred),
         tuple((p.machine, p.position) for p in r.locking.added),
+        added.hold_timer(r),
     )
 
 

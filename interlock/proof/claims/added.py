@@ -82,7 +82,7 @@ def _held_longer(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
     would give it up without."""
     if not hold_s(f, r):
         return
-    timer = r.hold_timer
+    timer = r.path.hold_timer
     holds, input_, over = var(r.added) if r.added is not None else FALSE, TRUE, FALSE
     if timer is not None:
         input_, over = var(f.timers[timer].input), var(timer)

@@ -30,7 +30,7 @@ def delays(w: Words) -> Iterator[tuple[str, str, Expr]]:
         reasons[name] = conj(
             (w.sections.wholly_in(before), f.locking.locked_out(before, node), w.sections.occupied(before))
         )
-    reasons |= {r.hold_timer: kept_longer(w, r) for r in sym.routes if r.hold_timer is not None}
+    reasons |= {r.path.hold_timer: kept_longer(w, r) for r in sym.routes if r.path.hold_timer is not None}
     if sym.machines.start_timer is not None and sym.machines.started is not None:
         reasons[sym.machines.start_timer] = neg(var(sym.machines.started))
     for x in sym.token.values():

@@ -302,7 +302,7 @@ def _added_lie(w: Words, r: RouteSymbols) -> Iterator[Expr]:
 def _holds_added(w: Words, r: RouteSymbols, name: Name) -> Expr:
     """What was added is held from the grant until the train is wholly in the last section (R6), and longer where the
     author asks for it: until that is over, and no longer."""
-    longer = FALSE if r.hold_timer is None else neg(var(r.hold_timer))
+    longer = FALSE if r.path.hold_timer is None else neg(var(r.path.hold_timer))
     held = conj((disj((var(name), w.signals.set_now(r))), disj((_under_way(w, r), longer))))
     return iff(w.after(var(name)), held)
 

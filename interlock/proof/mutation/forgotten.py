@@ -8,8 +8,8 @@ from dataclasses import replace
 from interlock.derivation import derive
 from interlock.diag import Sink
 from interlock.logic import names
-from interlock.logic.controller import Controller
-from interlock.logic.expr import FALSE, disj, var
+from interlock.logic.controller import Controller, Equation
+from interlock.logic.expr import FALSE, TRUE, Substitution, disj, var
 from interlock.logic.lower import lower
 from interlock.model.elements import BoundaryKind, BufferKind
 from interlock.model.layout import Layout
@@ -117,3 +117,29 @@ def let_go(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
                 early = (e.terms[0], e.terms[1]._replace(expr=disj((var(names.GRANTED(r.number)), var(r.active)))))
                 following = tuple(replace(e, terms=early) if x is e else x for x in c.next)
                 yield r.id, replace(c, next=following)
+
+
+def no_longer(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """What the author has held longer is given up without that."""
+    c = lower(layout, table)
+    for r in c.symbols.routes:
+        if r.path.hold_timer is not None:
+            at_once = Substitution({r.path.hold_timer: TRUE})
+            shorter = tuple(
+                replace(e, terms=tuple(t._replace(expr=at_once(t.expr)) for t in e.terms)) if e.name == r.added else e
+                for e in c.next
+            )
+            yield r.id, replace(c, next=shorter)
+
+
+def counted_early(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """What the author has held longer is held for so long from the grant on, while the train may still be coming."""
+    c = lower(layout, table)
+    inputs = {t.name: t.input for t in c.timers}
+    for r in c.symbols.routes:
+        if r.path.hold_timer is not None:
+            early = inputs[r.path.hold_timer]
+            steps = tuple(
+                replace(s, terms=s.terms[:1]) if isinstance(s, Equation) and s.name == early else s for s in c.steps
+            )
+            yield r.id, replace(c, steps=steps)

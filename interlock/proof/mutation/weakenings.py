@@ -457,6 +457,8 @@ KINDS: tuple[Kind, ...] = (
     Kind("entrance-left-by", "a route leaves where trains only come in", forgotten.more(forgotten.entrances)),
     Kind("call-on-unasked", "a signal calls on that the layout does not let call on", forgotten.more(forgotten.calls)),
     Kind("added-let-go", "what the author added is given up when the train has passed the signal", forgotten.let_go),
+    Kind("held-no-longer", "what is to be held longer is given up when the train is wholly in", forgotten.no_longer),
+    Kind("held-from-the-grant", "what is to be held longer is held so from the grant on", forgotten.counted_early),
     Kind("added-to-called-on-forgotten", "what is added to call-on routes alone is forgotten", forgotten.to_called_on),
     Kind("speed-not-shown", "a speed is not shown", forgotten.speeds_dark),
     Kind("speed-too-high", "a signal shows the speed of another route", _too_fast),

@@ -406,7 +406,8 @@ class _Form:
         return bool(self._facing(r)[t.kind is not RouteKind.MAIN]) and self._meet(r, t)
 
     def _other(self, r: RouteRow) -> str:
-        """The block of the line on which a train departs (BS: 闭塞), and the overlap, which has no column."""
+        """The block of the line on which a train departs (BS: 闭塞), the overlap, which has no column, and what stays
+        locked longer."""
         block = (
             self.layout.track.boundary_at[self._way(r.path.traversals[-1]).exit].block
             if self._departing(r)
@@ -414,7 +415,8 @@ class _Form:
         )
         parts = ["BS"] if block is BlockKind.SEMI_AUTOMATIC else []
         overlap = [self._overlap(r, r.locking.overlap)] if r.locking.overlap is not None else []
-        return "、".join([*parts, *(c for c in r.requirements if not self._is_block(c)), *overlap])
+        longer = [f"{m} 延时 {r.locking.hold:g} s 解锁" for m in r.locking.held_longer]
+        return "、".join([*parts, *(c for c in r.requirements if not self._is_block(c)), *overlap, *longer])
 
     def _overlap(self, r: RouteRow, over: OverlapCell) -> str:
         """An overlap's sections, its points, those that protect it, and the speed for which it is made."""

@@ -129,6 +129,7 @@ def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
         notes.append(f"{before.exit} zeigt Kennlicht; Fahrweg dahinter wie {past.id} in der Verschlusstafel")
         if before.locking.overlap is not None:
             notes.append(f"{overlap_name(before)} von {before.exit} mitverschlossen")
+    notes += [f"{m} {r.locking.hold:g} s länger verschlossen" for m in r.locking.held_longer]
     if r.kind is RouteKind.CALL_ON:
         notes.append("Ersatzsignal: besetzte Abschnitte erlaubt")
     if r.path.berth is not None:

@@ -117,6 +117,7 @@ def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
     said += [*r.requirements] + [f"{b.section} clear (line)" for b in r.conditions.block]
     if r.signal.closing.whole is not None:
         said.append(f"replaced by last wheel: {r.signal.closing.whole} clear")
+    said += [f"{m} held {r.locking.hold:g} s longer" for m in r.locking.held_longer]
     if r.path.berth is not None:
         said.append(f"{r.path.berth} may be occupied")
     if r.locking.overlap is not None and r.locking.overlap.swings:
