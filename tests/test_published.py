@@ -108,7 +108,7 @@ def test_overlaps_and_deciding_points_of_the_german_example_are_those_published(
 
 
 def test_what_the_author_of_komano_adds_is_what_the_table_has_beyond_the_track() -> None:
-    assert additions("komano") == {"exclude": 4, "demand": 9, "hostile": 16, "sections": 8}
+    assert additions("komano") == {"exclude": 4, "demand": 11, "hostile": 16, "sections": 8}
     bare, full = compare(station("komano", bare=True)), compared("komano")
     assert {d.column for d in bare.unexplained} == {"route", "points", "clear", "hostile"}
     assert not [d for d in bare.unexplained if d.side == "derived" and d.column != "route"], "additions only restrict"
