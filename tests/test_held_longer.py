@@ -3,6 +3,7 @@ still be running when it is wholly in."""
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -250,3 +251,39 @@ def test_a_point_that_lies_so_anyway_cannot_be_held_longer() -> None:
     derive(layout, sink)
     (found,) = [d for d in sink.diagnostics if d.severity == "error"]
     assert found.code == "IL4011" and "2 N cannot be held 30 s longer for N-E" in found.message
+
+
+# --- of other routes ------------------------------------------------------------------------------
+
+OVERLAP = (
+    TEXT.replace("_kmh: 40", "_kmh: 40, overlap_m: 20")
+    .replace("side: [S, s1 300]", "side: [S, s1 300]\n  near: [u1 100]\n  stub: [v1 60, V]")
+    .replace(
+        "reverse: side.end}",
+        "reverse: near.end}\n  3: {section: T3, toe: side.end, normal: near.start, reverse: stub.start}",
+    )
+    .replace("\ntracks:", "\nbuffers: [V]\ntracks:")
+    .replace("into: T2}\nhostile", "into: T3}\nhostile")
+    .replace("point: 2, lies: normal", "point: 3, lies: reverse")
+)
+"""The point 2 lies in the overlap beyond N; held longer is another one, which leads away whoever overruns Y."""
+
+
+def longer(name: str) -> str:
+    """A layout of the tests, all of whose demands of points are held longer."""
+    text = Path(f"tests/layouts_for_tests/{name}.yaml").read_text("utf-8")
+    return re.sub(r"(\{point: [^\n]*), reason", r"\1, hold: 12.5, reason", text)
+
+
+@pytest.mark.parametrize(
+    ("text", "routes"), [(longer("added"), 1), (longer("called_on"), 1), (longer("air_lock"), 4), (OVERLAP, 1)]
+)
+def test_it_is_proved_of_routes_to_a_boundary_of_call_on_routes_of_doors_and_with_an_overlap(
+    text: str, routes: int
+) -> None:
+    layout, table = made(text)
+    controller = lower(layout, table)
+    assert sum(str(t.name).startswith("AHT_") for t in controller.timers) == routes
+    result = prove(System(layout, controller), Limits(search_s=0))
+    assert {c.verdict for c in result.claims} == {Verdict.PROVED} and not result.dropped
+    assert agree(*told(text), specification.shipped()).left == ()
