@@ -35,7 +35,7 @@ def check_loops(ctx: Context, layout: Layout) -> None:
         for x in Position:
             if p.derailer:
                 continue
-            here = _ways(layout, p, x)
+            here = _ways(layout, p, x, only_back=True)
             if here.back != {x.other} or here.boundaries or here.ends:
                 continue
             there = _ways(layout, p, x.other)
@@ -54,15 +54,12 @@ def check_loops(ctx: Context, layout: Layout) -> None:
             )
 
 
-def _ways(layout: Layout, p: Point, x: Position) -> _Ways:
+def _ways(layout: Layout, p: Point, x: Position, only_back: bool = False) -> _Ways:
+    """Where one comes over a leg.  only_back: it is enough to know of one way that leads elsewhere."""
     todo, seen = [(p.leg(x), p.node)], set[tuple[EdgeId, NodeId]]()
-    back, boundaries, trailing, ends = (
-        set[Position](),
-        dict[NodeId, None](),
-        dict[tuple[PointId, Position], None](),
-        False,
-    )
-    while todo:
+    back, boundaries = set[Position](), dict[NodeId, None]()
+    trailing, ends = dict[tuple[PointId, Position], None](), False
+    while todo and not (only_back and (ends or boundaries)):
         edge, node = todo.pop()
         e = layout.track.edge[edge]
         if (edge, node) in seen or (e.one_way and e.a != node):
