@@ -375,7 +375,9 @@ def test_an_overlap_swings_until_a_train_is_close() -> None:
     steps(sim, 1, ("appear.wa",))
     steps(sim, 4, REQ=number(sim, "X1-X2"))
     assert sim.is_on("V_X2_1") and sim.is_on("CN_P1")
+    assert not on(sim, "YS_X1")
     first = steps(sim, 1, REQ=swing)
+    assert on(sim, "YS_X1") and on(sim, "YR_P1"), "stop in the scan in which the points are driven"
     assert "V_X2_2" in first[0] and "V_X2_1" not in first[0] and "VF_X2" not in first[0]
     steps(sim, 4)
     assert sim.is_on("VF_X2") and sim.is_on("at.P1.R") and on(sim, "YS_X1")  # it has turned; X1 opens when asked again

@@ -385,6 +385,11 @@ class Terminals(Lamps):
         """The signals with an overlap that may swing, in the order of their names."""
         return sorted((g for g in self.r.signals.values() if f"VS_{g.safe}" in self.state), key=lambda g: g.name)
 
+    def w_swinging_beyond(self, p: Path) -> list[Signal]:
+        """The signal at the end of a path, if its overlap may swing."""
+        g = self.r.main_into.get((p.last.exit, self.r.track.beyond(p.last.section, p.last.exit) or ""))
+        return [x for x in self.w_swinging() if g is not None and x.name == g.name]
+
     def w_swings(self, g: Signal) -> Formula:
         """The overlap of a signal is on its way from one alternative to another."""
         return leaf(f"VS_{g.safe}")

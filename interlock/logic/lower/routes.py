@@ -299,6 +299,7 @@ def _passing(d: Draft, r: RouteRow) -> None:
             Term(d.sections.occupied(whole), "still passing", f"{whole} occupied"),
             Term(d.sections.occupied(first), "first section occupied", f"{first} occupied"),
             *ways.passing_terms(d, r),
+            *ways.not_swinging(d, r),
             *_beside(d, r),
             *_identifier(d, r),
         ),
@@ -377,12 +378,14 @@ def _opens(d: Draft, r: RouteRow, stays: Term, stop: tuple[Term, ...]) -> None:
             stays,
             *stop,
             *_lamp_terms(d, r),
+            *ways.not_swinging(d, r),
             *past,
         ),
         group,
         f"proceed for route {r.id} ({rules.PROCEED}, {rules.SIGNALS})",
     )
-    kept = conj((var(names.CONDITIONS(k)), *(t.expr for t in _lamp_terms(d, r)), *_kept_past(d, r, past)))
+    needed = (*_lamp_terms(d, r), *ways.not_swinging(d, r))
+    kept = conj((var(names.CONDITIONS(k)), *(t.expr for t in needed), *_kept_past(d, r, past)))
     d.wire(
         names.CONDITION_LOST(k),
         Join.ALL,

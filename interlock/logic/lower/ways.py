@@ -284,6 +284,15 @@ def _some_overlap_lies(d: Draft, r: RouteRow) -> list[Term]:
     return [Term(var(names.OVERLAP_LIES(r.locking.overlap.signal)), "overlap lies", note)]
 
 
+def not_swinging(d: Draft, r: RouteRow) -> list[Term]:
+    """The overlap of the route does not begin to swing in this scan: its points are driven from where they lie (R4)."""
+    cell = r.locking.overlap
+    if cell is None or not cell.swings:
+        return []
+    begins = disj(var(swing_wire(d, cell.signal, k)) for k in d.overlaps.swinging[cell.signal])
+    return [Term(neg(begins), "overlap stays", f"the overlap of {cell.signal} does not swing")]
+
+
 def swung(d: Draft) -> None:
     """For each signal whose overlap swings: the alternative that is held lies and is clear."""
     for g in d.overlaps.swinging:

@@ -307,6 +307,8 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
     over = () if exit_ is None or shunt else f.track.overlap_paths(exit_)
     if over and exit_ is not None:
         yield "S-OVERLAP", "", implies(here, disj(overlap_ready(f, ways) for ways in over))
+        if exit_ in f.sym.overlaps.swings:
+            yield "S-OVERLAP", "stays", implies(here, neg(after(var(f.sym.overlaps.swings[exit_]))))
         yield from entry(f, signal, path, exit_, over)
     if not shunt and f.layout.principles.caution is not Caution.NEVER:
         clear = conj((clear_aspect(f, signal), after(lie(f, path.ways))))

@@ -342,6 +342,8 @@ def _in_order(w: Words, r: RouteSymbols, wide: bool, clear: bool = True) -> Iter
     yield w.valid
     yield from _lie(w, r, wide, clear)
     yield w.ways.overlap_lies(r, wide)
+    if r.path.overlap is not None and r.path.overlap[0] in sym.overlaps.swings:
+        yield neg(w.after(var(sym.overlaps.swings[r.path.overlap[0]])))
     yield from _added_lie(w, r)
     for s, _ in (*r.path.ways, *([r.path.berth] if r.path.berth is not None else [])):
         yield neg(w.ways.blocked(s))
