@@ -247,6 +247,8 @@ class Guide:
         waits = file.places[file.fleet[train].at].at
         if outside:
             made.approaches(waits)
+            if trip is not None:
+                made.comes_in(trip)
         elif trip is not None:
             made.stands(trip, self.where.get(train), self._now_ms, load.at, waits)
         phase = "to load" if trip is None else trip.phase

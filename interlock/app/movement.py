@@ -7,7 +7,7 @@ braking, reaction) and of the drivers who are simulated.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from math import ceil, floor, inf
 
 from interlock.app.setting import CYCLE_MS, Setting
@@ -129,10 +129,18 @@ class Movement:
             ahead = path[here + 1 :]
             self._comes(self._metres[where.section], now_ms - where.since_ms, bool(ahead))
             self._behind(path[: here + 1], now_ms - where.since_ms)
-        for x in ahead:
+        self._led(ahead)
+        self._inside = any(x in self._inner for x in self._held)
+
+    def comes_in(self, trip: Trip) -> None:
+        """It has not come yet, and runs over what is set for it."""
+        self._led([str(x) for stage in trip.run.way.granted[trip.run.way.at :] for x in stage.sections])
+
+    def _led(self, sections: Iterable[str]) -> None:
+        """Over sections that are locked for it."""
+        for x in sections:
             self._seconds += self._metres[x] / self._speed
             self._hold(x, None, self._seconds + self._tail + self._released)
-        self._inside = any(x in self._inner for x in self._held)
 
     def _behind(self, path: Sequence[str], ms: int) -> None:
         """It holds the section in which its head is, and those behind it until its tail has left them."""
