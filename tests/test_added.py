@@ -290,10 +290,11 @@ def more_than(one: Controller, other: Controller) -> list[str]:
     route, lets a machine move, opens a signal, locks a section, or gives one back."""
     cnf, asked = Cnf(), {}
     nothing = conj(neg(other.expanded[f"G_R{r.number}"]) for r in other.symbols.routes)  # a grant locks again
+    still = conj(neg(other.next_state[x]) for x in other.symbols.overlaps.swings.values())  # a swing closes its signals
     for r in one.symbols.routes:
         grant = f"G_R{r.number}"
         asked[grant] = conj((one.expanded[grant], neg(other.expanded[grant])))
-        asked[r.proceed] = conj((one.next_state[r.proceed], neg(other.next_state[r.proceed])))
+        asked[r.proceed] = conj((still, one.next_state[r.proceed], neg(other.next_state[r.proceed])))
     for m in dict.fromkeys(m for m, _ in one.symbols.machines.command):
         moves = f"MOV_{portable(m)}"
         asked[moves] = conj((one.expanded[moves], neg(other.expanded[moves])))

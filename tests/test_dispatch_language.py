@@ -100,11 +100,16 @@ def test_more_trains_than_standing_room() -> None:
 
 
 def test_a_blocked_place_is_no_standing_room() -> None:
-    more = "".join(f"\n  {k}: {{length: 60, at: house}}" for k in (5, 6))
-    text = HEISHAN.replace("capacity: 8", "capacity: 1").replace("\nfleet:", f"\nfleet:{more}", 1)
-    assert told(text) == [], "six trains, seven places"
-    assert told(f"{text}\nblocked: [c2]\n") == []
-    assert told(f"{text}\nblocked: [c2, s10_xc4]\n") == ["IL6009"], "by name or by section"
+    more = "".join(f"\n  {k}: {{length: 60, at: c{k - 4}}}" for k in (5, 7, 8))
+    text = HEISHAN.replace("capacity: 8", "capacity: 4").replace("\nfleet:", f"\nfleet:{more}", 1)
+    assert "IL6009" not in told(text), "seven trains, ten places"
+    assert "IL6009" not in told(f"{text}\nblocked: [c2, c5]\n")
+    assert "IL6009" in told(f"{text}\nblocked: [c2, c5, s10_xc4, c3]\n"), "by name or by section"
+
+
+def test_more_trains_begin_at_a_place_than_it_holds() -> None:
+    assert told(HEISHAN.replace("capacity: 8", "capacity: 4")) == []
+    assert told(HEISHAN.replace("capacity: 8", "capacity: 3")) == ["IL6009"]
 
 
 def test_a_fleet_of_none_or_too_many() -> None:
