@@ -318,8 +318,8 @@ def test_the_tail_of_a_long_train_is_not_in_its_way(tmp_path: Path, length: int)
 
 @pytest.mark.parametrize("load", ["w1", "w2", "a"])
 def test_no_train_comes_towards_a_boundary_over_which_another_is_to_run_out(tmp_path: Path, load: str) -> None:
-    """Its route was set, and it was not on the line yet: the other one came, and for good both stood.  What is set for a
-    train that has not come yet is its own (w1: KeyError)."""
+    """Its route was set, and it was not on the line yet: the other one came, and for good both stood.  What is set for
+    a train that has not come yet is its own."""
     w = looped(tmp_path, load, 60, planned=True)
     assert w.trains == 4 and not any(w.wrong.counts().values()) and w.alarms == []
 
