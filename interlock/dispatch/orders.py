@@ -252,18 +252,13 @@ class Derivation:
                 text += f", {MARGIN_M:g} m of them left by drivers at its end" if p.capacity * longest <= metres else ""
                 fix = "lower its capacity" if p.capacity > 1 else "take shorter trains"
                 self.sink.add("IL6009", text, self.orders.at("places", name), fix)
-        shut = self.file.closed & self.sections
-        room = sum(p.capacity for n, p in self.file.places.items() if n not in self.file.blocked and p.at not in shut)
-        if self.file.places and len(self.file.fleet) > room:
-            left = " that are not blocked" if self.file.blocked else ""
-            text = f"{len(self.file.fleet)} trains have {room} places to stand{left}"
-            self.sink.add("IL6009", text, self.orders.at("fleet", key=True), "add waiting places, or their capacity")
-            room = 0
-        for name, p in self.file.places.items() if room else ():
+        for name, p in self.file.places.items():
             begin = sum(train.at == name for train in self.file.fleet.values())
-            if begin > p.capacity:
-                text = f"{begin} trains begin at {name}, which holds {p.capacity}"
-                fix = "raise its `capacity`, or let some trains begin elsewhere"
+            shut = name in self.file.blocked or p.at in self.file.closed & self.sections
+            if begin > (0 if shut else p.capacity):
+                holds = "is blocked" if shut else f"holds {p.capacity}"
+                text = f"{begin} train{'s begin' if begin > 1 else ' begins'} at {name}, which {holds}"
+                fix = "let them begin elsewhere" if shut else "raise its `capacity`, or let some trains begin elsewhere"
                 self.sink.add("IL6009", text, self.orders.at("places", name), fix)
         first: dict[str, str] = {}
         for number, train in self.file.fleet.items():
