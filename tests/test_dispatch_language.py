@@ -102,7 +102,7 @@ def test_more_trains_than_standing_room() -> None:
 def test_more_trains_begin_at_a_place_than_it_holds() -> None:
     assert told(HEISHAN.replace("capacity: 8", "capacity: 4")) == []
     assert told(HEISHAN.replace("capacity: 8", "capacity: 3")) == ["IL6009"]
-    assert "IL6009" in told(f"{HEISHAN}\nblocked: [house]\n"), "nobody stands in what is blocked"
+    assert "IL6013" in told(f"{HEISHAN}\nblocked: [house]\n"), "nobody begins where it is blocked"
 
 
 def test_a_fleet_of_none_or_too_many() -> None:

@@ -254,11 +254,9 @@ class Derivation:
                 self.sink.add("IL6009", text, self.orders.at("places", name), fix)
         for name, p in self.file.places.items():
             begin = sum(train.at == name for train in self.file.fleet.values())
-            shut = name in self.file.blocked or p.at in self.file.closed & self.sections
-            if begin > (0 if shut else p.capacity):
-                holds = "is blocked" if shut else f"holds {p.capacity}"
-                text = f"{begin} train{'s begin' if begin > 1 else ' begins'} at {name}, which {holds}"
-                fix = "let them begin elsewhere" if shut else "raise its `capacity`, or let some trains begin elsewhere"
+            if begin > p.capacity:
+                text = f"{begin} trains begin at {name}, which holds {p.capacity}"
+                fix = "raise its `capacity`, or let some trains begin elsewhere"
                 self.sink.add("IL6009", text, self.orders.at("places", name), fix)
         first: dict[str, str] = {}
         for number, train in self.file.fleet.items():
