@@ -11,7 +11,10 @@ from typing import Any
 
 import pytest
 
+from interlock.app.run import Ready
+from interlock.panel.desk import Desk
 from tests.browsers import browser
+from tests.panels import panel, proved, quick
 
 TOP = Path(__file__).resolve().parent.parent
 LEFT = pytest.StashKey[int]()
@@ -80,3 +83,19 @@ def chromium() -> Iterator[Any]:
     """A browser for all tests of a module; each opens contexts of its own."""
     with browser() as found:
         yield found
+
+
+@pytest.fixture(scope="module")
+def ready(tmp_path_factory: pytest.TempPathFactory) -> Ready:
+    """Heishan with short delays, proved, for the tests of the panel."""
+    return proved(quick(tmp_path_factory.mktemp("panel")))
+
+
+@pytest.fixture(scope="module")
+def at_work(ready: Ready) -> Iterator[tuple[Desk, Any]]:
+    """A panel that several tests use; each leaves it without routes, trains and faults."""
+    with panel(ready) as (desk, browser):
+        with browser() as b:
+            b.ask("speed", times=10)
+            b.released()
+        yield desk, browser

@@ -119,3 +119,49 @@ def unproved(text: str) -> Ready:
         allocation = allocate(layout, controller)
     proved = Proved(Checked(path, source, ()))
     return Ready(proved, layout, table, controller, allocation, runtime_py(controller, []))
+
+
+def kinds(events: list[dict[str, Any]], kind: str) -> list[str]:
+    """What events of a kind say."""
+    return [e["text"] for e in events if e["kind"] == kind]
+
+
+def all_released(b: Any, *signals: str) -> None:
+    """Routes are cancelled, and what they have locked is released, by hand where it must be."""
+    for g in signals:
+        b.ask("cancel", signal=g)
+        b.until(lambda g=g: b.state[f"g:{g}"][3] is None)
+    for _ in range(20):
+        b.hear()
+    if any(v[1] for k, v in b.state.items() if k[0] == "s"):
+        assert b.ask("release all")["ok"]
+        b.until(lambda: not any(v[1] for k, v in b.state.items() if k[0] == "s"))
+
+
+def every_command(still: dict[str, Any]) -> Iterator[dict[str, Any]]:
+    """Whatever a page could ask for."""
+    for r in still["routes"]:
+        yield {"do": "set", "route": r["id"]}
+        yield {"do": "why", "route": r["id"]}
+        if r["automatic"]:
+            yield {"do": "automatic", "route": r["id"], "on": True}
+    for s, one in still["sections"].items():
+        yield {"do": "release", "section": s}
+        yield {"do": "block", "section": s, "on": not one["approach"]}
+        yield {"do": "block", "section": s, "on": False}
+        yield {"do": "fail", "kind": "section", "name": s, "on": one["detected"]}
+        yield from ({"do": "put", "section": s, "towards": t, "metres": 10} for t in still["stands"].get(s, ()))
+    for m in still["machines"]:
+        yield from ({"do": "turn", "machine": m, "to": to} for to in "NR")
+        yield {"do": "looked", "machine": m}
+        yield {"do": "fail", "kind": "machine", "name": m, "on": True}
+    for g in still["signals"]:
+        yield {"do": "cancel", "signal": g}
+        yield {"do": "swing", "signal": g}
+        yield from ({"do": "fail", "kind": "lamp", "name": n, "on": True} for n in still["lamps"].get(g, {}).values())
+    for b in still["boundaries"]:
+        yield {"do": "bring", "boundary": b}
+        yield {"do": "direction", "boundary": b, "on": True}
+    yield from ({"do": "voyage", "name": v} for v in still["voyages"])
+    yield {"do": "release all"}
+    yield {"do": "stop"}
