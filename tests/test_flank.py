@@ -13,6 +13,7 @@ from interlock.audit import audit
 from interlock.derivation.flank import told
 from interlock.diag import Sink
 from interlock.diag.called import called
+from interlock.frontend import load_text
 from interlock.logic.lower import lower
 from interlock.model.elements import Position, RouteId, SectionId
 from interlock.model.layout import Layout
@@ -593,3 +594,44 @@ def test_of_one_route_it_is_said_that_it_passes_there(tmp_path: Path) -> None:
     file.write_text(text, "utf-8")
     (bare,) = [d.message for d in check_file(str(file)).diagnostics if d.code == "IL4001"]
     assert bare == "nothing keeps vehicles away from P1.reverse; route X2-C passes there"
+
+
+@pytest.mark.parametrize("lane", ["level", "inclined"])
+@pytest.mark.parametrize("end", ["trains: out", "a buffer"])
+def test_what_ends_behind_an_inclined_lane_protects_from_nothing(lane: str, end: str) -> None:
+    """Wagons run back over the lane: a boundary where no train comes in was taken for protection, and so was the end of
+    the track; derivation, audit and claims alike."""
+    text = """
+interlock: 1
+name: down
+boundaries:
+  W: {approach: wa 600}
+  E: {approach: ea 600}
+  D: {approach: da 300, trains: out}
+tracks:
+  west: [W, q1 200]
+  east: [q4 200, E]
+  incl: [i1 300, D]
+points:
+  1: {section: q2, toe: west.end, normal: east.start, reverse: incl.start}
+sections:
+  i1: {lane: LANE}
+signals:
+  A: {from: W, into: q1}
+  AA: {from: q1, into: q2}
+  B: {from: E, into: q4}
+  BB: {from: q4, into: q2}
+"""
+    if end == "a buffer":
+        text = text.replace("  D: {approach: da 300, trains: out}\n", "").replace("tracks:", "buffers: [D]\ntracks:")
+    made = grown(text.replace("LANE", "level"))
+    assert made is not None and not made[2].has_errors
+    layout, table, _ = made
+    assert audit(layout, table) == () and prove(System(layout, lower(layout, table))).proved
+    if lane == "inclined":
+        steep, _ = load_text("down.yaml", text.replace("LANE", "inclined"), Sink())
+        assert steep is not None and {f.column for f in audit(steep, table)} == {"flank"}
+        found = prove(System(steep, lower(steep, table)), Limits(search_depth=0))
+        assert {"T-FLANK", "S-FLANK"} <= {c.id for c in found.claims if c.verdict is not Verdict.PROVED}
+        again = grown(text.replace("LANE", "inclined"))
+        assert again is None or "IL4001" in {d.code for d in again[2].diagnostics}

@@ -352,6 +352,19 @@ def test_a_direction_that_is_given_to_a_neighbour_who_does_not_take_it_is_taken_
     assert west.is_on("BH_E")
 
 
+def test_while_the_hand_is_held_nothing_is_given() -> None:
+    """A contact that sticks gave the direction for one scan, and took it back."""
+    west = Stations(1).west
+    silent = {"NR_E": 0, "NG_E": 0, "NN_E": 1, "NH_E": 0}
+    steps(west, 80, **silent, TKN_E=1)
+    assert west.is_on("BH_E")
+    for _ in range(20):
+        steps(west, 1, **{**silent, "NR_E": 1}, TKN_E=1)
+        assert west.is_on("BH_E") and not west.is_on("BG_E")
+    steps(west, 2, **{**silent, "NR_E": 1})
+    assert west.is_on("BG_E")
+
+
 @pytest.mark.parametrize("delay", [1, 3, 6])
 def test_a_direction_that_is_taken_back_while_the_neighbour_takes_it_is_his(delay: int) -> None:
     """`run` looks at it after every scan: never two have it."""

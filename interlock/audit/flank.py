@@ -81,7 +81,8 @@ def _walk(
     layout: Layout, place: Place, lying: tuple[tuple[MachineId, Position], ...], told: frozenset[str] | None
 ) -> Walk:
     """The walk back from a place with points lying so, up to signals, or to some signals only.  Outside is the end of a
-    track, too, from where a vehicle comes over a derailer (`spur`)."""
+    track, or a boundary where no train comes in, if a vehicle comes from there over a derailer or an inclined lane
+    (`spur`)."""
     frozen = dict(lying)
     todo, seen, outside = [(Move(place.edge, place.node), False)], set[tuple[Move, bool]](), False
     met: dict[MachineId, None] = {}
@@ -96,7 +97,8 @@ def _walk(
         if g is not None and (told is None or g.id in told) and _stops(layout, rear, here.edge, place):
             continue
         boundary = layout.track.boundary_at.get(rear)
-        outside = outside or (boundary is not None and boundary.kind is not BoundaryKind.OUT)
+        spur = spur or e.inclined
+        outside = outside or (boundary is not None and (spur or boundary.kind is not BoundaryKind.OUT))
         end = layout.track.buffer_at.get(rear)
         outside = outside or (spur and end is not None and end.kind is BufferKind.STOP)
         if boundary is None and rear != place.node and end is None:

@@ -199,8 +199,8 @@ class Protection(Added):
         return self._rolls(x.edge, x.node, 0.0, x.needed, frozenset({x.node}), False)
 
     def _rolls(self, e: Edge, node: str, gone: float, needed: float, seen: frozenset[str], derailer: bool) -> Formula:
-        """derailer: one has been passed that holds what comes from further out."""
-        far, gone = e.far(node), gone + e.length
+        """derailer: one, or an inclined lane, has been passed, behind which nothing is trusted to stand."""
+        far, gone, derailer = e.far(node), gone + e.length, derailer or e.inclined
         if e.none_to(node) or far in seen or far in self.r.drawn.buffers:
             stops = {str(x) for x in self.r.body.get("buffers") or ()} - seen
             return TRUE if derailer and far in stops and not e.none_to(node) else FALSE
@@ -208,7 +208,7 @@ class Protection(Added):
         if g is not None:
             return self._lets_pass(g)
         if far in self.r.drawn.boundaries:
-            return FALSE if self.r.drawn.boundaries[far].get("trains") == "out" else TRUE
+            return FALSE if self.r.drawn.boundaries[far].get("trains") == "out" and not derailer else TRUE
         kept = self.r.drawn.points[far].position(e.name) if far in self._derailers else None
         derailer = derailer or kept is not None
         rolls = some(self._rolls(x, far, gone, needed, seen | {far}, derailer) for x in self.r.drawn.onward(far, e))

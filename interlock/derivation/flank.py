@@ -155,6 +155,7 @@ def _outward(
         return
     far = layout.track.far(edge, node)
     gone += e.length
+    spur = spur or e.inclined
     if far == r.node or (edge, node) in seen:
         yield ()  # a closed ring: nothing comes from outside; or over the path itself, which is no flank
         return
@@ -223,12 +224,12 @@ def _leads_into_a_trap(layout: Layout, point: Point, position: Position) -> bool
 
 
 def _end(layout: Layout, node: NodeId, spur: bool) -> Iterator[tuple[Provider, ...]]:
-    """The end of a track, or a boundary where no train comes in.  `spur`: a derailer has been passed; the end of the
-    track behind it protects from nothing, since vehicles stand there that nobody trusts to stay."""
+    """The end of a track, or a boundary where no train comes in.  `spur`: a derailer or an inclined lane has been
+    passed; neither protects from what is behind it, since vehicles stand there that nobody trusts to stay."""
     buffer, boundary = layout.track.buffer_at.get(node), layout.track.boundary_at.get(node)
     if buffer is not None and not (spur and buffer.kind is BufferKind.STOP):
         yield (Provider(ProviderKind.BUFFER, node),)
-    if boundary is not None and boundary.kind is BoundaryKind.OUT:
+    if boundary is not None and boundary.kind is BoundaryKind.OUT and not spur:
         yield (Provider(ProviderKind.BOUNDARY, node),)
 
 

@@ -26,7 +26,8 @@ class Beyond:
     one_way: no vehicle comes over the edge towards the place.  closed: a buffer, or where the search has been before.
     signal: the next signal that a vehicle towards the place meets, far enough away to stand behind it.  boundary: the
     kind of the boundary at the far end.  trailed: a machine, and where it must lie for a vehicle to come from `onward`.
-    spur: the end of a track behind a derailer, which stands for the vehicles that are left there, by whatever way.
+    spur: the end of a track, or a boundary, behind a derailer or an inclined lane: it stands for the vehicles that are
+    left there, by whatever way, and for those that run back over the lane.
     """
 
     section: SectionId
@@ -97,12 +98,14 @@ def measured(layout: Layout) -> Measured:
 def _beyond(
     layout: Layout, edge: EdgeId, node: NodeId, gone: float, needed: float, seen: frozenset[NodeId], spur: bool = False
 ) -> Beyond:
-    """`gone`: metres from the place to `node`; `needed`: how far away a vehicle must stand; `spur`: past a derailer."""
+    """`gone`: metres from the place to `node`; `needed`: how far away a vehicle must stand; `spur`: past a derailer, or
+    over an inclined lane."""
     e = layout.track.edge[edge]
     if e.nothing_comes_to(node):
         return Beyond(e.section, one_way=True)
     far = layout.track.far(edge, node)
     gone += e.length
+    spur = spur or e.inclined
     if far in seen or far in layout.track.buffer_at:
         stop = far not in seen and layout.track.buffer_at[far].kind is BufferKind.STOP
         return Beyond(e.section, closed=True, spur=spur and stop)
@@ -110,7 +113,7 @@ def _beyond(
     signal = facing.id if facing is not None and gone >= needed else None
     boundary = layout.track.boundary_at.get(far)
     if signal is not None or boundary is not None:
-        return Beyond(e.section, signal=signal, boundary=boundary.kind if boundary is not None else None)
+        return Beyond(e.section, signal=signal, boundary=boundary.kind if boundary is not None else None, spur=spur)
     point, crossing, trailed = layout.pointwork.point_at.get(far), layout.pointwork.crossing_at.get(far), None
     if point is not None:
         position = point.position_of(edge)

@@ -108,6 +108,7 @@ def change(d: Draft) -> None:
             Term(var(x.seen), "change complete", f"the neighbour at {b} no longer gives it"),
             Term(var(x.clear), "line clear", f"the line beyond {b} is clear"),
             Term(neg(_locked_out(d, b)), "no departure", f"nothing is locked towards {b}"),
+            Term(neg(var(x.manual)), "not by hand", "the operator does not hold the special manual change"),
         ]
         d.wire(
             names.TOKEN_GOES(b),

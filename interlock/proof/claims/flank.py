@@ -37,7 +37,7 @@ def exposed(f: Facts, beyond: Beyond) -> Expr:
             called.append(conj((f.locking.train(s), f.locking.firm(s), f.locking.locked_in(s, g.node))))
         return disj(called)
     if beyond.boundary is not None:
-        return FALSE if beyond.boundary is BoundaryKind.OUT else TRUE
+        return FALSE if beyond.boundary is BoundaryKind.OUT and not beyond.spur else TRUE
     rolls = disj(exposed(f, x) for x in beyond.onward)
     if beyond.trailed is None:
         return rolls

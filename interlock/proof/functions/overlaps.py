@@ -121,7 +121,7 @@ def _tokens(w: Words) -> Iterator[tuple[str, str, Expr]]:
         have, give, seen = var(x.have), var(x.give), var(x.seen)
         out = disj(f.locking.locked_out(s, b) for s in w.topo.sections if b in w.topo.ends[s])
         taken = conj((w.valid, running, var(x.gives), neg(have), neg(give)))
-        given = conj((w.valid, var(x.asks), have, seen, var(x.clear), neg(out)))
+        given = conj((w.valid, var(x.asks), have, seen, var(x.clear), neg(out), neg(var(x.manual))))
         arrived = conj((w.valid, var(x.has)))
         back = conj((w.valid, running, var(x.manual), give, neg(var(x.gives)), neg(var(x.has))))
         yield "F-TOKEN", f"{b} ours", iff(w.after(have), conj((disj((have, taken, var(x.timer))), neg(given))))
