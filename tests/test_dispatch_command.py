@@ -216,6 +216,19 @@ def test_with_a_blocked_section_another_overlap_is_taken_in_a_shift_too(tmp_path
     assert done == 0 and "trains tipped a shift: 1" in text, text
 
 
+def test_a_train_is_loaded_where_it_stands_wholly_on_the_way_by_which_it_comes(tmp_path: Path) -> None:
+    """p1 has 60 m over its derailer and 40 m on the way from E: a train of 40 m was let in there, was never wholly in
+    p1, and stood for ever, "to be loaded"."""
+    layout, file = "tests/layouts_for_tests/devices.yaml", Path(one_train(tmp_path, "devices", ("E", "p1", "W"), "sid"))
+    for length, code in ((60, 1), (40, 1), (37, 0)):
+        file.write_text(re.sub(r"length: \d+", f"length: {length}", file.read_text("utf-8")), "utf-8")
+        for done, text in (run(layout, "--orders", str(file)), simulated(layout, "--dispatch", str(file))):
+            assert done == code, text
+            if length == 40:
+                assert "[IL6005]" in text and "it does not stand in p1, which has 40 m there; 43 m are needed" in text
+    assert "trains tipped a shift: 1" in text, text
+
+
 def test_a_plan_is_written_and_replayed(tmp_path: Path) -> None:
     file = tmp_path / "plan.json"
     assert run("layouts/mine11.yaml", "in", "out", "--plan", str(file))[0] == 0

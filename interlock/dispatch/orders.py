@@ -175,7 +175,7 @@ class Derivation:
         """What a train does for an order."""
         places, train = self.file.places, self.file.fleet[number]
         via = frozenset(SectionId(s) for s in order.via)
-        legs = (Leg(places[order.from_].at), Leg(places[order.to].at, via))
+        legs = (Leg(places[order.from_].at, wholly=True), Leg(places[order.to].at, via, wholly=True))
         return Errand(number, train.length, self.start(train), legs)
 
     def _derive(self, name: str, order: OrderSpec) -> Iterator[Derived]:

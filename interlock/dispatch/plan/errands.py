@@ -30,13 +30,15 @@ class NoVoyage(Exception):
 class Leg:
     """A part of an errand: to a boundary, a signal or a section, over sections; `shunt`: on shunt routes.
 
-    far_first: all its routes are asked for at once, from the far end.
+    far_first: all its routes are asked for at once, from the far end.  wholly: it ends where the whole train stands in
+    the section that is its end.
     """
 
     to: str
     via: frozenset[SectionId] = frozenset()
     shunt: bool = False
     far_first: bool = False
+    wholly: bool = False
 
 
 @dataclass(frozen=True)

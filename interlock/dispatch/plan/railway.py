@@ -305,11 +305,13 @@ class Railway:
         leg, last = errand.legs[place.leg], chain[-1]
         passed = place.passed | (leg.via & {s for r in chain for s in r.path.section_ids})
         done = self._reached(last, leg) and passed == leg.via
-        at = place.leg + 1 if done else place.leg
         if last.path.exit_kind is ExitKind.BOUNDARY:
+            at = place.leg + done
             return Place(at, frozenset(), last.id, ()) if at == len(errand.legs) else None
         rear = () if turned else place.under
         under = self._lies((*rear, *(k for r in chain for k in r.path.traversals)), errand.length_m)
+        done = done and not (leg.wholly and len(under) > 1)
+        at = place.leg + done
         firm = last.id if last.locking.overlap is not None and len(under) > 1 else None
         added = place.under_way | {r.id for r in chain if r.locking.barred or r.locking.added}
         under_way = frozenset(x for x in added if x == firm or last_left(self.table.route[x]) in under)
