@@ -297,8 +297,11 @@ def test_a_train_whose_way_out_is_set_far_ahead_is_not_out_yet(tmp_path: Path, l
     assert w.alarms == [], "who runs out over the boundary at which trains come in keeps its number"
 
 
-def looped(tmp_path: Path, load: str, length: int, planned: bool) -> Worked:
-    """Two trains on the turning loop, which come in and leave over the same boundary."""
+LOOP = "tests/layouts_for_tests/turning_loop.yaml"
+
+
+def looping(tmp_path: Path, load: str, length: int) -> str:
+    """A dispatch file of two trains on the turning loop, which come in and leave over the same boundary."""
     file = tmp_path / "x.dispatch"
     file.write_text(
         f"dispatch: 1\nlayout: turning_loop\nfleet: {{1: {{length: {length}, at: out}}, 2: {{length: 60, at: out}}}}\n"
@@ -306,7 +309,11 @@ def looped(tmp_path: Path, load: str, length: int, planned: bool) -> Worked:
         "  tip: {kind: tipping, at: W, minutes: 5}\norders: {x: {from: load, to: tip, trains: 4}}\n",
         "utf-8",
     )
-    return one("tests/layouts_for_tests/turning_loop.yaml", str(file), 0, Options(hours=4.0, planned=planned))
+    return str(file)
+
+
+def looped(tmp_path: Path, load: str, length: int, planned: bool) -> Worked:
+    return one(LOOP, looping(tmp_path, load, length), 0, Options(hours=4.0, planned=planned))
 
 
 @pytest.mark.parametrize("length", [190, 250])
@@ -322,6 +329,28 @@ def test_no_train_comes_towards_a_boundary_over_which_another_is_to_run_out(tmp_
     a train that has not come yet is its own."""
     w = looped(tmp_path, load, 60, planned=True)
     assert w.trains == 4 and not any(w.wrong.counts().values()) and w.alarms == []
+
+
+def test_a_train_that_has_changed_ends_for_a_route_taken_back_changes_them_again(tmp_path: Path) -> None:
+    """Loaded in a, with b falsely occupied, it changes ends for A2-WO; P fails, b is clear again, and A1-C1 is set: its
+    signal stood behind the driver, for ever."""
+    shift = Shift(prepared(LOOP, looping(tmp_path, "a", 60)), 0, Options(hours=1.5))
+    say, b, done = shift.yard.say, shift.yard.track.sections.index("b"), set[str]()
+
+    def told(kind: str, **fields: object) -> None:
+        say(kind, **fields)
+        if kind in ("loaded", "turns") and kind not in done:
+            done.add(kind)
+            shift.yard.inputs.hold(b, 1 if kind == "loaded" else -1)
+        if kind == "turns" and len(done) == 2:
+            done.add("P")
+            shift.agenda.after(0.1, lambda: shift.yard.machines.fault(0, 1))
+            shift.agenda.after(60.0, lambda: shift.yard.machines.fault(0, -1))
+
+    shift._say = shift.yard.say = told  # type: ignore[method-assign]
+    w = shift.run()
+    assert done == {"loaded", "turns", "P"} and w.trains > 1 and not any(w.wrong.counts().values())
+    assert w.alarms[0] == "1: A2-WO is taken back, since P is not detected"
 
 
 def test_without_the_rule_a_fleet_stands_for_ever(tmp_path: Path) -> None:

@@ -181,9 +181,9 @@ class Ground:
                 held = dispatcher.holding.plan
                 outcome.plans.append((tuple(dispatcher.journal.asked), held))
             outcome.ahead = max(outcome.ahead, max((r.way.ahead for r in dispatcher.runs), default=0))
-            while dispatcher.journal.turns:
-                name, section = dispatcher.journal.turns.pop(0)
-                trains[name].turns.add(section)
+            while dispatcher.journal.steps:
+                name, section, turned = dispatcher.journal.steps.pop(0)
+                trains[name].turns |= {section} if turned else set()
             if not dispatcher.runs and not dispatcher.pending and not todo:
                 break
             before = [(t.done, t.due, len(t.under)) for t in trains.values()]

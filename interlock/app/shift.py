@@ -244,12 +244,16 @@ class Shift:
         self._fresh = True
 
     def _turn(self) -> None:
-        while self._dispatcher.journal.turns:
-            name, section = self._dispatcher.journal.turns.pop(0)
+        """Trains change ends for a route that was granted; or back again, where one the other way was taken back."""
+        while self._dispatcher.journal.steps:
+            name, section, turned = self._dispatcher.journal.steps.pop(0)
             trip = next(t for t in self._trips.values() if t.run.name == name)
+            if not turned and trip.turned != section:
+                continue
             r = self.yard.rolling[trip.train]
             if r.train.view.target == self._setting.track.signals.index(trip.run.way.granted[-1].entry):
                 continue  # it has turned for a route that was taken back
+            trip.turned = section
             self._say("turns", train=trip.train, section=section)
             self.yard.driving.turns(r)
 

@@ -14,7 +14,7 @@ from interlock.simulate.mishaps import Rates
 
 @dataclass(eq=False)
 class Trip:
-    """A train with an order.  `wagons`: those that it has left."""
+    """A train with an order.  `turned`: the section in which it changed ends last."""
 
     train: str
     order: Derived
@@ -22,6 +22,7 @@ class Trip:
     since_ms: int
     phase: str = "to load"
     came: bool = False
+    turned: str = ""
 
 
 @dataclass

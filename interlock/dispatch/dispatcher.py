@@ -262,8 +262,7 @@ class Dispatcher:
             return
         taken = {(run.name, r.id) for r in step.routes}
         self.holding.plan = tuple(x for x in self.holding.plan if x not in taken)
-        if step.turned:
-            self.journal.turns.append((run.name, run.place.under[-1][0]))
+        self.journal.steps.append((run.name, run.place.under[-1][0], step.turned))
         for r in step.routes:
             run.way.granted.append(self.stages[r.id])
             run.way.places.append(run.place)

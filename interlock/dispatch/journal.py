@@ -16,8 +16,8 @@ class Journal:
     """What is told to people."""
     asked: list[tuple[str, str]] = field(default_factory=list)
     """Train and route of every request that was granted."""
-    turns: list[tuple[str, SectionId]] = field(default_factory=list)
-    """Trains that change direction for a route that was granted, and where."""
+    steps: list[tuple[str, SectionId, bool]] = field(default_factory=list)
+    """Trains for which all routes of a step were granted, where each stands, and whether it turns for it."""
 
     def taken_back(self, train: str, routes: list[RouteId]) -> None:
         """Routes granted to a train were cancelled before it came: they count as not asked for."""
