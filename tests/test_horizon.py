@@ -94,6 +94,25 @@ def test_of_trains_alike_the_one_that_has_waited_longest_sets_out_first(tmp_path
     assert len(first) == 8 and first == list("87654321")
 
 
+@pytest.mark.parametrize(("blocked", "over"), [("q3", "q4"), ("q4", "q3"), ("q5", "q6"), ("q8", "q7")])
+def test_no_plan_leads_over_what_is_blocked(tmp_path: Path, blocked: str, over: str) -> None:
+    """It took the shorter of the two tracks, closed or not, or either of two alike."""
+    file = tmp_path / "x.dispatch"
+    file.write_text(
+        "dispatch: 1\nlayout: mine11\nfleet: {1: {length: 60, at: bottom}, 2: {length: 60, at: bottom}}\nplaces:\n"
+        "  bottom: {kind: waiting, at: W, capacity: 2}\n  load: {kind: loading, at: q1, minutes: 5}\n"
+        "  tip: {kind: tipping, at: E, minutes: 5}\norders: {a: {from: load, to: tip, trains: 6}}\n"
+        f"blocked: [{blocked}]\n",
+        "utf-8",
+    )
+    setting = prepared("layouts/mine11.yaml", str(file))
+    guide = Guide(setting, {}, Assigner(setting.orders.file, setting.derived), 2 * 3_600_000)
+    guide.look(0)
+    assert over in guide._users and blocked not in guide._users
+    done = one("layouts/mine11.yaml", str(file), 0, Options(2, planned=True, keep=False))
+    assert done.trains == 6 and not any(done.wrong.counts().values())
+
+
 def test_a_plan_looks_at_few_states(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """What a plan takes is counted in states, which no other program on the machine changes: 1,338 at most in a shift
     of eight trains (seed 0)."""

@@ -272,10 +272,11 @@ class Guide:
         return Turn(k, piece, round(60 * (tip.minutes or 0)), round(60 * tip.back), tippler)
 
     def _steps(self, journey: Journey, place: Place) -> list[tuple[Step | None, Place]]:
-        """The steps from a place on; the shortest one where there are several."""
+        """The steps from a place on, past what is blocked; the shortest one where there are several."""
         found: list[tuple[Step | None, Place]] = []
-        while journey.steps.get(place):
-            step = min(journey.steps[place], key=lambda s: sum(r.path.length for r in s.routes))
+        steps = journey.past(self._setting.shut)
+        while steps.get(place):
+            step = min(steps[place], key=lambda s: sum(r.path.length for r in s.routes))
             found.append((step, step.after))
             place = step.after
         return found

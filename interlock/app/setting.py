@@ -16,7 +16,7 @@ from interlock.dispatch.plan.railway import Railway
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.lower import lower
 from interlock.logic.symbols import Symbols
-from interlock.model.elements import BlockKind, Boundary, BoundaryKind, SectionId
+from interlock.model.elements import BlockKind, Boundary, BoundaryKind, RouteId, SectionId
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
 from interlock.simulate.run import load as load_runtime
@@ -39,6 +39,8 @@ class Setting:
     derived: tuple[Derived, ...]
     release: Mapping[SectionId, str]
     confirms: tuple[str, ...]
+    shut: frozenset[RouteId] = frozenset()
+    """Routes that need something blocked: none of them is ever set in this shift."""
 
     @property
     def blocked(self) -> tuple[SectionId, ...]:
@@ -128,7 +130,8 @@ def prepare(
     if orders is None:
         return checked, sink.diagnostics, None, texts
     railway = Railway(checked.table, layout)
-    derived = Derivation(railway, orders, sink).run()
+    derivation = Derivation(railway, orders, sink)
+    derived = derivation.run()
     _simulable(orders, layout, derived, sink)
     if sink.has_errors:
         return checked, sink.diagnostics, None, texts
@@ -136,8 +139,8 @@ def prepare(
     names = load_runtime(runtime_py(controller, []))
     release = {s.id: n for s in layout.track.sections if (n := f"REL_{portable(s.id)}") in names["INPUTS"]}
     confirms = tuple(n for n in names["INPUTS"] if n.startswith("TC_"))
-    made = Setting(layout, railway, controller.symbols, names, Track.of(layout), orders, derived, release, confirms)
-    return checked, (), made, texts
+    on = railway, controller.symbols, names, Track.of(layout)
+    return checked, (), Setting(layout, *on, orders, derived, release, confirms, derivation.shut), texts
 
 
 def _simulable(orders: Orders, layout: Layout, derived: tuple[Derived, ...], sink: Sink) -> None:

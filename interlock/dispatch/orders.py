@@ -19,7 +19,7 @@ from interlock.dispatch.language import DispatchFile, Orders, OrderSpec, TrainSp
 from interlock.dispatch.plan.errands import OUTSIDE, Errand, Leg, NoVoyage, Place, TooManyPlaces
 from interlock.dispatch.plan.held import Lies
 from interlock.dispatch.plan.railway import Journey, Railway
-from interlock.model.elements import SectionId
+from interlock.model.elements import RouteId, SectionId
 from interlock.model.stopping import MARGIN_M, stands_on
 from interlock.table.cells import TraversalKey
 from interlock.table.rows import RouteRow
@@ -224,6 +224,11 @@ class Derivation:
             off = ", ".join(s for s in machines.sections[m] if s in closed)
             found.append(f"need {m} {machines.word(m, x.other)}, which is not moved while {off} is blocked")
         return found
+
+    @property
+    def shut(self) -> frozenset[RouteId]:
+        """The routes that lead over what is blocked, or need it."""
+        return frozenset(r.id for r in self.railway.table.routes if self._shut((r,)))
 
     @cached_property
     def _stay(self) -> frozenset[Lies]:

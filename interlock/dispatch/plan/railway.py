@@ -333,6 +333,14 @@ class Journey:
         """All sections over which some of its ways leads."""
         return frozenset(x for out in self.steps.values() for s in out for r in s.routes for x in r.path.section_ids)
 
+    def past(self, shut: frozenset[RouteId]) -> dict[Place, list[Step]]:
+        """The steps without those that need a route that is shut, or lead on by such ones alone; all, where none does
+        without."""
+        free = {p: [s for s in out if shut.isdisjoint(r.id for r in s.routes)] for p, out in self.steps.items()}
+        kept = _leading(free, [p for p, out in self.steps.items() if not out]) if shut else set()
+        found = {p: [s for s in out if s.after in kept] for p, out in free.items()}
+        return {p: found[p] or out for p, out in self.steps.items()}
+
     def nodes(self, before: Sequence[str] = ()) -> Draft:
         """The same as nodes and moves; a move's label is the number of its step.
 
