@@ -9,7 +9,8 @@ from pathlib import Path
 import pytest
 
 from interlock.app.check import check_file
-from interlock.app.diff import Differences, diff
+from interlock.app.diff import PRINTED, REASONED, Differences, diff
+from interlock.logic.lower import lower
 from interlock.table.columns import COLUMNS
 from tests.cli_runs import run
 
@@ -154,11 +155,6 @@ def test_principles_are_told_though_no_cell_shows_them(tmp_path: Path) -> None:
     assert e.table.none and not e.found.same and "no cell of the table differs" in e.shown.output
 
 
-def test_what_is_not_compared_is_said_to_be_so(tmp_path: Path) -> None:
-    e = Edited(tmp_path, ("name: base", "name: base\ntitle: Base"))
-    assert e.found.same and e.found.elsewhere and "differ in something else" in e.shown.output
-
-
 def test_a_voyage_and_an_automatic_route(tmp_path: Path) -> None:
     more = "automatic: [{from: A, to: AA}]\nvoyages:\n  V: {from: A, to: N1}\n"
     e = Edited(tmp_path, ("signals:", f"{more}signals:"))
@@ -210,3 +206,118 @@ def test_every_cell_that_differs_is_told(tmp_path: Path, name: str, profile: str
                 assert {x.now for x in cells} - {None} == {*now} - {*was}
             seen += bool(cells)
     assert seen > 10
+
+
+# --- layouts whose tables look alike --------------------------------------------------------------
+
+
+def of(name: str) -> str:
+    """A layout of the tests."""
+    return Path(f"tests/layouts_for_tests/{name}.yaml").read_text("utf-8")
+
+
+def equations(path: str) -> dict[str, object]:
+    """What a controller computes and how long it waits."""
+    one = check_file(path)
+    assert one.layout is not None and one.table is not None
+    made = lower(one.layout, one.table)
+    return {"steps": made.steps, "next": made.next, "timers": made.timers, "outputs": made.outputs}
+
+
+HELD = BASE.replace("signals:", "exclude:\n  - {from: LS, to: E, reason: none is wanted}\nsignals:")
+HOISTED = Path("layouts/incline_hoist.yaml").read_text("utf-8")
+
+
+def test_a_further_reason_of_routes_that_are_hostile_already(tmp_path: Path) -> None:
+    """The printed cell names the first class alone; the second keeps them apart for longer, by equations of its own."""
+    e = Edited(tmp_path, ("other: {from: E2, to: S2}", "other: {from: E2}"), before=of("added"))
+    assert equations(str(e.old)) != equations(str(e.new))
+    added = "Also hostile: E2-S1 (declared hostile: the platform between the roads is narrow) added"
+    assert e.cells("A2-N1") == [added] and added.replace("E2-S1", "A2-N1") in e.cells("E2-S1")
+    assert not e.found.elsewhere and "declared hostile" in e.shown.output
+
+
+@pytest.mark.parametrize(
+    ("before", "was", "now", "told"),
+    [
+        (
+            of("slow_barrier"),
+            "text: mill road, supervision: 20",
+            "text: mill road, supervision: 40",
+            "device LC: supervision 40 s, was supervision 20 s",
+        ),
+        (of("slow_barrier"), "text: mill road", "text: a road", "device LC: a road, was mill road"),
+        (of("one_way_rear"), "sections:\n  l1: {one_way: backward}\n", "", "section l1: one way to W removed"),
+        (of("overlap_one_way"), "one_way: ", "lane: inclined, one_way: ", "section l3: inclined added"),
+        (HOISTED, "  i2: {lane: inclined}\n", "", "section i2: inclined removed"),
+        (
+            HOISTED,
+            "text: nobody on the incline",
+            "text: nobody in the lane",
+            "condition NO_PERSON: nobody in the lane, was nobody on the incline",
+        ),
+        (
+            of("overlap_inside"),
+            "X: {length: 60, entry_speed: 40, ways: [{over: [T], length: 150}]}",
+            "X: {length: 60, entry_speed: 40, ways: [{over: [T], length: 140}]}",
+            "signal X: overlap over T 140 m, was overlap over T 150 m",
+        ),
+    ],
+)
+def test_what_no_cell_shows_is_told_of_its_element(tmp_path: Path, before: str, was: str, now: str, told: str) -> None:
+    e = Edited(tmp_path, (was, now), before=before)
+    assert told in e.elements() and e.shown.exit_code == 1 and not e.found.elsewhere
+
+
+def test_a_route_that_is_not_printed_any_more(tmp_path: Path) -> None:
+    e = Edited(tmp_path, ("into_1: {from: Y, to: S1, listed: no}", "into_1: {from: Y, to: S1}"), before=of("added"))
+    assert e.cells("Y-S1") == ["Listed: yes, was no"] and not e.found.elsewhere
+
+
+@pytest.mark.parametrize(
+    ("more", "key"),
+    [
+        ("target: {cpu: s7-315t-2dp}\n", "target"),
+        ("substations:\n  KA: [A, AA]\n  KB: []\n", "substations"),
+        ("exclude:\n  - {from: A, kind: shunt, reason: none is wanted}\n", "excluded"),
+    ],
+)
+def test_what_is_told_by_nothing_is_not_passed_over(tmp_path: Path, more: str, key: str) -> None:
+    e = Edited(tmp_path, ("signals:", f"{more}signals:"), before=BASE)
+    assert key in e.found.elsewhere and not e.found.same and e.shown.exit_code == 1
+    said = "table, elements and principles are equal, but the layouts are not: they differ in "
+    assert said in e.shown.output and key in e.shown.output
+    body = json.loads(run("diff", str(e.old), str(e.new), "--format", "json").stdout)
+    assert body["same"] is False and key in body["elsewhere"]
+    assert run("diff", str(e.old), str(e.new), "--format", "concise").exit_code == 1
+
+
+@pytest.mark.parametrize(
+    ("before", "was", "now", "key"),
+    [
+        (BASE, "name: base", "name: base\ntitle: Base", "title"),
+        (BASE, "name: base", "name: base\ntitle_block: {company: Mine}", "title_block"),
+        (BASE, "{approach: wa 400}", "{approach: wa 400, label: to the port}", "labels"),
+        (BASE, "signals:", "drawing: {g2: 1}\nsignals:", "drawing"),
+        (BASE, "P1: {section", "P1: {xy: [300, 200], section", "anchors"),
+        (HELD, "reason: none is wanted", "reason: nobody drives there", "excluded"),
+    ],
+)
+def test_what_is_only_printed_is_said_to_be_so(tmp_path: Path, before: str, was: str, now: str, key: str) -> None:
+    e = Edited(tmp_path, (was, now), before=before)
+    assert e.found.same and not e.found.elsewhere and e.found.printed == (key,)
+    assert f"nothing differs but what is only printed: {key}" in e.shown.output and e.shown.exit_code == 0
+    assert equations(str(e.old)) == equations(str(e.new))
+    body = json.loads(run("diff", str(e.old), str(e.new), "--format", "json").stdout)
+    assert body["same"] is True and body["printed"] == [key] and body["elsewhere"] == []
+
+
+def test_no_other_facts_are_taken_for_printed(tmp_path: Path) -> None:
+    """Neither beside a title, nor beside a reason."""
+    target = ("name: base", "name: base\ntitle: Base\ntarget: {cpu: s7-315t-2dp}")
+    e = Edited(tmp_path, target)
+    assert e.found.elsewhere == ("target",) and e.found.printed == ("title",) and e.shown.exit_code == 1
+    other = Edited(tmp_path, ("{from: LS, to: E,", "{from: LS, to: E, via: [q9],"), before=HELD)
+    assert other.found.elsewhere == ("excluded",) and other.shown.exit_code == 1
+    assert {"title", "title_block", "labels", "drawing", "anchors"} == PRINTED
+    assert {"excluded", "barred", "demanded", "waivers"} == REASONED

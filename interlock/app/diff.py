@@ -2,15 +2,35 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields
+from typing import Any
 
 from interlock.app.check import Checked, check_file
 from interlock.dataclass import dataclass
-from interlock.model.elements import Boundary, Condition, Device, NodeId, Point, Section, Signal, Work
+from interlock.model.elements import (
+    Boundary,
+    Condition,
+    Device,
+    Lane,
+    MachineId,
+    NodeId,
+    Overlap,
+    Point,
+    Section,
+    SectionId,
+    Signal,
+    Work,
+)
 from interlock.model.layout import Layout
 from interlock.model.principles import Principles, written
 from interlock.table.changes import Change, TableChanges, named_changes, table_changes
+
+PRINTED = frozenset({"title", "title_block", "labels", "drawing", "anchors"})
+"""Facts of a layout that are only printed: titles, what is written at boundaries, places on the plan."""
+REASONED = frozenset({"excluded", "barred", "demanded", "waivers"})
+"""Facts that come each with the author's `reason`."""
 
 
 @dataclass(frozen=True)
@@ -22,8 +42,10 @@ class Differences:
     table: TableChanges | None = None
     elements: tuple[Change, ...] = ()
     principles: tuple[Change, ...] = ()
-    elsewhere: bool = False
-    """The layouts differ in what is not compared, and in nothing else."""
+    elsewhere: tuple[str, ...] = ()
+    """Facts in which the layouts differ although nothing above does."""
+    printed: tuple[str, ...] = ()
+    """Of those the ones that are only printed, which no controller knows of."""
 
     @property
     def ok(self) -> bool:
@@ -32,8 +54,9 @@ class Differences:
 
     @property
     def same(self) -> bool:
-        """Whether nothing that is compared differs."""
-        return self.table is not None and self.table.none and not self.elements and not self.principles
+        """Whether nothing differs but what is only printed."""
+        nothing = not self.elements and not self.principles and not self.elsewhere
+        return self.table is not None and self.table.none and nothing
 
 
 def diff(old: str, new: str) -> Differences:
@@ -44,8 +67,28 @@ def diff(old: str, new: str) -> Differences:
     table = table_changes(a.table, b.table)
     elements = tuple(_elements(a.layout, b.layout))
     principles = tuple(_principles(a.layout, b.layout))
-    alike = table.none and not elements and not principles
-    return Differences(a, b, table, elements, principles, alike and a.layout.digest != b.layout.digest)
+    if not table.none or elements or principles:
+        return Differences(a, b, table, elements, principles)
+    elsewhere, printed = _untold(a.layout, b.layout)
+    return Differences(a, b, table, elements, principles, elsewhere, printed)
+
+
+def _untold(old: Layout, new: Layout) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """The facts in which two layouts differ: those that may matter, and those that are only printed."""
+    if old.digest == new.digest:
+        return (), ()
+    was, now = json.loads(old.to_text()), json.loads(new.to_text())
+    differ = sorted(k for k in was.keys() | now.keys() if was.get(k) != now.get(k))
+    printed = tuple(k for k in differ if k in PRINTED or _for_reasons(k, was.get(k), now.get(k)))
+    return tuple(k for k in differ if k not in printed), printed
+
+
+def _for_reasons(key: str, was: Any, now: Any) -> bool:
+    """Whether nothing but the reasons that the author gives is different."""
+    if key not in REASONED or was is None or now is None:
+        return False
+    before, after = ([{k: v for k, v in x.items() if k != "reason"} for x in facts] for facts in (was, now))
+    return before == after
 
 
 def _elements(old: Layout, new: Layout) -> Iterator[Change]:
@@ -81,14 +124,42 @@ def _sections(layout: Layout) -> Described:
             "outside" if s.approach else f"{metres:g} m",
             "" if s.detected else "without detection",
             "" if s.speed is None else f"{s.speed} km/h",
+            "inclined" if s.lane is Lane.INCLINED else "",
+            _one_way(layout, s.id),
             "berth: no" if s.id in layout.declared.no_berths else "",
         )
 
     return {s.id: text(s) for s in layout.track.sections}
 
 
+def _one_way(layout: Layout, s: SectionId) -> str:
+    """Where trains run that run one way: into which sections, or to which end of the track."""
+    track = layout.track
+    ways = [e for e in track.edges_in.get(s, ()) if e.one_way]
+    onward = {e.b: {x.section for x in track.edges_at[e.b]} - {s} for e in ways}
+    ends = {str(n) for n in onward if n in track.boundary_at or n in track.buffer_at}
+    to = sorted(ends.union(*onward.values()))
+    return f"one way to {', '.join(to)}" if to else "one way" if ways else ""
+
+
+def _supervision(layout: Layout, m: MachineId) -> str:
+    own = dict(layout.pointwork.supervision)
+    return f"supervision {own[m]:g} s" if m in own else ""
+
+
+def _overlap_ways(layout: Layout, s: Signal) -> tuple[str, ...]:
+    """Alternatives of its overlap with values of their own, and over what none leads."""
+    ways = [w for w in layout.overlaps.ways if w.signal == s.id]
+    at = ["" if w.entry is None else f" for {w.entry} km/h" for w in ways]
+    texts = [
+        f"overlap over {', '.join(w.over)} {Overlap(s.id, w.length).text}{x}" for w, x in zip(ways, at, strict=True)
+    ]
+    return *texts, *(f"no overlap over {x}" for g, x in layout.overlaps.bars if g == s.id)
+
+
 def _signals(layout: Layout) -> Described:
     g, overlaps = layout.signalling, layout.overlaps
+    held = dict(g.releases)
     entry, own, stands = dict(overlaps.entry_speeds), dict(overlaps.releases), {o.signal: o for o in overlaps.all}
 
     def text(s: Signal) -> tuple[str, ...]:
@@ -102,17 +173,20 @@ def _signals(layout: Layout) -> Described:
             "stops trains" if s.id in g.stops else "",
             "identifier" if s.id in g.identifiers else "",
             "" if o is None else f"overlap {o.text}" + (", may swing" if o.swing else ""),
+            *_overlap_ways(layout, s),
             f"overlap for {entry[s.id]} km/h" if s.id in entry else "",
             f"overlap released after {own[s.id]:g} s" if s.id in own else "",
+            f"held {held[s.id]:g} s after a cancellation" if s.id in held else "",
         )
 
     return {s.id: text(s) for s in g.signals}
 
 
 def _points(layout: Layout) -> Described:
-    own = dict(layout.pointwork.supervision)
+    blades = {b.point: b for b in layout.pointwork.blades}
 
     def text(p: Point) -> tuple[str, ...]:
+        lie, hand = blades.get(p.id), layout.pointwork.hand.get(p.id)
         return _words(
             "derailer" if p.derailer else "",
             f"in {layout.track.section_of(p.toe)}",
@@ -120,7 +194,9 @@ def _points(layout: Layout) -> Described:
             "" if p.work is Work.MOTOR else "worked by hand",
             f"fouling point {p.fouling:g} m",
             "" if p.speed is None else f"{p.speed} km/h",
-            f"supervision {own[p.machine]:g} s" if p.machine in own else "",
+            _supervision(layout, p.machine),
+            "" if lie is None else f"blades at {' and '.join(lie.at)} to {lie.normal}, or to {lie.reverse}",
+            "" if hand is None else f"reverse to the {hand}",
         )
 
     return {p.id: text(p) for p in layout.pointwork.points}
@@ -130,14 +206,15 @@ def _ends(layout: Layout) -> Described:
     def text(b: Boundary) -> tuple[str, ...]:
         block = "" if b.block == "none" else f"block {b.block}"
         outside = "" if b.approach is None else f"approach {b.approach} {b.approach_m:g} m"
-        return _words("" if b.kind == "both" else f"trains {b.kind}", outside, block)
+        button, shown = f"button {b.button}" if b.button else "", "route indicator" if b.indicator else ""
+        return _words("" if b.kind == "both" else f"trains {b.kind}", outside, block, button, shown)
 
     return {b.node: text(b) for b in layout.track.boundaries}
 
 
 def _devices(layout: Layout) -> Described:
     def text(d: Device) -> tuple[str, ...]:
-        return _words(str(d.kind), _over(d.over))
+        return _words(str(d.kind), d.text, _over(d.over), _supervision(layout, d.id))
 
     return {d.id: text(d) for d in layout.signalling.devices}
 
@@ -145,7 +222,7 @@ def _devices(layout: Layout) -> Described:
 def _conditions(layout: Layout) -> Described:
     def text(c: Condition) -> tuple[str, ...]:
         signals, exits = ", ".join(c.signals), ", ".join(map(NodeId, c.exits))
-        return _words(_over(c.over), f"from {signals}" if signals else "", f"out at {exits}" if exits else "")
+        return _words(c.text, _over(c.over), f"from {signals}" if signals else "", f"out at {exits}" if exits else "")
 
     return {c.id: text(c) for c in layout.signalling.conditions}
 

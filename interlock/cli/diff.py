@@ -23,7 +23,8 @@ from interlock.table.rows import RouteRow
 def command(old: str, new: str, form: str) -> None:
     """Print what has changed in the interlocking table from one layout to another, or to its next version.
 
-    Exit code 0: nothing; 1: something, or one of the layouts has errors.
+    Exit code 0: nothing, but for titles, labels, places on the plan and the author's reasons; 1: something, or one of
+    the layouts has errors.
     """
     found = diff(old, new)
     if form == "json":
@@ -48,7 +49,10 @@ def _summary(t: TableChanges, found: Differences) -> str:
     if not parts and (found.elements or found.principles):
         return "no cell of the table differs"
     if found.elsewhere:
-        return "nothing differs in table, elements and principles; the layouts differ in something else"
+        said = "table, elements and principles are equal, but the layouts are not: they differ in"
+        return f"{said} {', '.join((*found.elsewhere, *found.printed))}"
+    if found.printed:
+        return f"nothing differs but what is only printed: {', '.join(found.printed)}"
     return ", ".join(parts) or "nothing differs"
 
 
@@ -117,7 +121,8 @@ def _body(found: Differences) -> dict[str, Any]:
     if t is None:
         return body
     return body | {
-        "elsewhere": found.elsewhere,
+        "elsewhere": [*found.elsewhere],
+        "printed": [*found.printed],
         "principles": [*map(_change, found.principles)],
         "elements": [*map(_change, found.elements)],
         "removed": [*map(_row, t.removed)],

@@ -15,6 +15,7 @@ _OF_NAME = frozenset({"number", "route", "names", "entry", "exit", "hostile", "a
 """Columns in which routes may differ that are one route under two names: they name routes and signals."""
 _TOLD_APART = frozenset({"number", "route"})
 """Columns that are told for all routes together."""
+_YES_NO = {True: "yes", False: "no"}
 
 
 @dataclass(frozen=True)
@@ -124,17 +125,28 @@ def _cells(old: RouteRow, new: RouteRow, called: Mapping[RouteId, RouteId]) -> l
     A hostile route that is itself gone or new is told with the routes that are.
     """
     out = []
-    kept, known = set(called.values()), RouteId
+    names, kept = {str(was): now for was, now in called.items()}, {str(now): now for now in called.values()}
+    before, after = names.get, kept.get
     for c in COLUMNS:
         if c.key in _TOLD_APART:
             continue
         if c.key == "hostile":
-            was = _hostile(c, old, lambda x: called.get(known(x)))
-            now = _hostile(c, new, lambda x: known(x) if x in kept else None)
+            was, now = _hostile(c, old, before), _hostile(c, new, after)
         else:
             was, now = c.items(old), c.items(new)
         out += _items(c.en, was, now)
+    out += _items("Also hostile", _declared(old, before), _declared(new, after))
+    if old.listed != new.listed:
+        out.append(Change("Listed", _YES_NO[old.listed], _YES_NO[new.listed]))
     return out
+
+
+def _declared(r: RouteRow, name: Callable[[str], RouteId | None]) -> list[tuple[str, Because]]:
+    """What the author declares hostile although it is so for another reason, which is the one that its item names.
+    Further reasons that are derived follow from what other cells tell."""
+    named = {h.route: h.witness for h in r.locking.hostile}
+    own = [(name(x.route), x.because) for x in r.locking.barred if named.get(x.route) != x.because.text]
+    return sorted(((f"{other} ({why.text})", why) for other, why in own if other is not None), key=lambda x: x[0])
 
 
 def _hostile(c: Column, r: RouteRow, name: Callable[[str], RouteId | None]) -> list[tuple[str, Because]]:
