@@ -49,8 +49,8 @@ def _summary(t: TableChanges, found: Differences) -> str:
     if not parts and (found.elements or found.principles):
         return "no cell of the table differs"
     if found.elsewhere:
-        said = "table, elements and principles are equal, but the layouts are not: they differ in"
-        return f"{said} {', '.join((*found.elsewhere, *found.printed))}"
+        facts = ", ".join((*found.elsewhere, *found.printed))
+        return f"table, elements and principles are equal, but the layouts are not: they differ in {facts}"
     if found.printed:
         return f"nothing differs but what is only printed: {', '.join(found.printed)}"
     return ", ".join(parts) or "nothing differs"
