@@ -9,7 +9,7 @@ import pytest
 
 from interlock.app.check import Checked, check_file
 from interlock.app.init import STARTER, line, yard
-from interlock.diag import Severity
+from interlock.diag import Element, Severity
 from interlock.diag.codes import LINTS
 from interlock.logic.lower import lower
 from interlock.proof.engines.limits import Limits
@@ -517,6 +517,77 @@ def test_points_with_toe_and_leg_exchanged_make_a_loop_that_is_told(tmp_path: Pa
     about = {str(d.about.name) for d in told if d.about is not None}
     allow = f"allow:\n  - {{lint: IL7017, at: [{', '.join(sorted(about))}], reason: trains turn here}}\n"
     assert not [d for d in checked(tmp_path, text + allow).diagnostics if d.code in ("IL7017", "IL2018")]
+
+
+SLIPPED = """interlock: 1
+name: slipped
+principles: {line_speed_kmh: 20}
+boundaries: {W: {approach: ap 200}, V: {approach: av 200}, E: {approach: ae 200}}
+buffers: [B]
+tracks:
+  t1: [W, s2 90]
+  t7: [s8 90, V]
+  t9: [s6 40]
+  t10: [s4 20]
+  t13: [s14 90, E]
+  t15: [s16 40, B]
+points:
+  P3: {section: T4, normal: t1.end, toe: t10.start}
+  P5: {section: T6, toe: P3.reverse, reverse: t7.start, normal: t9.start}
+slips:
+  Z11: {section: s12, arms: [[t9.end, t13.start], [t10.end, t15.start]]}
+signals:
+  X: {from: W, into: s2}
+  X21: {from: E, into: s14}
+"""
+
+
+@pytest.mark.parametrize("kind", ["", ", single: 1a-2b"])
+def test_a_loop_that_begins_at_a_slip_is_told_of_the_slip(tmp_path: Path, kind: str) -> None:
+    """Its points stand nowhere in the text; a point that does is the one to look at."""
+    text = SLIPPED.replace("t15.start]]", f"t15.start]]{kind}")
+    told = [d for d in checked(tmp_path, text).diagnostics if d.code == "IL7017"]
+    line = 1 + text[: text.index("  Z11:")].count("\n")
+    at_slip = [d for d in told if d.about == Element("slips", "Z11")]
+    assert [d.span.line for d in at_slip if d.span is not None] == [line] == [line] * len(at_slip)
+    assert "comes back to slip Z11" in at_slip[0].message and "Z11a" not in str(told) and "Z11/" not in str(told)
+    assert at_slip[0].fix == "if no loop is meant, see whether `toe` and `reverse` of P5 are exchanged"
+    assert all(d.about == at_slip[0].about or d.about.room == "points" for d in told if d.about is not None)
+    names = ", ".join(sorted({str(d.about.name) for d in told if d.about is not None}))
+    allow = f"allow:\n  - {{lint: IL7017, at: [{names}], reason: trains turn here}}\n"
+    assert not [d for d in checked(tmp_path, text + allow).diagnostics if d.code in ("IL7017", "IL2018")]
+
+
+SINGLE = """interlock: 1
+name: single
+principles: {line_speed_kmh: 20}
+boundaries: {W: {approach: ap 200}, E: {approach: ae 200}}
+tracks:
+  t1: [W, s1 90]
+  a: [a1 60]
+  b: [b1 60]
+  c: [c1 60]
+  d: [d1 60]
+  t2: [s2 90, E]
+points:
+  P1: {section: T1, toe: t1.end, normal: a.start, reverse: b.start}
+  P2: {section: T2, toe: t2.start, normal: c.end, reverse: d.end}
+slips:
+  Z: {section: s12, arms: [[a.end, c.start], [b.end, d.start]], single: 1a-2b}
+signals:
+  X: {from: W, into: s1}
+  Y: {from: E, into: s2}
+"""
+
+
+def test_ends_of_a_slip_that_are_exchanged_are_looked_for_in_its_arms(tmp_path: Path) -> None:
+    assert not [d for d in checked(tmp_path, SINGLE).diagnostics if d.code == "IL7017"]
+    text = SINGLE.replace("[[a.end, c.start], [b.end, d.start]]", "[[a.end, b.end], [c.start, d.start]]")
+    told = [d for d in checked(tmp_path, text).diagnostics if d.code == "IL7017"]
+    assert told and {d.fix for d in told} == {
+        "if no loop is meant, see whether ends in the `arms` of slip Z are exchanged"
+    }
+    assert Element("points", "P1") in {d.about for d in told}
 
 
 @pytest.mark.parametrize("name", ["turning_loop", "loading_loop"])

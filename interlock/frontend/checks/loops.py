@@ -7,10 +7,13 @@ legs lead back and nowhere else; only those are warned of beside which a boundar
 
 from __future__ import annotations
 
+from collections.abc import Container, Mapping
+
 from interlock.dataclass import dataclass
 from interlock.diag import Element
 from interlock.diag.called import called
 from interlock.frontend.context import Context
+from interlock.frontend.parts import points_of
 from interlock.model.elements import EdgeId, NodeId, Point, PointId, Position
 from interlock.model.layout import Layout
 from interlock.model.traversal import onward_edges
@@ -30,28 +33,42 @@ class _Ways:
 
 
 def check_loops(ctx: Context, layout: Layout) -> None:
-    """Report legs that lead back to their point over its other leg and nowhere else, where that one leads on."""
+    """Report legs that lead back to their point over its other leg and nowhere else, where that one leads on; of the
+    points of a slip the first."""
+    slips = {p: name for name, s in ctx.file.slips.items() for p in points_of(name, s)}
+    ends = {b.point: b for b in layout.pointwork.blades}
     for p in layout.pointwork.points:
+        slip, blades = slips.get(p.id), ends.get(p.id)
+        about = Element("points", p.id) if slip is None else Element("slips", slip)
         for x in Position:
-            if p.derailer:
+            if p.derailer or (slip is not None and ctx.sink.gave("IL7017", about)):
                 continue
             here = _ways(layout, p, x, only_back=True)
             if here.back != {x.other} or here.boundaries or here.ends:
                 continue
             there = _ways(layout, p, x.other)
-            exchanged = _exchanged(layout, here, there)
+            exchanged = _exchanged(layout, here, there, slips)
             if not there.boundaries or exchanged is None:
                 continue
-            point, leg = exchanged
+            leg, other = (
+                (f"{p.id}.{_LEG[y]}" if slip is None or blades is None else f"{slip}.{blades.to(y)}")
+                for y in (x, x.other)
+            )
             ctx.add(
                 "IL7017",
-                f"whoever runs over {p.id}.{_LEG[x]} comes back to {called('point', p.id)} over its other leg, and "
-                f"nowhere else: a balloon loop, while {p.id}.{_LEG[x.other]} also leads to "
-                f"{', '.join(there.boundaries[:3])}",
-                ctx.at_key("points", p.id),
-                f"if no loop is meant, see whether `toe` and `{_LEG[leg]}` of {point} are exchanged",
-                about=Element("points", p.id),
+                f"whoever runs over {leg} comes back to "
+                f"{called('point', p.id) if slip is None else called('slip', slip)} over its other leg, and "
+                f"nowhere else: a balloon loop, while {other} also leads to {', '.join(there.boundaries[:3])}",
+                ctx.at_key(about.room, about.name),
+                f"if no loop is meant, see whether {_fix(*exchanged, slips)} are exchanged",
+                about=about,
             )
+
+
+def _fix(point: PointId, leg: Position, slips: Mapping[str, str]) -> str:
+    """What may be exchanged: of a slip ends of its arms, since its points stand nowhere in the text."""
+    slip = slips.get(point)
+    return f"`toe` and `{_LEG[leg]}` of {point}" if slip is None else f"ends in the `arms` of {called('slip', slip)}"
 
 
 def _ways(layout: Layout, p: Point, x: Position, only_back: bool = False) -> _Ways:
@@ -80,9 +97,10 @@ def _ways(layout: Layout, p: Point, x: Position, only_back: bool = False) -> _Wa
     return _Ways(frozenset(back), tuple(boundaries), ends, tuple(trailing))
 
 
-def _exchanged(layout: Layout, here: _Ways, there: _Ways) -> tuple[PointId, Position] | None:
-    """The first point that the loop comes to over one leg, and over whose other leg one leaves it for a boundary."""
-    for point, over in here.trailing:
+def _exchanged(layout: Layout, here: _Ways, there: _Ways, slips: Container[str]) -> tuple[PointId, Position] | None:
+    """The first point that the loop comes to over one leg, and over whose other leg one leaves it for a boundary; one
+    of a slip where there is no other."""
+    for point, over in sorted(here.trailing, key=lambda x: x[0] in slips):
         p = layout.pointwork.point[point]
         if set(_ways(layout, p, over.other).boundaries) & {*there.boundaries}:
             return point, over.other
