@@ -207,6 +207,18 @@ def test_the_longest_of_the_demands_of_a_route_counts() -> None:
         assert agree(*told(layout_text), specification.shipped()).left == ()
 
 
+@pytest.mark.parametrize("first", ["", "hold: 30, "])
+def test_the_reasons_of_two_demands_of_one_machine_are_told_both(first: str) -> None:
+    text = (
+        TEXT.replace("hold: 30, ", first) + "  - " + HOLD.replace("30", "45").replace("overrun", "a steep grade") + "\n"
+    )
+    _, table = made(text)
+    (demand,) = [p for r in table.routes for p in r.locking.added]
+    assert demand.because.text == "demanded: overrun; a steep grade; held 45 s longer"
+    _, same = made(text.replace("a steep grade", "overrun"))
+    assert [p.because.text for r in same.routes for p in r.locking.added] == ["demanded: overrun; held 45 s longer"]
+
+
 def test_zero_seconds_are_none() -> None:
     one, other = grown(TEXT.replace("hold: 30", "hold: 0")), grown(AT_ONCE)
     assert one is not None and other is not None and one[0].digest == other[0].digest

@@ -15,7 +15,7 @@ from interlock.derivation.routes import Path, over_which, where_routes_lead
 from interlock.diag import Element, Sink
 from interlock.model.elements import Choice, Demanded, Position, RouteId, SectionId
 from interlock.model.layout import Layout
-from interlock.table.cells import DEMANDED, BarredCell, Because, ClearCell, PointDemand, Role, RouteKind
+from interlock.table.cells import DEMANDED, BarredCell, Because, ClearCell, PointDemand, Role, RouteKind, authors_reason
 
 Barred = Mapping[RouteId, tuple[BarredCell, ...]]
 Demands = Mapping[RouteId, tuple[PointDemand, ...]]
@@ -79,7 +79,7 @@ def with_added(layout: Layout, paths: Sequence[Path], derived: Demands, sink: Si
             elif d.hold <= (lies.hold or 0):
                 idle.append(p)
             elif lies.role is Role.ADDED:
-                found[p.id][found[p.id].index(lies)] = _cell(d, p)
+                found[p.id][found[p.id].index(lies)] = _cell(d, p, lies)
             else:
                 _never_longer(d, p, lies, i, sink)
         if not those:
@@ -93,10 +93,18 @@ def with_added(layout: Layout, paths: Sequence[Path], derived: Demands, sink: Si
     return {r: tuple(demands) for r, demands in found.items()}
 
 
-def _cell(d: Demanded, p: Path) -> PointDemand:
-    longer = f"; held {d.hold:g} s longer" if d.hold else ""
-    why = Because("R5", f"{DEMANDED}{d.reason}{longer}")
+def _cell(d: Demanded, p: Path, before: PointDemand | None = None) -> PointDemand:
+    """The demand in a route's row; before: another of the same, not held so long, of which the reason is told, too."""
+    reasons = [d.reason]
+    if before is not None:
+        first = authors_reason(before.because).removesuffix(_longer(before.hold))
+        reasons = [first, *(reasons if d.reason not in first.split("; ") else [])]
+    why = Because("R5", f"{DEMANDED}{'; '.join(reasons)}{_longer(d.hold)}")
     return PointDemand(d.machine, d.position, Role.ADDED, p.ways[0].section, why, d.hold or None)
+
+
+def _longer(hold: float | None) -> str:
+    return f"; held {hold:g} s longer" if hold else ""
 
 
 def demanded_clear(layout: Layout, paths: Sequence[Path], sink: Sink) -> Mapping[RouteId, tuple[ClearCell, ...]]:
