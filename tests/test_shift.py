@@ -331,6 +331,14 @@ def test_no_train_comes_towards_a_boundary_over_which_another_is_to_run_out(tmp_
     assert w.trains == 4 and not any(w.wrong.counts().values()) and w.alarms == []
 
 
+def test_a_train_that_comes_where_no_approach_section_reports_has_its_number(tmp_path: Path) -> None:
+    """It was nowhere expected, and "no number in w1" was told of every train."""
+    layout = tmp_path / "turning_loop.yaml"
+    layout.write_text(Path(LOOP).read_text("utf-8").replace("W: {approach: w0 600}", "W: {}"), "utf-8")
+    w = one(str(layout), looping(tmp_path, "a", 60), 0, Options(hours=2.0))
+    assert w.trains > 2 and w.alarms == [] and not any(w.wrong.counts().values())
+
+
 def test_a_train_that_has_changed_ends_for_a_route_taken_back_changes_them_again(tmp_path: Path) -> None:
     """Loaded in a, with b falsely occupied, it changes ends for A2-WO; P fails, b is clear again, and A1-C1 is set: its
     signal stood behind the driver, for ever."""

@@ -45,13 +45,13 @@ class Numbers:
         return {t.number: [str(s) for s in t.under] for t in self.describer.trains if t.under}
 
     def expects(self, run: Run) -> None:
-        """A command was taken: its train comes in over an approach section, or stands where the command says."""
+        """A command was taken: its train comes in over a boundary, or stands where the command says."""
         self._keep()
         at, way = run.journey.start.under[-1]
         if way == OUTSIDE:
             approach = self.dispatcher.railway.approach.get(str(at))
-            if approach is not None and not self.describer.takes(approach, run.name):
-                self.describer.expected.setdefault(approach, []).append(run.name)
+            if approach is None or not self.describer.takes(approach, run.name):
+                self.describer.expects(str(at), run.name)
         else:
             self.describer.confirm(at, run.name)
 

@@ -318,10 +318,7 @@ class Shift:
             run = self._dispatcher.carry_out(order.journeys[train].errand)
             self._trips[train] = Trip(train, order, run, self.agenda.now_ms)
             self._say("ordered", train=train, order=order.name, load=order.order.from_, tip=order.order.to)
-            at = order.journeys[train].errand.start[0][0]
-            approach = self._setting.railway.approach.get(str(at))
-            if approach is not None:
-                self._describer.expected.setdefault(approach, []).append(train)
+            self._describer.expects(str(order.journeys[train].errand.start[0][0]), train)
             self._fresh = True
 
     def _order(self, train: str) -> Derived | None:

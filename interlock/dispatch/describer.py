@@ -50,24 +50,31 @@ class Describer:
             if a in self._next_to and b in self._next_to:
                 self._next_to[a].add(b)
                 self._next_to[b].add(a)
-        self._edge: set[SectionId] = set()
-        """Sections in which trains first appear and from which they vanish: the approach section, if one reports."""
+        self._first: dict[str, SectionId] = {}
+        """By boundary: where trains first appear and from where they vanish; the approach section, if one reports."""
         for at in layout.track.boundaries:
             inside = layout.track.section_of(layout.track.edges_at[at.node][0].id)
-            self._edge.add(inside if at.approach is None or at.approach not in self._next_to else at.approach)
-            if at.approach is not None and inside in self._next_to and at.approach in self._next_to:
-                self._next_to[inside].add(at.approach)
-                self._next_to[at.approach].add(inside)
+            self._first[str(at.node)] = inside
+            if at.approach is not None and at.approach in self._next_to:
+                self._first[str(at.node)] = at.approach
+                if inside in self._next_to:
+                    self._next_to[inside].add(at.approach)
+                    self._next_to[at.approach].add(inside)
+        self._edge = set(self._first.values())
         self.trains: list[Described] = []
         self.alarms: dict[str, str] = {}
         """By number: what is wrong with it."""
         self.blocked: dict[SectionId, str] = {}
         """Sections kept blocked for lost wagons: the train that lost them."""
         self.expected: dict[SectionId, list[str]] = {}
-        """By approach section: the numbers that are to come there, in order."""
+        """By section in which trains first appear: the numbers that are to come there, in order."""
         self.occupied: set[SectionId] = set()
         """As in the scan before."""
         self._leads: set[tuple[SectionId, SectionId]] = set()
+
+    def expects(self, boundary: str, number: str) -> None:
+        """A train with this number is to come over a boundary, after those that were told before."""
+        self.expected.setdefault(self._first[boundary], []).append(number)
 
     # --- events --------------------------------------------------------------------------------
 
