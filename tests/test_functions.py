@@ -24,6 +24,7 @@ OTHERS = (
     "driven",
     "entry_speeds",
     "foul_joint",
+    "held_apart",
     "held_longer",
     "overlap_condition",
     "overlaps",

@@ -42,13 +42,13 @@ A, B, N, Y = 1, 2, 3, 4
 
 
 class Line:
-    """The emitted runtime with its points, which turn in a second; each scan half a second."""
+    """The emitted runtime with a point, which turns in a second; each scan half a second."""
 
-    def __init__(self) -> None:
-        names = load(Case.of(FILE).runtime)
+    def __init__(self, file: str = FILE, point: int = 2) -> None:
+        names = load(Case.of(file).runtime)
         self.controller: Any = names["Controller"]()
         self.inputs = {n: int(n.startswith(("CLR_", "VALID"))) for n in names["INPUTS"]}
-        self.lies = "N"
+        self.lies, self.point = "N", point
         self.run(700)
 
     def run(self, seconds: float, **inputs: int) -> None:
@@ -56,10 +56,10 @@ class Line:
         number = inputs.pop("REQ", 0)
         self.inputs |= inputs
         for _ in range(round(2 * seconds)):
-            detected = {f"D{x}_2": int(x == self.lies) for x in "NR"}
+            detected = {f"D{x}_{self.point}": int(x == self.lies) for x in "NR"}
             self.controller.scan(self.inputs | detected | {"REQ": number}, 500)
             number = 0
-            turned = [x for x in "NR" if self.controller.state[f"C{x}_2"]]
+            turned = [x for x in "NR" if self.controller.state[f"C{x}_{self.point}"]]
             self.lies = turned[0] if turned else self.lies
 
     def until_in(self) -> None:
@@ -144,6 +144,135 @@ def test_a_grant_of_the_same_route_meanwhile_begins_anew() -> None:
     assert not line.controller.state["A_R1"] and line.controller.state["AH_R1"]
 
 
+# --- what other routes lock meanwhile -------------------------------------------------------------
+
+APART = Path("tests/layouts_for_tests/held_apart.yaml").read_text("utf-8")
+THROUGH = (
+    APART.replace("  N: {from: k1, into: e1}\n", "").replace("overlaps:\n  N: {length: 20}\n", "")
+    + "automatic:\n  - {from: B, to: E, via: [T1, e1]}\n"
+)
+"""Nobody stops at N: routes lead out over the boundary, those from B by themselves."""
+
+
+class Apart(Line):
+    """Trains from W and from X, each over its own route over the same last sections."""
+
+    def __init__(self, folder: Path, text: str) -> None:
+        file = folder / "held_apart.yaml"
+        file.write_text(text, "utf-8")
+        self.joins = "N"
+        super().__init__(str(file), 5)
+        self.run(5, RELALL=1)
+        self.run(5, RELALL=0)
+
+    def run(self, seconds: float, **inputs: int) -> None:
+        """So many seconds; the point at which the lines come together turns at once, too."""
+        for i in range(round(2 * seconds)):
+            state = self.controller.state
+            self.joins = next((x for x in "NR" if state.get(f"C{x}_1")), self.joins)
+            detected = {f"D{x}_1": int(x == self.joins) for x in "NR"}
+            super().run(0.5, **(inputs if i == 0 else {}), **detected)
+
+    def comes(self, side: str, route: int) -> None:
+        """A train comes in from one side as far as k1."""
+        self.run(4, REQ=route)
+        assert self.controller.state[f"S_R{route}"]
+        self.run(5, **{f"CLR_{side}0": 0})
+        self.run(3, **{f"CLR_{side}1": 0})
+        self.run(3, **{f"CLR_{side}0": 1, "CLR_T1": 0})
+        self.run(3, **{f"CLR_{side}1": 1, "CLR_k1": 0})
+        self.run(1, CLR_T1=1)
+
+    def goes(self) -> None:
+        """It leaves for E."""
+        self.run(3, CLR_e1=0)
+        self.run(3, CLR_k1=1)
+        self.run(1, CLR_e1=1)
+
+    def holds(self, *locks: str) -> bool:
+        """Whether what was added to the first route is held, by these locks or after them."""
+        state = self.controller.state
+        return bool(state["AH_R1"]) and (not locks or any(state[x] for x in locks))
+
+    def until_last(self, *locks: str) -> None:
+        """Until the last of these locks is gone."""
+        for _ in range(1000):
+            if not self.holds(*locks):
+                assert self.holds()
+                return
+            self.run(0.5)
+        raise AssertionError(f"{locks} stay locked")
+
+
+def lets_go(line: Apart, since_s: float, *locks: str) -> bool:
+    """Whether the first route lets go within its 100 s, and no sooner, though others lock the same again meanwhile."""
+    others = kept = 0
+    for _ in range(round(2 * (98 - since_s))):
+        assert line.holds()
+        others += line.holds(*locks)
+        line.run(0.5)
+    for _ in range(10):
+        kept += line.holds()
+        line.run(0.5)
+    assert others and any(line.controller.state[x] for x in locks)  # they still do
+    return kept < 10
+
+
+def test_an_automatic_route_over_the_same_last_section_does_not_begin_it_anew(tmp_path: Path) -> None:
+    line = Apart(tmp_path, THROUGH)
+    line.comes("w", 1)
+    line.run(1, AUTO_R2=1)
+    line.goes()
+    line.until_last("A_R1", "L_e1_2")
+    assert lets_go(line, 0, "L_e1_2") and line.controller.state["A_R2"]
+    line.run(10, REQ=5)
+    assert line.controller.state["A_R5"] and line.lies == "R"
+
+
+def test_an_overlap_of_the_same_signal_does_not_begin_it_anew(tmp_path: Path) -> None:
+    line = Apart(tmp_path, APART)
+    line.comes("w", 1)
+    line.until_last("A_R1", "L_T1_3", "V_N_1")
+    line.run(3, REQ=3)
+    line.goes()
+    line.run(20)
+    line.run(3, REQ=2)
+    assert line.controller.state["A_R2"]
+    assert lets_go(line, 33, "V_N_1")
+    line.run(10, REQ=6)
+    assert line.controller.state["A_R6"] and line.lies == "R"
+
+
+@pytest.mark.parametrize("text", [APART, THROUGH])
+def test_a_grant_of_the_same_route_begins_it_anew_whatever_others_did(tmp_path: Path, text: str) -> None:
+    """After others locked the same, too: the train of the new grant has its own seconds."""
+    line = Apart(tmp_path, text)
+    line.run(4, REQ=1)
+    line.run(1, CAN_A=1)
+    line.run(10, CAN_A=0)
+    line.run(4, REQ=2)
+    assert line.controller.state["A_R2"] and line.controller.state["AHE_R1"]
+    line.run(1, CAN_B=1)
+    line.run(20, CAN_B=0)
+    line.run(4, REQ=1)
+    assert line.controller.state["A_R1"] and not line.controller.state["AHE_R1"]
+    line.run(200)
+    assert line.holds("A_R1")
+    line.run(1, CAN_A=1)
+    line.run(97, CAN_A=0)
+    assert line.holds()
+    line.run(5)
+    assert not line.holds() and not line.controller.state["AHE_R1"]
+
+
+@pytest.mark.parametrize("text", [APART, THROUGH])
+def test_it_is_proved_where_others_lock_the_same(text: str) -> None:
+    layout, table = made(text)
+    result = prove(System(layout, lower(layout, table)), Limits(search_s=0))
+    assert {c.verdict for c in result.claims} == {Verdict.PROVED} and not result.dropped
+    assert agree(*told(text), specification.shipped()).left == ()
+
+
 # --- table, proof, second checker -----------------------------------------------------------------
 
 
@@ -193,7 +322,7 @@ def test_a_controller_that_lets_go_sooner_is_refused_by_the_second_checker(contr
 
 def test_a_time_that_nobody_asks_for_is_refused_by_the_second_checker() -> None:
     _, system, text = told(TEXT)
-    with pytest.raises(Rejected, match=r"S-DEMANDED|D-PRESET"):
+    with pytest.raises(Rejected, match=r"S-DECLARED|S-DEMANDED|D-PRESET"):
         agree(loaded(AT_ONCE), system, text, specification.shipped())
 
 

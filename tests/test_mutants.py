@@ -29,7 +29,7 @@ OVERLAPS = "../tests/layouts_for_tests/overlaps"
 CLOSING = "../tests/layouts_for_tests/closing"
 TOKEN = "../tests/layouts_for_tests/token"
 ADDED = "../tests/layouts_for_tests/added"
-HELD = "../tests/layouts_for_tests/held_longer"
+HELD = "../tests/layouts_for_tests/held_apart"
 SWING = "../tests/layouts_for_tests/swing"
 BOARDS = "../tests/layouts_for_tests/boards"
 IDENTIFIER = "../tests/layouts_for_tests/identifier"
@@ -61,7 +61,7 @@ ON = {
     "trap-entered": "../tests/layouts_for_tests/trap_beyond",
     "entrance-left-by": "../tests/layouts_for_tests/no_calling_on",
     **dict.fromkeys(("declared-not-excluded", "added-point-not-detected", "added-let-go"), ADDED),
-    **dict.fromkeys(("held-no-longer", "held-from-the-grant"), HELD),
+    **dict.fromkeys((k.name for k in KINDS if k.name.startswith(("held-", "hold-"))), HELD),
     "added-to-called-on-forgotten": "../tests/layouts_for_tests/called_on",
     "added-not-clear": "../tests/layouts_for_tests/clear_beyond",
     "board-passed": BOARDS,
@@ -183,6 +183,8 @@ ALONE = {
     "added-let-go": (ADDED, "S-DECLARED"),
     "held-no-longer": (HELD, "S-DEMANDED"),
     "held-from-the-grant": (HELD, "S-DEMANDED"),
+    "hold-begun-under-way": (HELD, "S-DEMANDED"),
+    "hold-not-begun-anew": (HELD, "S-DEMANDED"),
     "added-to-called-on-forgotten": ("../tests/layouts_for_tests/called_on", "S-DECLARED"),
     "added-not-clear": ("../tests/layouts_for_tests/clear_beyond", "S-DEMANDED"),
 }

@@ -26,6 +26,7 @@ from tests.written import shipped, told
 
 OTHERS = (
     "added",
+    "held_apart",
     "held_longer",
     "boards",
     "clear_beyond",

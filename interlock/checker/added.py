@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from interlock.checker.formula import Formula, some
+from interlock.checker.formula import FALSE, Formula, some
 from interlock.checker.lengths import whole_ms
 from interlock.checker.railway import Calling, Path, Signal
 from interlock.checker.terminals import Terminals
@@ -102,6 +102,10 @@ class Added(Terminals):
 
     def w_holds_added(self, r: int) -> Formula:
         return self.known(f"AH_R{r}")
+
+    def w_hold_begun(self, r: int) -> Formula:
+        """The route would have let go what was added to it, and has not been set since; nobody else's bit tells it."""
+        return self.known(f"AHE_R{r}") if self.w_hold_of(r) else FALSE
 
     def w_last_held(self, r: int) -> Way:
         """The way whose lock a train leaves behind when it is wholly in the last section; where a route leads out over

@@ -183,6 +183,7 @@ STATUS = _route("YX_R{}", "word: free, set, open, being cancelled, what it waits
 WHAT_IT_DOES = _route("XW_R{}", "word: what it does while it is set and its signal is at stop")
 HOLDS_ADDED = _route("AH_R{}", "holds what the author added to it")
 HOLD_RUNS = _route("AHI_R{}", "holds what was added to it, and is not under way any more")
+HOLD_BEGUN = _route("AHE_R{}", "holds what was added to it, and has not been under way since")
 HOLD_OVER = _route("AHT_R{}", "has held what was added to it for so long")
 
 # --- the controller: lines, conditions, zones ----------------------------------------------------

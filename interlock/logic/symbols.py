@@ -207,6 +207,8 @@ class RoutePath:
     """Machines that the author has it lock."""
     hold_timer: Name | None = None
     """The timer that runs while it holds longer what the author has added to it, and is not under way any more."""
+    hold_begun: Name | None = None
+    """That timer runs, whatever others lock: it would have let go what the author has added to it."""
 
 
 @dataclass(frozen=True)

@@ -4,8 +4,9 @@ AH: a route holds what was added to it.  From its grant until its train is wholl
 route leads out over a boundary or has no other section, until its last section is released.  The lock that is looked at
 is the last to go, since sections are released from rear to front; the overlap goes when the train stands.
 
-AHI, AHT: where the author asks for it (`hold`), the route holds it so many seconds longer, counted without a break; a
-grant of the same route meanwhile begins anew.
+AHI, AHT, AHE: where the author asks for it (`hold`), the route holds it so many seconds longer, counted without a break
+from when it would let go; a grant of the same route meanwhile begins anew, and nothing else does.  Others may lock the
+same section, or an overlap of the same signal, again meanwhile, so that it is remembered that the seconds have begun.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from collections.abc import Iterator
 
 from interlock.logic import names, rules
 from interlock.logic.controller import Join, Term
-from interlock.logic.expr import Expr, disj, neg, var
+from interlock.logic.expr import Expr, conj, disj, neg, var
 from interlock.logic.lower.draft import Draft
 from interlock.logic.names import Name
 from interlock.model.elements import MachineId, Position
@@ -72,6 +73,11 @@ def hold_timer(r: RouteRow) -> Name | None:
     return names.HOLD_OVER(r.number) if r.locking.hold else None
 
 
+def hold_begun(r: RouteRow) -> Name | None:
+    """The bit that tells that this timer runs since some scan before."""
+    return names.HOLD_BEGUN(r.number) if r.locking.hold else None
+
+
 def held(d: Draft, m: MachineId) -> list[Expr]:
     """Some route holds a machine that was added to it."""
     return [var(names.HOLDS_ADDED(r.number)) for r in d.routes.adding.get(m, ())]
@@ -104,7 +110,7 @@ def keep(d: Draft) -> None:
         )
         way, note = under_way, "set, or its train not yet wholly in the last section"
         if r.locking.hold:
-            way = disj((under_way, neg(_longer(d, r, under_way))))
+            way = neg(_longer(d, r, under_way))
             note = f"{note}, or so less than {r.locking.hold:g} s ago"
         d.kept(
             name,
@@ -117,11 +123,18 @@ def keep(d: Draft) -> None:
 
 
 def _longer(d: Draft, r: RouteRow, under_way: Expr) -> Expr:
-    """The route has held what was added to it for so many seconds since it was under way."""
+    """The route has held what was added to it for so many seconds since it was under way: then it lets go, whatever
+    others have locked meanwhile."""
+    input_, begun, over = names.HOLD_RUNS(r.number), names.HOLD_BEGUN(r.number), names.HOLD_OVER(r.number)
+    beginning = "not set, and its train wholly in the last section, or so since its last grant"
     terms = (
         Term(var(names.HOLDS_ADDED(r.number)), "held"),
-        Term(neg(under_way), "not under way", "not set, and its train wholly in the last section"),
+        Term(neg(var(names.GRANTED(r.number))), "not granted", "not set anew"),
+        Term(disj((var(begun), neg(under_way))), "not under way", beginning),
     )
-    input_, note = names.HOLD_RUNS(r.number), f"route {r.id} keeps what was added to it"
-    d.wire(input_, Join.ALL, terms, f"route {r.id}", f"{note} ({rules.FLANK_PROTECTION})")
-    return d.timer(names.HOLD_OVER(r.number), input_, r.locking.hold, f"{note} ({rules.FLANK_PROTECTION})")
+    note, group = f"route {r.id} keeps what was added to it ({rules.FLANK_PROTECTION})", f"route {r.id}"
+    runs = d.wire(input_, Join.ALL, terms, group, note)
+    is_over = d.timer(over, input_, r.locking.hold, note)
+    going_on = (Term(runs, "runs"), Term(neg(is_over), "not over"))
+    d.kept(begun, False, f"route {r.id} keeps what was added to it since it was under way", Join.ALL, going_on, group)
+    return conj((runs, is_over))

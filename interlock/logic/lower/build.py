@@ -132,6 +132,7 @@ def _path(d: Draft, r: RouteRow) -> RoutePath:
         tuple(d.table.route[c.route].number for c in r.locking.barred),
         tuple((p.machine, p.position) for p in r.locking.added),
         added.hold_timer(r),
+        added.hold_begun(r),
     )
 
 

@@ -64,7 +64,8 @@ def held(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         id_, holds = "S-DECLARED" if _among_hostile(f, r) else "S-DEMANDED", var(r.added)
         yield id_, f"{r.id} held", implies(after(var(r.proceed)), after(holds))
         ends = conj((holds, neg(after(holds))))
-        yield id_, f"{r.id} given up", implies(ends, neg(disj((var(r.active), after(var(r.active)), _last_lock(f, r)))))
+        last = conj((_last_lock(f, r), neg(_hold_begun(f, r))))
+        yield id_, f"{r.id} given up", implies(ends, neg(disj((var(r.active), after(var(r.active)), last))))
         yield from _held_longer(f, r)
         for d in of_points(f.layout.declared.demanded):
             if (d.machine, d.position) in r.path.demands and route_fits(f, d.routes, r):
@@ -78,8 +79,8 @@ def held(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
 
 def _held_longer(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
-    """What was added is given up when the route's hold is over, and no sooner; the hold does not run before the route
-    would give it up without."""
+    """What was added is given up when the route's hold is over, and no sooner; the hold does not begin before the route
+    would give it up without, and ends when it is set again."""
     if not hold_s(f, r):
         return
     timer = r.path.hold_timer
@@ -87,8 +88,16 @@ def _held_longer(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
     if timer is not None:
         input_, over = var(f.timers[timer].input), var(timer)
     yield "S-DEMANDED", f"{r.id} held longer", implies(conj((holds, neg(f.after(holds)))), over)
-    going = disj((neg(holds), var(r.active), _last_lock(f, r)))
-    yield "S-DEMANDED", f"{r.id} held longer since", implies(input_, neg(going))
+    begun, going = _hold_begun(f, r), disj((neg(holds), var(r.active), _last_lock(f, r)))
+    runs = conj((holds, neg(var(r.active)), disj((begun, neg(_last_lock(f, r))))))
+    yield "S-DEMANDED", f"{r.id} held longer since", implies(input_, runs)
+    yield "S-DEMANDED", f"{r.id} begun", implies(conj((f.after(begun), neg(begun))), neg(going))
+    yield "S-DEMANDED", f"{r.id} begun, not set", implies(f.after(begun), f.after(conj((holds, neg(var(r.active))))))
+
+
+def _hold_begun(f: Facts, r: RouteSymbols) -> Expr:
+    """The hold of a route, which the author asks for, runs since a scan before, whatever others lock."""
+    return var(r.path.hold_begun) if r.path.hold_begun is not None and hold_s(f, r) else FALSE
 
 
 def hold_s(f: Facts, r: RouteSymbols) -> float:
@@ -159,6 +168,8 @@ def added_invariants(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:
         return
     holds = var(r.added)
     yield "R-ADDED", implies(disj((var(r.active), *(var(n) for n in r.open_while))), holds)
+    if r.path.hold_begun is not None:
+        yield "R-HOLD-BEGUN", implies(var(r.path.hold_begun), conj((holds, neg(var(r.active)))))
     of = {x.number: x.added for x in f.sym.routes}
     for n in r.path.barred:
         other = of[n]

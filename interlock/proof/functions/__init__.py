@@ -44,7 +44,8 @@ FUNCTIONS: dict[str, str] = {
     "F-PASSING": "A signal stays open until the whole movement has passed, unless a condition is lost, where the "
     "layout has it so, and nowhere else; none does that calls on (R2, R3).",
     "F-ADDED": "A route holds what the author has added to it exactly from its grant until its train is wholly in its "
-    "last section, or has left (R5, R6).",
+    "last section, or has left; where it holds it longer, until these seconds are over, whatever others lock meanwhile "
+    "(R5, R6).",
     "F-SHOWN": "A route remembers that its signal has been open, from then on and only from then on (R8).",
     "F-CANCEL": "A cancelled route is given up as soon as R8 permits, and until then it goes on being cancelled; "
     "otherwise only a train ends a route.",

@@ -68,7 +68,7 @@ def start(w: Words) -> Expr:
     off: list[Expr] = []
     for r in sym.routes:
         off += [var(name) for name in (r.active, r.locked, r.want, r.proceed, r.shown, *r.open_while)]
-        off += [var(r.added)] if r.added is not None else []
+        off += [var(name) for name in (r.added, r.path.hold_begun) if name is not None]
     off += map(var, sym.cancellation.cancelling.values())
     for s in w.topo.sections:
         off += [f.locking.any_lock(s), f.locking.firm(s), f.seen.passed(s), f.seen.stale(s)]

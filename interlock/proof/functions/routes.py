@@ -92,6 +92,9 @@ def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
         yield "F-SPEED", r.id, implies(is_open, after(var(sym.aspects.speed[r.entry, speed])))
     if r.added is not None:
         yield "F-ADDED", r.id, _holds_added(w, r, r.added)
+    if r.path.hold_begun is not None and r.path.hold_timer is not None:
+        begun = conj((kept_longer(w, r), neg(var(r.path.hold_timer))))
+        yield "F-ADDED", f"{r.id} longer", iff(after(var(r.path.hold_begun)), begun)
     if r.passing is not None:
         yield "F-PASSING", r.id, _passing(w, r, r.passing)
         closes = w.layout.principles.shunt_closes if r.shunt else w.layout.principles.main_closes
@@ -302,14 +305,16 @@ def _added_lie(w: Words, r: RouteSymbols) -> Iterator[Expr]:
 def _holds_added(w: Words, r: RouteSymbols, name: Name) -> Expr:
     """What was added is held from the grant until the train is wholly in the last section (R6), and longer where the
     author asks for it: until that is over, and no longer."""
-    longer = FALSE if r.path.hold_timer is None else neg(var(r.path.hold_timer))
-    held = conj((disj((var(name), w.signals.set_now(r))), disj((_under_way(w, r), longer))))
-    return iff(w.after(var(name)), held)
+    stays = _under_way(w, r) if r.path.hold_timer is None else neg(var(r.path.hold_timer))
+    return iff(w.after(var(name)), conj((disj((var(name), w.signals.set_now(r))), stays)))
 
 
 def kept_longer(w: Words, r: RouteSymbols) -> Expr:
-    """A route holds what was added to it, and would have given it up."""
-    return FALSE if r.added is None else conj((var(r.added), neg(_under_way(w, r))))
+    """A route holds what was added to it, and would have given it up, now or before; it was not set anew since."""
+    if r.added is None or r.path.hold_begun is None:
+        return FALSE
+    since = disj((var(r.path.hold_begun), neg(_under_way(w, r))))
+    return conj((var(r.added), neg(w.signals.set_now(r)), since))
 
 
 def _under_way(w: Words, r: RouteSymbols) -> Expr:

@@ -125,8 +125,9 @@ def no_longer(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     for r in c.symbols.routes:
         if r.path.hold_timer is not None:
             at_once = Substitution({r.path.hold_timer: TRUE})
+            those = (r.added, r.path.hold_begun)
             shorter = tuple(
-                replace(e, terms=tuple(t._replace(expr=at_once(t.expr)) for t in e.terms)) if e.name == r.added else e
+                replace(e, terms=tuple(t._replace(expr=at_once(t.expr)) for t in e.terms)) if e.name in those else e
                 for e in c.next
             )
             yield r.id, replace(c, next=shorter)
@@ -141,5 +142,29 @@ def counted_early(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
             early = inputs[r.path.hold_timer]
             steps = tuple(
                 replace(s, terms=s.terms[:1]) if isinstance(s, Equation) and s.name == early else s for s in c.steps
+            )
+            yield r.id, replace(c, steps=steps)
+
+
+def begun_early(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """That what is held longer would have been let go is remembered while the train may still be coming."""
+    c = lower(layout, table)
+    for r in c.symbols.routes:
+        for e in c.next:
+            if r.added is not None and e.name == r.path.hold_begun:
+                always = (e.terms[0]._replace(expr=var(r.added)), *e.terms[1:])
+                yield r.id, replace(c, next=tuple(replace(x, terms=always) if x is e else x for x in c.next))
+
+
+def not_anew(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """What is held longer is not held anew for a train for which the route is set again."""
+    c = lower(layout, table)
+    inputs = {t.name: t.input for t in c.timers}
+    for r in c.symbols.routes:
+        if r.path.hold_timer is not None:
+            runs = inputs[r.path.hold_timer]
+            steps = tuple(
+                replace(s, terms=(s.terms[0], *s.terms[2:])) if isinstance(s, Equation) and s.name == runs else s
+                for s in c.steps
             )
             yield r.id, replace(c, steps=steps)

@@ -459,6 +459,8 @@ KINDS: tuple[Kind, ...] = (
     Kind("added-let-go", "what the author added is given up when the train has passed the signal", forgotten.let_go),
     Kind("held-no-longer", "what is to be held longer is given up when the train is wholly in", forgotten.no_longer),
     Kind("held-from-the-grant", "what is to be held longer is held so from the grant on", forgotten.counted_early),
+    Kind("hold-begun-under-way", "what is to be held longer counts as let go while under way", forgotten.begun_early),
+    Kind("hold-not-begun-anew", "a route set again lets go with the seconds of its last train", forgotten.not_anew),
     Kind("added-to-called-on-forgotten", "what is added to call-on routes alone is forgotten", forgotten.to_called_on),
     Kind("speed-not-shown", "a speed is not shown", forgotten.speeds_dark),
     Kind("speed-too-high", "a signal shows the speed of another route", _too_fast),
