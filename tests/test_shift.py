@@ -339,6 +339,20 @@ def test_a_train_that_comes_where_no_approach_section_reports_has_its_number(tmp
     assert w.trains > 2 and w.alarms == [] and not any(w.wrong.counts().values())
 
 
+def test_a_route_refused_over_its_own_overlap_is_no_alarm(tmp_path: Path) -> None:
+    """Points in the overlap of G33 lie otherwise, so that G33-G38 is refused until that is released.  Its sections are
+    locked as overlap, as if it were set: it was told as taken back, which is for what fails."""
+    file = tmp_path / "x.dispatch"
+    file.write_text(
+        "dispatch: 1\nlayout: overlap_unused\nfleet: {1: {length: 15, speed: 20, at: out}}\nplaces:\n"
+        "  out: {kind: waiting, at: W}\n  load: {kind: loading, at: s7, minutes: 4}\n"
+        "  tip: {kind: tipping, at: W30, minutes: 2, back: 2}\norders: {x: {from: load, to: tip, trains: 2}}\n",
+        "utf-8",
+    )
+    w = one("tests/layouts_for_tests/overlap_unused.yaml", str(file), 0, Options(hours=1.0))
+    assert w.trains == 2 and w.alarms == [] and not any(w.wrong.counts().values())
+
+
 def test_a_train_that_has_changed_ends_for_a_route_taken_back_changes_them_again(tmp_path: Path) -> None:
     """Loaded in a, with b falsely occupied, it changes ends for A2-WO; P fails, b is clear again, and A1-C1 is set: its
     signal stood behind the driver, for ever."""

@@ -313,7 +313,7 @@ class Dispatcher:
             and run.way.shut_ms >= REOPENS_MS
             and run.way.granted[run.way.at].shown.closed(seen)
         ):
-            return self._reopens(run)
+            return self._reopens(run, seen)
         if run.name in self.held:
             run.reason = self.held[run.name]
             return False
@@ -327,17 +327,18 @@ class Dispatcher:
         self._for, self._writes = (run, stage), stage.number
         return True
 
-    def _reopens(self, run: Run) -> bool:
-        """A route that has closed is asked for again, twice; then it is taken back."""
+    def _reopens(self, run: Run, seen: Indications) -> bool:
+        """A route that has closed is asked for again, twice; then it is taken back.  One of which no more is seen than
+        the overlap of its signal, locked, was refused: points in it lie otherwise."""
+        stage = run.way.granted[run.way.at]
         run.way.shut_ms = 0
         run.way.reopened += 1
         if run.way.reopened > 2:
-            self.journal.said.append(
-                f"{run.name}: {run.way.granted[run.way.at].route} is taken back, since it does not open again"
-            )
+            why = "is taken back, since it does not open again" if stage.taken(seen) else "was refused"
+            self.journal.said.append(f"{run.name}: {stage.route} {why}")
             run.way.cancelling = True
             return False
-        self._for, self._writes = None, run.way.granted[run.way.at].number
+        self._for, self._writes = None, stage.number
         return True
 
     def _wanted(self, run: Run, seen: Indications) -> Stage | None:
