@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -163,6 +164,26 @@ def test_an_overlap_that_does_not_swing_is_told() -> None:
     at_stop = [f"the overlap of X3: {p} is not detected reverse" for p in ("P2", "P3")]
     assert stop["route"] == "X2-X3" and stop["at_stop"][:2] == at_stop, "it swings"
     assert desk.type("set X2-X3") == [], "and the signal opens again"
+
+
+def test_what_is_held_longer_says_for_how_long() -> None:
+    """While the train comes in nobody knows how long it takes; from then on it is 30 s."""
+    ready = prepare("tests/layouts_for_tests/held_longer.yaml")
+    assert ready.proved.green and ready.layout is not None
+    desk = Desk(ready)
+    desk.cycles(round(ready.layout.principles.restart_delay_s * 1000 / STEP_MS) + 50)
+    desk.type("release")
+    assert desk.type("set A-N") == []
+    desk.field.stock.bring("W", 80, "T")
+    route, told = "route A-N, which demands 2 normal (overrun; held 30 s longer)", list[str]()
+    held = f"points 2 cannot move: {route}, is set or not yet cleared"
+    for _ in range(60):
+        desk.operator.type("set Y-E")
+        told += [x["refused"] for x in desk.cycles(5_000 // STEP_MS) if x.get("route") == "Y-E" and "refused" in x]
+    to_go = [x for x in told if x.startswith(held)]
+    assert to_go[0] == held, told
+    left = [int(x.removeprefix(f"{held}: ").removesuffix(" s to go")) for x in to_go if x != held]
+    assert len(left) > 4 and left[0] > 24 and all(b == a - 5 for a, b in pairwise(left)), told
 
 
 def test_a_route_whose_way_past_a_signal_was_cancelled_says_what_to_do() -> None:

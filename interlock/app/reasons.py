@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from functools import cached_property
+from math import ceil
 
 from interlock.dataclass import dataclass
 from interlock.diag.called import called
@@ -108,9 +109,22 @@ class Reasons:
         """What a code says; of a lock, by whom it is held in this moment."""
         said = self._controller.words.reasons[code]
         x = said.condition
-        if x is not None and x.op is NOT and x.args[0].op is VAR and x.args[0].name in self.locks:
-            return Reason(self.locked(x.args[0].name, moment), said.at, said.rule)
-        return Reason(said.text, said.at, said.rule)
+        if x is None or x.op is not NOT or x.args[0].op is not VAR:
+            return Reason(said.text, said.at, said.rule)
+        name = x.args[0].name
+        text = self.locked(name, moment) if name in self.locks else f"{said.text}{self._to_go(name, moment)}"
+        return Reason(text, said.at, said.rule)
+
+    def _to_go(self, name: str, moment: Moment) -> str:
+        """For how long a route still holds what the author added to it; empty where that is not counted (yet)."""
+        known = self._names.get(name)
+        if known is None or known.family is not names.HOLDS_ADDED:
+            return ""
+        timer = names.HOLD_OVER(known.number)
+        step, ran = self._steps.get(timer), moment.before.elapsed.get(timer)
+        if not isinstance(step, Timer) or ran is None:
+            return ""
+        return f": {ceil(max(0, step.preset_ms - ran) / 1000)} s to go"
 
     def of_stop(self, number: int, moment: Moment) -> list[Reason]:
         """What a route that is set still waits for before its signal opens."""
