@@ -339,17 +339,22 @@ def test_a_train_that_comes_where_no_approach_section_reports_has_its_number(tmp
     assert w.trains > 2 and w.alarms == [] and not any(w.wrong.counts().values())
 
 
-def test_a_route_refused_over_its_own_overlap_is_no_alarm(tmp_path: Path) -> None:
+@pytest.mark.parametrize(("tip", "length", "refused"), [("W30", 60, 1), ("W30", 15, 0), ("W27", 15, 0)])
+def test_a_route_refused_over_its_own_overlap_is_no_alarm(tmp_path: Path, tip: str, length: int, refused: int) -> None:
     """Points in the overlap of G33 lie otherwise, so that G33-G38 is refused until that is released.  Its sections are
-    locked as overlap, as if it were set: it was told as taken back, which is for what fails."""
+    locked as overlap, as if it were set: it was told as taken back, which is for what fails.  A short train waits for
+    less than a minute; its route was granted, and cancelled as it opened, since the time before was counted on."""
     file = tmp_path / "x.dispatch"
     file.write_text(
-        "dispatch: 1\nlayout: overlap_unused\nfleet: {1: {length: 15, speed: 20, at: out}}\nplaces:\n"
+        f"dispatch: 1\nlayout: overlap_unused\nfleet: {{1: {{length: {length}, speed: 20, at: out}}}}\nplaces:\n"
         "  out: {kind: waiting, at: W}\n  load: {kind: loading, at: s7, minutes: 4}\n"
-        "  tip: {kind: tipping, at: W30, minutes: 2, back: 2}\norders: {x: {from: load, to: tip, trains: 2}}\n",
+        f"  tip: {{kind: tipping, at: {tip}, minutes: 2, back: 2}}\n"
+        "orders: {x: {from: load, to: tip, trains: 2}}\n",
         "utf-8",
     )
-    w = one("tests/layouts_for_tests/overlap_unused.yaml", str(file), 0, Options(hours=1.0))
+    shift = Shift(prepared("tests/layouts_for_tests/overlap_unused.yaml", str(file)), 0, Options(hours=1.0))
+    w, said = shift.run(), shift._dispatcher.journal.said
+    assert [x for x in said if "refused" in x] == ["1: G33-G38 was refused"] * refused * 2
     assert w.trains == 2 and w.alarms == [] and not any(w.wrong.counts().values())
 
 

@@ -224,6 +224,7 @@ class Dispatcher:
         del run.way.granted[run.way.at :], run.way.places[run.way.at :]
         run.asking.routes.clear()
         run.way.cancelling = False
+        run.way.shut_ms = run.way.reopened = 0
         self.holding.forget()
 
     def _remove(self, run: Run) -> None:
