@@ -15,12 +15,14 @@ import pytest
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.commands import errand
 from interlock.dispatch.dispatcher import waiting
+from interlock.dispatch.plan.errands import Place, Step
 from interlock.dispatch.plan.explore import explore
 from interlock.dispatch.plan.problem import build, in_the_way
-from interlock.dispatch.plan.railway import Railway
+from interlock.dispatch.plan.railway import Railway, straight
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
+from interlock.model.elements import SectionId
 from interlock.model.layout import Layout
 from interlock.proof.claims import Facts, claims
 from interlock.proof.system.transition import System
@@ -371,3 +373,12 @@ def _block(rest: str) -> list[str]:
             break
         found.append(line)
     return found
+
+
+def test_a_journey_has_no_place_that_leads_only_back() -> None:
+    """From the siding a train goes on over the track by which it came there alone: without a step from there it counted
+    as done, and stood for ever."""
+    start, track, siding, end = (Place(0, frozenset(), None, ((SectionId(s), 1),)) for s in ("a", "b", "c", "d"))
+    steps = {start: [track], track: [siding, end], siding: [track], end: []}
+    found = straight({p: [Step((), x, False) for x in out] for p, out in steps.items()}, start)
+    assert {p: [s.after for s in out] for p, out in found.items()} == {start: [track], track: [end], end: []}

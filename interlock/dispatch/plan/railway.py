@@ -163,8 +163,8 @@ class Railway:
         kept = _leading(steps, homes)
         if start not in kept:
             raise self._none(errand, steps)
-        steps = {p: [s for s in steps[p] if s.after in kept] for p in kept}
-        return Journey(errand, start, _straight(self._cheap_first(steps, errand.length_m), start), self)
+        found = straight(self._cheap_first(_within(steps, kept), errand.length_m), start)
+        return Journey(errand, start, found, self)
 
     def _none(self, errand: Errand, steps: Mapping[Place, Sequence[Step]]) -> NoVoyage:
         """Why no chain of routes makes an errand: the first leg that none makes, and where routes lead on it."""
@@ -379,8 +379,14 @@ def _leading(steps: Mapping[Place, Sequence[Step]], homes: Iterable[Place]) -> s
     return found
 
 
-def _straight(steps: dict[Place, list[Step]], start: Place) -> dict[Place, list[Step]]:
-    """Without the steps that lead back to where the train was: it never goes round."""
+def _within(steps: Mapping[Place, Sequence[Step]], kept: set[Place]) -> dict[Place, list[Step]]:
+    """The steps from some places to one another."""
+    return {p: [s for s in out if s.after in kept] for p, out in steps.items() if p in kept}
+
+
+def straight(steps: Mapping[Place, Sequence[Step]], start: Place) -> dict[Place, list[Step]]:
+    """Without the steps that lead back to where the train was, and the places from which no others lead to an end: it
+    never goes round."""
     done: dict[Place, bool] = {start: False}
     stack = [(start, 0)]
     out: dict[Place, list[Step]] = {start: []}
@@ -399,4 +405,4 @@ def _straight(steps: dict[Place, list[Step]], start: Place) -> dict[Place, list[
         elif not done[step.after]:
             continue
         out[place].append(step)
-    return out
+    return _within(out, _leading(out, [p for p in out if not steps[p]]))
