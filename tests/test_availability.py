@@ -124,7 +124,7 @@ def test_points_that_a_train_has_left_otherwise_on_its_way_are_no_fault_of_a_tab
     layout, table, _ = made
     found = availability(closed_loop(layout, lower(layout, table)), table)
     assert [(p.first, p.second, p.failure) for p in found.pairs if p.failure and p.manner is not Manner.NONE] == []
-    (pair,) = [p for p in found.pairs if (p.first, p.second) == ("22X#-36G#", "26G#-28G#")]
+    (pair,) = [p for p in found.pairs if (p.first, p.second) == ("22X#-36G#", "32G#-26G#")]
     assert pair.apart is not None and pair.apart.startswith("22X#-36G#: the request is refused: not 17P#/18R# R")
 
 
