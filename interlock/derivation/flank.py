@@ -203,24 +203,24 @@ def _outward(
 def _signal_before(layout: Layout, r: Requester, point: Point, position: Position) -> bool:
     """Whether a signal at stop is preferred to a point in a position that turns vehicles away.
 
-    Not to a derailer, nor to a point that leads into a trap: they are there for nothing else.
+    Not to a derailer, nor to a point that leads into a trap (safety siding, 安全线): they are there for nothing else.
     """
     if layout.principles.flank_by is FlankChoice.POINT or r.node in layout.pointwork.crossing_at:
         return False
-    return not point.derailer and not _leads_into_a_trap(layout, point, position)
+    end = layout.track.buffer_at.get(end_of_leg(layout, point, position))
+    return not point.derailer and (end is None or end.kind is not BufferKind.TRAP)
 
 
-def _leads_into_a_trap(layout: Layout, point: Point, position: Position) -> bool:
-    """Whether a leg leads over plain track into a trap: the point is there to lie for it (safety siding, 安全线)."""
-    node, edge = point.node, point.leg(position)
-    for _ in layout.track.edges:
+def end_of_leg(layout: Layout, point: Point, position: Position) -> NodeId:
+    """Where plain track over a leg of a point ends."""
+    edge, node, met = point.leg(position), point.node, set[EdgeId]()
+    while True:
+        met.add(edge)
         node = layout.track.far(edge, node)
-        if node in layout.track.buffer_at:
-            return layout.track.buffer_at[node].kind is BufferKind.TRAP
-        if node in layout.pointwork.point_at or node in layout.pointwork.crossing_at:
-            return False
-        edge = next(iter(onward_edges(layout, node, edge)), edge)
-    return False
+        onward = [e.id for e in layout.track.edges_at[node] if e.id != edge]
+        if len(onward) != 1 or onward[0] in met:
+            return node
+        edge = onward[0]
 
 
 def _end(layout: Layout, node: NodeId, spur: bool) -> Iterator[tuple[Provider, ...]]:

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from interlock.dataclass import dataclass
 from interlock.derivation.added import Demands
-from interlock.derivation.flank import Requester, requesters
+from interlock.derivation.flank import Requester, end_of_leg, requesters
 from interlock.derivation.locks import Locks
 from interlock.diag import Element, Sink
 from interlock.diag.called import called
@@ -53,21 +53,9 @@ def _protecting(layout: Layout) -> Iterator[tuple[Point, Position]]:
     """Derailers, and points one of whose legs leads over plain track to a trap, with the position that protects."""
     for p in layout.pointwork.points:
         for x in Position:
-            end = layout.track.buffer_at.get(_end(layout, p, x))
+            end = layout.track.buffer_at.get(end_of_leg(layout, p, x))
             if end is not None and end.kind in (BufferKind.TRAP, BufferKind.DERAIL):
                 yield p, x
-
-
-def _end(layout: Layout, p: Point, x: Position) -> NodeId:
-    """Where plain track over a leg ends."""
-    edge, node, met = p.leg(x), p.node, set[EdgeId]()
-    while True:
-        met.add(edge)
-        node = layout.track.far(edge, node)
-        onward = [e.id for e in layout.track.edges_at[node] if e.id != edge]
-        if len(onward) != 1 or onward[0] in met:
-            return node
-        edge = onward[0]
 
 
 def _outward(

@@ -120,7 +120,7 @@ def change(d: Draft) -> None:
 
 
 def _taken_back(x: BlockSymbols) -> Expr:
-    """The operator begins a special manual change while the direction is given, and the neighbour has not taken it:
+    """The operator holds the special manual change while the direction is given, and the neighbour has not taken it:
     from then on he is told that it is given no more, and the agreed time begins."""
     by_hand = (var(names.VALID), var(names.RESTART_OVER), var(x.manual))
     return conj((*by_hand, var(x.give), neg(var(x.gives)), neg(var(x.has))))
