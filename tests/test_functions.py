@@ -18,6 +18,7 @@ from tests.test_operations import put
 
 OTHERS = (
     "added",
+    "air_lock_doors",
     "clear_beyond",
     "closing",
     "devices",

@@ -30,6 +30,7 @@ CLOSING = "../tests/layouts_for_tests/closing"
 TOKEN = "../tests/layouts_for_tests/token"
 ADDED = "../tests/layouts_for_tests/added"
 HELD = "../tests/layouts_for_tests/held_apart"
+DOORS = "../tests/layouts_for_tests/air_lock_doors"
 SWING = "../tests/layouts_for_tests/swing"
 BOARDS = "../tests/layouts_for_tests/boards"
 IDENTIFIER = "../tests/layouts_for_tests/identifier"
@@ -41,6 +42,7 @@ ON = {
     "way-not-available": "../tests/layouts_for_tests/foul_joint",
     "diamond-not-excluded": "junction",
     "approach-one-section": "junction",
+    **dict.fromkeys(("door-beside-open", "doors-at-once"), "../tests/layouts_for_tests/air_lock_doors"),
     **dict.fromkeys(("blocked-point-moves", "blocked-drive-runs"), "junction"),
     "starts-under-train": "cn6502",
     "flank-missing": FLANK,
@@ -157,6 +159,7 @@ def _killers() -> dict[str, tuple[str, str]]:
         "L-HELD": (two, "restart-release-occupied"),
         "P-LOCKED": (two, "point-free-while-locked"),
         "P-BLOCKED": ("junction", "blocked-point-moves"),
+        "P-AIR-LOCK": (DOORS, "door-beside-open"),
         "P-START": (two, "restart-unlocked"),
         "S-STOP": (two, "stop-lamp-dark"),
         "P-DRIVEN": (two, "machine-not-driven"),
@@ -179,6 +182,8 @@ ALONE = {
     "opens-after-block": ("fig2_3_split", "S-AGAIN"),
     "blocked-point-moves": ("junction", "P-BLOCKED"),
     "blocked-drive-runs": ("junction", "P-BLOCKED"),
+    "door-beside-open": (DOORS, "P-AIR-LOCK"),
+    "doors-at-once": (DOORS, "P-AIR-LOCK"),
     "starts-under-train": ("cn6502", "P-LOCKED"),
     "added-let-go": (ADDED, "S-DECLARED"),
     "held-no-longer": (HELD, "S-DEMANDED"),

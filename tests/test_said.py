@@ -26,6 +26,7 @@ from tests.written import shipped, told
 
 OTHERS = (
     "added",
+    "air_lock_doors",
     "held_apart",
     "held_longer",
     "boards",

@@ -96,7 +96,8 @@ def _of_machine(layout: Layout, y: Symbols, m: MachineId) -> Iterator[Possible]:
 def _idle(layout: Layout, m: MachineId) -> str:
     """What is said of a machine that nobody has commanded."""
     if m in layout.machines.device:
-        return f"{layout.machines.named(m)} is proved neither open nor closed, and was not commanded"
+        words = " nor ".join(layout.machines.word(m, x) for x in Position)
+        return f"{layout.machines.named(m)} is proved neither {words}, and was not commanded"
     return f"{m} is not detected, and was not commanded"
 
 

@@ -214,7 +214,8 @@ def _ends(layout: Layout) -> Described:
 
 def _devices(layout: Layout) -> Described:
     def text(d: Device) -> tuple[str, ...]:
-        return _words(str(d.kind), d.text, _over(d.over), _supervision(layout, d.id))
+        lock = f"of air lock {d.air_lock}" if d.air_lock else ""
+        return _words(str(d.kind), lock, d.text, _over(d.over), _supervision(layout, d.id))
 
     return {d.id: text(d) for d in layout.signalling.devices}
 

@@ -211,7 +211,9 @@ class Reasons:
         assert isinstance(by_hand, Equation)
         if all(t.kind != "point free by hand" for t in by_hand.terms):
             return []
-        return self._not_free(machine, moment, ())
+        look = _Look(self, moment)
+        apart = (t.expr for t in by_hand.terms if t.kind == "other doors shut" and not look.true(t.expr))
+        return [*self._not_free(machine, moment, ()), *(reason for x in apart for reason in look.why(x, True))]
 
     def of_hold(self, machine: MachineId, moment: Moment) -> list[Reason]:
         """What holds a machine where it lies, whether or not something stands over it: routes and overlaps, flank

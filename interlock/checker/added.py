@@ -7,7 +7,7 @@ from typing import Any
 
 from interlock.checker.formula import FALSE, Formula, some
 from interlock.checker.lengths import whole_ms
-from interlock.checker.railway import Calling, Path, Signal
+from interlock.checker.railway import Calling, Path, Signal, air_locks
 from interlock.checker.terminals import Terminals
 from interlock.checker.track import Demand, Way
 from interlock.checker.words import fact
@@ -16,6 +16,15 @@ from interlock.verify import need
 
 class Added(Terminals):
     """Words of additions."""
+
+    def demands(self) -> Iterator[Mapping[str, Any]]:
+        """What the author demands, and what an air lock does: who runs through one door has the others shut."""
+        yield from self.r.body.get("demand") or ()
+        for m, lock in air_locks(self.r).items():
+            for other in self.w_other_doors(m):
+                reason = f"of the doors of air lock {lock} only one may be open"
+                for s in self.r.devices[m]:
+                    yield {"point": other, "lies": "normal", "routes": {"via": [s]}, "reason": reason}
 
     def chosen_routes(self, choice: Mapping[str, Any]) -> list[int]:
         """The routes that the author chooses; over which trains are called on, by the lamp that is lit for them."""
@@ -33,7 +42,7 @@ class Added(Terminals):
 
     def w_routes_demanding(self) -> list[int]:
         """Others that hold what was added to them: points that do not lie so for them anyway."""
-        told = {r for x in self.r.body.get("demand") or () if "point" in x for r in self.chosen_routes(x["routes"])}
+        told = {r for x in self.demands() if "point" in x for r in self.chosen_routes(x["routes"])}
         return [r for r in self.w_holding_routes() if r in told and r not in self.w_routes_declared()]
 
     def w_holding_routes(self) -> list[int]:
@@ -45,7 +54,7 @@ class Added(Terminals):
 
     def w_hold_of(self, r: int) -> int:
         """For how many milliseconds: the longest that some demand has it do."""
-        wishes = (x for x in self.r.body.get("demand") or () if "hold" in x and r in self.chosen_routes(x["routes"]))
+        wishes = (x for x in self.demands() if "hold" in x and r in self.chosen_routes(x["routes"]))
         return max((whole_ms(float(x["hold"])) for x in wishes), default=0)
 
     def w_is_one_of_these(self, t: str) -> Formula:
@@ -83,7 +92,7 @@ class Added(Terminals):
 
     def _demands(self, c: Calling, p: Path, called_on: bool) -> Iterator[Mapping[str, Any]]:
         """What the author demands of routes over this path: of call-on routes alone, or of others."""
-        for x in self.r.body.get("demand") or ():
+        for x in self.demands():
             whole = [k for k in ("point", "lies", "clear") if k in x] in (["point", "lies"], ["clear"])
             need(whole, "a demand names a point and how it lies, or a section that is clear")
             need("point" in x or not float(x.get("hold", 0)), "no section that is demanded clear is held longer")

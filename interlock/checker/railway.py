@@ -249,6 +249,12 @@ class Railway:
         return {m: sorted(found[m]) for m in sorted(found)}
 
 
+def air_locks(r: Railway) -> dict[str, str]:
+    """The air lock of each device that is a door of one."""
+    listed = r.body.get("interlocks") or {}
+    return {str(m): str(v["air_lock"]) for m, v in listed.items() if v.get("air_lock")}
+
+
 class Paths:
     """Over which a movement may run from a signal, and on which of them the author wants a route."""
 

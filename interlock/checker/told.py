@@ -44,7 +44,8 @@ class Telling(World):
         """What a machine is said to do that lies normal or reverse."""
         ends = [p for p in self.r.drawn.points.values() if p.machine == m]
         if not ends:
-            return "open" if normal else "closed"
+            told = ("shut", "open") if m in self.w_doors() else ("open", "closed")
+            return told[0 if normal else 1]
         if any(p.keyed for p in ends):
             return "locked by its key" if normal else "released by its key"
         if self._derails(m):
@@ -104,6 +105,19 @@ class Telling(World):
 
     def w_other_devices(self) -> list[str]:
         return [str(m) for m in self.r.body.get("interlocks") or ()]
+
+    def w_doors(self) -> list[str]:
+        """Devices that are told as doors: open for trains."""
+        listed = self.r.body.get("interlocks") or {}
+        return [str(m) for m, v in listed.items() if v.get("kind") == "door" or v.get("air_lock")]
+
+    def w_named_beside(self, m: str) -> list[str]:
+        """The other doors of its air lock in a sentence."""
+        return [" and ".join(sorted(self.w_other_doors(m)))]
+
+    def w_devices_closed(self) -> list[str]:
+        """The others: closed for trains."""
+        return [m for m in self.w_other_devices() if m not in self.w_doors()]
 
     def w_movable(self, m: str) -> Formula:
         """The machine may be commanded elsewhere."""

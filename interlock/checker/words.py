@@ -9,7 +9,7 @@ from typing import Any
 
 from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, no
 from interlock.checker.lengths import Lengths
-from interlock.checker.railway import Calling, Path, Railway, Run, Signal, safe
+from interlock.checker.railway import Calling, Path, Railway, Run, Signal, air_locks, safe
 from interlock.checker.track import Demand, Way
 from interlock.checker.written import Written
 from interlock.verify import Rejected
@@ -403,6 +403,15 @@ class Topology:
     def w_devices(self) -> list[str]:
         """Level crossings, bridges, doors: closed is reverse."""
         return list(self.r.devices)
+
+    def w_air_lock_doors(self) -> list[str]:
+        """Devices that are doors of an air lock: open is reverse."""
+        return list(air_locks(self.r))
+
+    def w_other_doors(self, m: str) -> list[str]:
+        """The other doors of the same air lock."""
+        locks = air_locks(self.r)
+        return [d for d, lock in locks.items() if d != m and lock == locks.get(m)]
 
     def w_point_machines(self) -> list[str]:
         return [m for m in self.r.machines if m not in self.r.devices]

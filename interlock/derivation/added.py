@@ -13,7 +13,7 @@ from itertools import product
 
 from interlock.derivation.routes import Path, over_which, where_routes_lead
 from interlock.diag import Element, Sink
-from interlock.model.elements import Choice, Demanded, Position, RouteId, SectionId
+from interlock.model.elements import Choice, Demanded, MachineId, Position, RouteId, SectionId, of_points
 from interlock.model.layout import Layout
 from interlock.table.cells import DEMANDED, BarredCell, Because, ClearCell, PointDemand, Role, RouteKind, authors_reason
 
@@ -66,8 +66,9 @@ def derive_barred(layout: Layout, paths: Sequence[Path], sink: Sink) -> Barred:
 def with_added(layout: Layout, paths: Sequence[Path], derived: Demands, sink: Sink) -> Demands:
     """The demands of all routes with those that the author adds."""
     found = {r: list(demands) for r, demands in derived.items()}
+    _of_air_locks(layout, paths, found, sink)
     for i, d in enumerate(layout.declared.demanded):
-        if not isinstance(d, Demanded):
+        if not isinstance(d, Demanded) or d.air_lock:
             continue
         those, idle = chosen(d.routes, paths), []
         for p in those:
@@ -93,13 +94,36 @@ def with_added(layout: Layout, paths: Sequence[Path], derived: Demands, sink: Si
     return {r: tuple(demands) for r, demands in found.items()}
 
 
+def _of_air_locks(
+    layout: Layout, paths: Sequence[Path], found: Mapping[RouteId, list[PointDemand]], sink: Sink
+) -> None:
+    """A route over a door of an air lock demands the others shut (R13); none, with its overlap, leads over two."""
+    told: set[tuple[RouteId, str]] = set()
+    for d in of_points(layout.declared.demanded):
+        for p in chosen(d.routes, paths) if d.air_lock else ():
+            lies = {x.machine: x.position for x in found[p.id]}
+            if d.machine not in lies:
+                found[p.id].append(_cell(d, p))
+            elif lies[d.machine] is not d.position and (p.id, d.air_lock) not in told:
+                told.add((p.id, d.air_lock))
+                open_ = [m for m in lies if _air_lock(layout, m) == d.air_lock and lies[m] is not d.position]
+                text = f"{p.id}, with its overlap, leads over {' and '.join(open_)}: of the doors of air lock "
+                fix = "end it at a signal between the doors, shorten its overlap, or exclude it: `exclude:`"
+                about = Element("interlocks", d.machine)
+                sink.add("IL4022", f"{text}{d.air_lock} only one may be open", None, fix, about=about)
+
+
+def _air_lock(layout: Layout, m: MachineId) -> str:
+    return layout.machines.device[m].air_lock if m in layout.machines.device else ""
+
+
 def _cell(d: Demanded, p: Path, before: PointDemand | None = None) -> PointDemand:
     """The demand in a route's row; before: another of the same, not held so long, of which the reason is told, too."""
     reasons = [d.reason]
     if before is not None:
         first = authors_reason(before.because).removesuffix(_longer(before.hold))
         reasons = [first, *(reasons if d.reason not in first.split("; ") else [])]
-    why = Because("R5", f"{DEMANDED}{'; '.join(reasons)}{_longer(d.hold)}")
+    why = Because("R13" if d.air_lock else "R5", f"{DEMANDED}{'; '.join(reasons)}{_longer(d.hold)}")
     return PointDemand(d.machine, d.position, Role.ADDED, p.ways[0].section, why, d.hold or None)
 
 

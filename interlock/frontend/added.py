@@ -11,6 +11,7 @@ from collections.abc import Mapping
 
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
+from interlock.frontend.doors import demands_of_air_locks
 from interlock.frontend.ports import Wiring
 from interlock.frontend.resolve import no_section, resolve_choice
 from interlock.frontend.schema import DemandSpec
@@ -60,7 +61,7 @@ def resolve_demanded(ctx: Context, wiring: Wiring) -> tuple[Demanded | DemandedC
             routes = resolve_choice(ctx, wiring, x.routes, ("demand", i, "routes"), "a demand")
             position = Position.NORMAL if x.lies == "normal" else Position.REVERSE
             out.append(Demanded(machines[x.point], position, routes, x.reason, x.hold))
-    return tuple(out)
+    return (*out, *demands_of_air_locks(ctx))
 
 
 def _machines(ctx: Context, wiring: Wiring) -> Mapping[str, MachineId]:

@@ -12,6 +12,7 @@ from interlock.diag import Span
 from interlock.diag.called import called
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
+from interlock.frontend.doors import as_door, check_doors
 from interlock.frontend.mistaken import ends_of_layout, for_a_section
 from interlock.frontend.parts import points_of
 from interlock.frontend.ports import Wiring
@@ -301,7 +302,9 @@ def resolve_devices(ctx: Context, wiring: Wiring) -> tuple[Device, ...]:
         for name, spec in specs.items():
             for i, s in enumerate(spec.over):
                 no_section(ctx, wiring, s, ctx.at(room, name, "over", i), f"{kind} {name}")
-            out.append(Device(MachineId(name), kind, spec.text, tuple(sorted(map(SectionId, spec.over)))))
+            device = Device(MachineId(name), kind, spec.text, tuple(sorted(map(SectionId, spec.over))))
+            out.append(as_door(ctx, device, spec))
+    check_doors(ctx)
     return tuple(sorted(out, key=lambda d: d.id))
 
 

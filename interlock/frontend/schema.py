@@ -161,6 +161,21 @@ class DeviceSpec(Part):
     supervision: Seconds | None = key(SUPERVISION, None)
 
 
+class InterlockSpec(DeviceSpec):
+    """A bridge, a hoist or another device, or a door, closed and locked for every movement over its sections; a door is
+    said to be open then."""
+
+    kind: Annotated[Literal["device", "door"] | None, choice("kind", ("device", "door"))] = key(
+        "whether it is told as closed or, a `door`, as open while trains may pass; without it, `door` where it is one "
+        "of an air lock, else `device`",
+        None,
+    )
+    air_lock: Name | None = key(
+        "the air lock whose door it is: of its doors never more than one is open; without it, none",
+        None,
+    )
+
+
 class ArmSpec(Part):
     """One arm of a diamond crossing."""
 
@@ -462,7 +477,7 @@ class LayoutFile(Part):
     slips: dict[Name, SlipSpec] = key("single and double slips", {})
     derailers: dict[Name, DerailerSpec] = key("derailers", {})
     level_crossings: dict[Name, DeviceSpec] = key("level crossings, closed and locked for every movement", {})
-    interlocks: dict[Name, DeviceSpec] = key("the same for a bridge, a door, a hoist", {})
+    interlocks: dict[Name, InterlockSpec] = key("the same for a bridge, a door, a hoist", {})
     signals: dict[Name, SignalSpec] = key("signals, each at the joint between two sections", {})
     distants: dict[Name, DistantSpec] = key("distant and repeating signals", {})
     sections: dict[Name, SectionSpec] = key("more about single sections", {})

@@ -36,7 +36,7 @@ _KEYS: dict[str, tuple[str, ...]] = {
     "slips": _names(schema.SlipSpec),
     "derailers": _names(schema.DerailerSpec),
     "level_crossings": _names(schema.DeviceSpec),
-    "interlocks": _names(schema.DeviceSpec),
+    "interlocks": _names(schema.InterlockSpec),
     "signals": _names(schema.SignalSpec),
     "distants": _names(schema.DistantSpec),
     "principles": _names(PrinciplesSpec),

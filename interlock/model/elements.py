@@ -224,19 +224,25 @@ class DeviceKind(StrEnum):
 
     LEVEL_CROSSING = "level crossing"
     INTERLOCK = "interlock"
+    DOOR = "door"
 
 
 @dataclass(frozen=True)
 class Device:
-    """A level crossing, bridge, door or hoist: normal is open (released), reverse is closed (secured for trains).
+    """A level crossing, bridge, door or hoist: normal is open (released), reverse is closed (secured for trains); of
+    what is told as a door, normal is shut and reverse is open.
 
-    It is worked like a machine, and closed for every movement over one of `over`.
+    It is worked like a machine, and brought to reverse for every movement over one of `over`.
+    `air_lock`: the air lock whose door it is, of which never more than one is open (R13); empty: of none.  `beside`:
+    its other doors.
     """
 
     id: MachineId
     kind: DeviceKind
     text: str
     over: tuple[SectionId, ...]
+    air_lock: str = ""
+    beside: tuple[MachineId, ...] = ()
 
 
 class SignalKind(StrEnum):
@@ -492,6 +498,8 @@ class Demanded:
     reason: str
     hold: float = 0.0
     """Seconds for which the routes hold what was added to them after they would let it go."""
+    air_lock: str = ""
+    """The air lock of which it is another door, where that demands it (R13)."""
 
 
 def of_points(demands: Iterable[Demanded | DemandedClear]) -> list[Demanded]:

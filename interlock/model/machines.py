@@ -49,6 +49,10 @@ class Machines(Collection[MachineId]):
         """Whether a machine works a derailer alone; one that works points, too, is told as points."""
         return all(p.derailer for p in self.ends.get(machine, ())) and machine in self.ends
 
+    def _is_door(self, machine: MachineId) -> bool:
+        """Whether a device is told as a door, which is open for trains and shut otherwise."""
+        return machine in self.device and self.device[machine].kind is DeviceKind.DOOR
+
     def named(self, machine: MachineId) -> str:
         """A machine in a sentence: with its kind, but that a bridge, door or hoist is told by its name alone."""
         device = self.device.get(machine)
@@ -58,7 +62,7 @@ class Machines(Collection[MachineId]):
         return called("derailer" if self.is_derailer(machine) else "points", machine)
 
     def lie(self, machine: MachineId, position: Position) -> str:
-        """Where a machine lies now: `P1 lies reverse`, `Gs1 is off`, `level crossing LC is closed`."""
+        """Where a machine lies now: `P1 lies reverse`, `Gs1 is off`, `level crossing LC is closed`, `D1 is shut`."""
         name, word = self.named(machine) if machine in self.device else str(machine), self.word(machine, position)
         return f"{name} {'lies' if word in ('normal', 'reverse') else 'is'} {word}"
 
@@ -94,6 +98,8 @@ class Machines(Collection[MachineId]):
     def _order(self, machine: MachineId, position: Position) -> tuple[str, str]:
         """What is said before and after the name."""
         normal = position is Position.NORMAL
+        if self._is_door(machine):
+            return ("shut" if normal else "open"), ""
         if machine in self.device:
             return ("open" if normal else "close"), ""
         if machine in self.by_hand:
@@ -105,12 +111,16 @@ class Machines(Collection[MachineId]):
     def moved(self, machine: MachineId, position: Position) -> str:
         """What is done to it then: `moved reverse`, `opened`, `released by its key`, `taken off`."""
         before, after = self._order(machine, position)
-        done = {"open": "opened", "put": "put", "take": "taken"}.get(before, f"{before.removesuffix('e')}ed")
+        done = {"open": "opened", "put": "put", "shut": "shut", "take": "taken"}.get(
+            before, f"{before.removesuffix('e')}ed"
+        )
         return f"{done} {after}".rstrip()
 
     def word(self, machine: MachineId, position: Position) -> str:
         """The position in the engineer's words."""
         normal = position is Position.NORMAL
+        if self._is_door(machine):
+            return "shut" if normal else "open"
         if machine in self.device:
             return "open" if normal else "closed"
         if machine in self.by_hand:
@@ -118,3 +128,8 @@ class Machines(Collection[MachineId]):
         if self.is_derailer(machine):
             return "on" if normal else "off"
         return "normal" if normal else "reverse"
+
+
+def other_doors(machines: Machines, machine: MachineId) -> tuple[MachineId, ...]:
+    """Of a door of an air lock the others, none of which is open while it is (R13); of anything else none."""
+    return machines.device[machine].beside if machine in machines.device else ()

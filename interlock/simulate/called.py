@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 from math import inf, isinf
 from typing import TYPE_CHECKING
 
+from interlock.model.elements import Position
 from interlock.model.portable import portable
 from interlock.simulate.track import NONE
 from interlock.simulate.train import Train
@@ -50,10 +51,12 @@ class Called:
             ):
                 for x in places:
                     by.setdefault(number[str(x)], []).append(name)
-        self.devices: dict[int, list[int]] = {}
+        self.devices: dict[int, list[tuple[int, str]]] = {}
+        """By section, the devices over it, and how each is said to be when no train may pass."""
         for d in layout.signalling.devices:
             for x in d.over:
-                self.devices.setdefault(section[str(x)], []).append(t.machines.index(str(d.id)))
+                told = t.machines.index(str(d.id)), layout.machines.word(d.id, Position.NORMAL)
+                self.devices.setdefault(section[str(x)], []).append(told)
         edge = {str(e.id): i for i, e in enumerate(layout.track.edges)}
         self.slow = {edge[str(p.reverse)]: p.speed for p in layout.pointwork.points if p.speed is not None}
         self.permits = [s.speed for s in layout.track.sections]
@@ -104,7 +107,9 @@ class Called:
         for n, x in enumerate(sections):
             name = self.track.sections[x]
             wrong += [f"against {e}" for e in self.over_section.get(x, ()) if lacking(e)]
-            wrong += [f"over {self.track.machines[m]}, open" for m in self.devices.get(x, ()) if self._undetected(m, 1)]
+            wrong += [
+                f"over {self.track.machines[m]}, {w}" for m, w in self.devices.get(x, ()) if self._undetected(m, 1)
+            ]
             if all(past.get(self.blocked[x], 0) for past, _ in self.world.reports.past):
                 wrong.append(f"into {name}, blocked")
             berth = t.driver.shunting and x in self.track.berths

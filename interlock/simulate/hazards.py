@@ -11,6 +11,7 @@ from dataclasses import field
 from typing import TYPE_CHECKING
 
 from interlock.dataclass import dataclass
+from interlock.model.elements import Position
 from interlock.model.layout import Layout
 from interlock.simulate.track import NONE, Track
 from interlock.simulate.train import Train
@@ -40,8 +41,14 @@ class Watch:
             self._machine_nodes[t.machines.index(str(p.machine))].append(legs)
         section = {s: i for i, s in enumerate(t.sections)}
         self._devices = [
-            (t.machines.index(str(d.id)), frozenset(section[str(s)] for s in d.over)) for d in layout.signalling.devices
+            (
+                t.machines.index(str(d.id)),
+                frozenset(section[str(s)] for s in d.over),
+                layout.machines.word(d.id, Position.REVERSE),
+            )
+            for d in layout.signalling.devices
         ]
+        """Each device, the sections over which it lies, and how it is said to be for trains."""
         self.limits = [(z.id, z.trains, frozenset(section[str(s)] for s in z.sections)) for z in layout.declared.zones]
 
     def tell(self, clock: float, key: str, text: str) -> None:
@@ -66,10 +73,11 @@ class Watch:
                     name = self.track.names_of_zones[fouled.bit_length() - 1]
                     text = f"trains {a.number} and {b.number} are foul of each other at {name}"
                     self.tell(world.clock, f"foul {a.number} {b.number} {name}", text)
-            for m, over in self._devices:
+            for m, over, secured in self._devices:
                 if world.machines.position[m] != 1 and not over.isdisjoint(a.under.sections):
                     name = self.track.machines[m]
-                    self.tell(world.clock, f"open {a.number} {name}", f"train {a.number} runs over {name}, not closed")
+                    said = f"train {a.number} runs over {name}, not {secured}"
+                    self.tell(world.clock, f"open {a.number} {name}", said)
 
     def comes_in(self, world: Scene, t: Train, section: int) -> None:
         """A head comes into a section in which another vehicle is (a shunting movement may, on sight in a berth), or

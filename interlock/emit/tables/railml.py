@@ -18,6 +18,8 @@ from interlock.table.national.reading import DERAILER, Reading
 from interlock.table.rows import InterlockingTable, RouteRow
 
 IN = {Position.NORMAL: "normal", Position.REVERSE: "reverse"}
+STATE = {"closed": "secured"}
+"""How a bridge or another device is that a route locks, where that is said otherwise than of level crossings."""
 
 
 def railml_json(layout: Layout, table: InterlockingTable) -> str:
@@ -94,8 +96,8 @@ def _route(x: Reading, r: RouteRow) -> dict[str, object]:
 def _relation(x: Reading, r: RouteRow, groups: _Groups) -> dict[str, object]:
     legs = [[p.name for p in c.providers if p.kind is ProviderKind.SIGNAL] for c in r.locking.flank]
     stops = dict.fromkeys(groups.place(names) for names in legs if names)
-    crossings = [p for p in r.locking.points if p.machine in x.layout.machines.device]
-    kinds = {p.machine: x.layout.machines.device[p.machine].kind for p in crossings}
+    devices = x.machines.devices(r).items()
+    crossings = {m for m, _ in devices if x.layout.machines.device[m].kind is DeviceKind.LEVEL_CROSSING}
     flank = [p for p in r.locking.points if p.role in (Role.FLANK, Role.ADDED)]
     return {
         "refersToRoute": r.id,
@@ -116,11 +118,11 @@ def _relation(x: Reading, r: RouteRow, groups: _Groups) -> dict[str, object]:
         + [{"refersTo": c.section, "inState": "vacant"} for c in r.clear.demanded or ()],
         "requiredSignalAspect": [{"refersTo": list(stops), "showsAspect": "closed"}] if stops else [],
         "requiredLevelCrossingState": [
-            {"refersTo": p.machine, "inState": "closed"}
-            for p in crossings
-            if kinds[p.machine] is DeviceKind.LEVEL_CROSSING
+            {"refersTo": m, "inState": x.layout.machines.word(m, at)} for m, at in devices if m in crossings
         ],
         "additionalRelation": [
-            {"refersTo": p.machine, "inState": "secured"} for p in crossings if kinds[p.machine] is DeviceKind.INTERLOCK
+            {"refersTo": m, "inState": STATE.get(word := x.layout.machines.word(m, at), word)}
+            for m, at in devices
+            if m not in crossings
         ],
     }

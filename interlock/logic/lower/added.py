@@ -19,6 +19,7 @@ from interlock.logic.expr import Expr, conj, disj, neg, var
 from interlock.logic.lower.draft import Draft
 from interlock.logic.names import Name
 from interlock.model.elements import MachineId, Position
+from interlock.model.machines import other_doors
 from interlock.table.rows import RouteRow, last_left
 
 
@@ -41,8 +42,17 @@ def free(d: Draft, r: RouteRow) -> list[Term]:
     for p in r.locking.added:
         free_ = var(names.POINT_AVAILABLE(p.machine, p.position))
         out.append(Term(free_, "added point available", f"{p.machine} {p.position}: {p.because.text}", p.because.rule))
-        out += not_trailed(d, p.machine)
+        out += [*not_trailed(d, p.machine), *others_shut(d, p.machine, p.position)]
     return out
+
+
+def others_shut(d: Draft, m: MachineId, x: Position) -> list[Term]:
+    """A door of an air lock is commanded open only while the others are shut, or was so before (R13)."""
+    if x is Position.NORMAL or not other_doors(d.layout.machines, m):
+        return []
+    shut = disj((d.machines.command(m, x), var(names.OTHERS_SHUT(m))))
+    note = f"{' and '.join(other_doors(d.layout.machines, m))} shut before {m} opens"
+    return [Term(shut, "other doors shut", note, rules.LEVEL_CROSSINGS)]
 
 
 def not_trailed(d: Draft, m: MachineId) -> list[Term]:

@@ -7,12 +7,15 @@ none, so that nothing moves at start-up.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from interlock.logic import names, rules
 from interlock.logic.controller import Input, Join, Output, Term
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.logic.lower import added, ways
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import MachineId, Position
+from interlock.model.machines import other_doors
 from interlock.model.times import supervision_s
 from interlock.table.cells import Role
 
@@ -60,6 +63,14 @@ def flank_demands(d: Draft) -> dict[tuple[MachineId, Position], Expr]:
 def movable(d: Draft) -> None:
     """Free to move: nothing locked, nothing occupied, no flank held (R10; never a shared flag)."""
     flank = flank_demands(d)
+    for m in (m for m in d.machines.all if other_doors(d.layout.machines, m)):
+        d.wire(
+            names.OTHERS_SHUT(m),
+            Join.ALL,
+            [t for other in other_doors(d.layout.machines, m) for t in _shut(d, other)],
+            f"point {m}",
+            f"the other doors of its air lock are shut ({rules.LEVEL_CROSSINGS})",
+        )
     for m in d.machines.all:
         terms: list[Term] = [Term(var(names.VALID), "inputs valid")]
         for s in d.machines.sections_of(m):
@@ -91,6 +102,12 @@ def movable(d: Draft) -> None:
             )
 
 
+def _shut(d: Draft, m: MachineId) -> list[Term]:
+    """A door is proved shut, and was not commanded open in the scan before (R13)."""
+    lies, opens = d.machines.detected(m, Position.NORMAL), d.machines.command(m, Position.REVERSE)
+    return [Term(lies, "other door shut", f"{m} shut"), Term(neg(opens), "other door not commanded open")]
+
+
 def _comes_to_lie(d: Draft, m: MachineId, x: Position) -> Expr:
     """The machine is commanded there already, and lies there or its drive is not kept off: what a block has stopped
     half-way does not come by itself, so that a route would be granted whose points never lie."""
@@ -101,7 +118,8 @@ def _comes_to_lie(d: Draft, m: MachineId, x: Position) -> Expr:
 def _closing(d: Draft, m: MachineId, x: Position) -> bool:
     """To close a level crossing, a bridge or another device is always permitted: it opens nothing for a train (R13);
     but for one that the author has routes hold open to its road, as the doors of an air lock."""
-    return m in d.layout.machines.device and x is Position.REVERSE and (m, x.other) not in added.demanded(d)
+    device = m in d.layout.machines.device and not other_doors(d.layout.machines, m)
+    return device and x is Position.REVERSE and (m, x.other) not in added.demanded(d)
 
 
 def commands(d: Draft) -> None:
@@ -137,12 +155,30 @@ def commands(d: Draft) -> None:
                             Term(neg(touched), "no grant in this scan"),
                         ]
                     ),
+                    *_apart_by_hand(d, m, x, demands),
                 ),
                 f"point {m}",
                 f"machine {m} moved {x} by hand",
             )
         for x in Position:
             _keep_command(d, m, x)
+
+
+def _apart_by_hand(
+    d: Draft, m: MachineId, x: Position, demands: Mapping[tuple[MachineId, Position], Expr]
+) -> list[Term]:
+    """A door of an air lock is opened by hand only while the others are shut, and nothing opens one in this scan; of
+    two that somebody opens by hand in one scan the first is opened (R13)."""
+    if x is Position.NORMAL or not other_doors(d.layout.machines, m):
+        return []
+    others = other_doors(d.layout.machines, m)
+    granted = disj(demands[other, x] for other in others)
+    by_hand = disj(var(names.MOVED_BY_HAND(other, x)) for other in others if other < m)
+    return [
+        Term(var(names.OTHERS_SHUT(m)), "other doors shut", "the other doors of its air lock are shut"),
+        Term(neg(granted), "no other door opens", "no grant opens another one in this scan"),
+        Term(neg(by_hand), "no other door opens", "nor is one before it opened by hand"),
+    ]
 
 
 def _keep_command(d: Draft, m: MachineId, x: Position) -> None:

@@ -75,6 +75,7 @@ def _availability(d: Draft, t: TraversalRow) -> list[Term]:
         terms.append(
             Term(free, f"{p.role} point available", f"{p.machine} {p.position}: {p.because.text}", p.because.rule)
         )
+        terms += added.others_shut(d, p.machine, p.position)
     return [*terms, *_trailed(d, t), *_foul(d, t), *_space(d, t)]
 
 
@@ -408,6 +409,7 @@ def swing_terms(d: Draft, g: SignalId, key: TraversalKey) -> list[Term]:
         terms.append(
             Term(free, f"{p.role} point available", f"{p.machine} {p.position}: {p.because.text}", p.because.rule)
         )
+        terms += added.others_shut(d, p.machine, p.position)
     return [*terms, *_trailed(d, t), *_foul(d, t), *_space(d, t)]
 
 

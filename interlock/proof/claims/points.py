@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
-from interlock.logic.expr import TRUE, Expr, conj, disj, implies, neg, var
+from interlock.logic.expr import TRUE, Expr, at_most_one, conj, disj, iff, implies, neg, var
 from interlock.logic.names import Name
-from interlock.logic.plant import lies
+from interlock.logic.plant import lies, old_command
 from interlock.model.elements import MachineId, Position, SectionId
-from interlock.proof.claims.kinds import Facts
+from interlock.model.machines import other_doors
+from interlock.proof.claims.kinds import Facts, Invariant
 
 
 def _held_fast(f: Facts, s: SectionId) -> Expr:
@@ -24,7 +25,7 @@ def _held_fast(f: Facts, s: SectionId) -> Expr:
 
 
 def points(f: Facts) -> Iterator[tuple[str, str, Expr]]:
-    """P-LOCKED and P-BLOCKED."""
+    """P-LOCKED, P-BLOCKED and P-AIR-LOCK."""
     after = f.after
 
     def stays(m: MachineId, x: Position) -> Expr:
@@ -32,6 +33,8 @@ def points(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         never = conj(neg(var(f.sym.machines.command[m, y])) for y in Position)
         return conj((var(f.sym.machines.detected[m, x]), after(lies(m, x)), never))
 
+    for m in f.layout.machines:
+        yield from _air_lock(f, m, other_doors(f.layout.machines, m))
     for m in f.layout.machines:
         secs = f.layout.machines.sections[m]
         moves = {
@@ -57,6 +60,18 @@ def points(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             yield from _driven(f, m, conj((*map(f.seen.steadily_clear, secs), var(f.sym.valid))), blocked, stays)
 
 
+def _air_lock(f: Facts, m: MachineId, others: Sequence[MachineId]) -> Iterator[tuple[str, str, Expr]]:
+    """A door of an air lock is commanded open only while all others are reported shut, and never beside another."""
+    opens = f.after(var(f.sym.machines.command[m, Position.REVERSE]))
+    begins = conj((opens, neg(var(f.sym.machines.command[m, Position.REVERSE]))))
+    for other in others:
+        shut, open_ = (var(f.sym.machines.detected[other, x]) for x in Position)
+        yield "P-AIR-LOCK", f"{m}, {other} shut", implies(begins, conj((shut, neg(open_))))
+        if m < other:
+            also = f.after(var(f.sym.machines.command[other, Position.REVERSE]))
+            yield "P-AIR-LOCK", f"{m} and {other}", neg(conj((opens, also)))
+
+
 def _driven(
     f: Facts, m: MachineId, clear: Expr, blocked: Sequence[Name], stays: Callable[[MachineId, Position], Expr]
 ) -> Iterator[tuple[str, str, Expr]]:
@@ -78,3 +93,23 @@ def _driven(
 def _machines_of(f: Facts, ways: Iterable[tuple[SectionId, int]]) -> set[MachineId]:
     """The machines of the points on ways."""
     return {f.layout.pointwork.point[p].machine for s, n in ways for p, _ in f.topo.traversals[s][n - 1].points}
+
+
+def machine_invariants(f: Facts) -> Iterator[Invariant]:
+    """No machine lies or is commanded both ways, drives follow commands, and of an air lock no two doors are commanded
+    open."""
+    opens = {m: var(f.sym.machines.command[m, Position.REVERSE]) for m in f.layout.machines}
+    for m in f.layout.machines:
+        one = [at_most_one(lies(m, x) for x in Position)]
+        one += [at_most_one(var(f.sym.machines.command[m, x]) for x in Position)]
+        one += [at_most_one(old_command(m, x) for x in Position)]
+        yield Invariant("P-ONE", m, conj(one))
+        turn, off = f.sym.machines.turn.get(m), f.sym.machines.kept_off.get(m)
+        runs = [*([] if turn is None else [var(turn)]), *([] if off is None else [neg(var(off))])]
+        driven = conj(
+            iff(var(f.sym.machines.drive[m, x]), conj((var(f.sym.machines.command[m, x]), *runs))) for x in Position
+        )
+        yield Invariant("P-DRIVEN", m, driven)
+        for other in other_doors(f.layout.machines, m):
+            if m < other:
+                yield Invariant(f"P-APART:{other}", m, neg(conj((opens[m], opens[other]))))

@@ -31,6 +31,7 @@ from interlock.proof.claims.added import added_invariants, called_on_lit
 from interlock.proof.claims.block import token_invariants
 from interlock.proof.claims.kinds import Facts, Invariant
 from interlock.proof.claims.overlaps import against_of, overlap_invariants, overrun, running_into
+from interlock.proof.claims.points import machine_invariants
 from interlock.proof.claims.slow import slow_invariants
 
 
@@ -70,26 +71,7 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
             out.append(Invariant("Z-SEEN", s, implies(inside, image(s))))
     for r in f.sym.routes:
         out += [Invariant(i, r.id, x) for i, x in _route(f, r)]
-    for m in f.layout.machines:
-        out.append(
-            Invariant(
-                "P-ONE",
-                m,
-                conj(
-                    (
-                        at_most_one(lies(m, x) for x in Position),
-                        at_most_one(var(f.sym.machines.command[m, x]) for x in Position),
-                        at_most_one(old_command(m, x) for x in Position),
-                    )
-                ),
-            )
-        )
-        turn, off = f.sym.machines.turn.get(m), f.sym.machines.kept_off.get(m)
-        runs = [*([] if turn is None else [var(turn)]), *([] if off is None else [neg(var(off))])]
-        driven = conj(
-            iff(var(f.sym.machines.drive[m, x]), conj((var(f.sym.machines.command[m, x]), *runs))) for x in Position
-        )
-        out.append(Invariant("P-DRIVEN", m, driven))
+    out += machine_invariants(f)
     return tuple(out)
 
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from interlock.logic.expr import Expr, conj, disj, iff, implies, neg, var
+from interlock.logic.expr import TRUE, Expr, conj, disj, iff, implies, neg, var
 from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import MachineId, Position, SignalId
+from interlock.model.machines import other_doors
 from interlock.proof.functions.words import Way, Words
 
 
@@ -77,7 +78,7 @@ def _commands(w: Words, m: MachineId) -> Iterator[tuple[str, str, Expr]]:
     for x in Position:
         command, other = w.points.commanded(m, x), w.points.commanded(m, x.other)
         key, opposite = var(w.sym.machines.by_hand[m, x]), var(w.sym.machines.by_hand[m, x.other])
-        permitted = conj(()) if w.points.closing(m, x) else conj((w.points.movable(m), untouched))
+        permitted = conj(()) if w.points.closing(m, x) else conj((w.points.movable(m), untouched, *_alone(w, m, x)))
         turned = conj((key, neg(opposite), permitted))
         yield "F-POINT", f"{m} {x} by hand", implies(turned, w.after(command))
         yield "F-POINT", f"{m} {x} stays", implies(w.ends(command), w.after(other))
@@ -85,6 +86,15 @@ def _commands(w: Words, m: MachineId) -> Iterator[tuple[str, str, Expr]]:
             back = conj((w.points.movable(m), untouched, neg(opposite)))
             yield "F-POINT", f"{m} returns", implies(back, w.after(command))
         yield "F-POINT", f"{m} {x} by a route", implies(disj(_demanding(w, m, x)), w.after(command))
+
+
+def _alone(w: Words, m: MachineId, x: Position) -> Iterator[Expr]:
+    """To open a door of an air lock by hand: the others are shut, and no route, overlap or hand opens one of them."""
+    for other in other_doors(w.layout.machines, m) if x is Position.REVERSE else ():
+        yield w.points.detected(other, Position.NORMAL)
+        yield neg(w.points.commanded(other, x))
+        yield _untouched(w, other)
+        yield TRUE if m < other else neg(var(w.sym.machines.by_hand[other, x]))
 
 
 def _demanding(w: Words, m: MachineId, x: Position) -> list[Expr]:

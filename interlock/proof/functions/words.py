@@ -10,6 +10,7 @@ from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.foul import Foul
+from interlock.model.machines import other_doors
 from interlock.model.measured import Beyond
 from interlock.model.places import Approach
 from interlock.model.traversal import Traversal
@@ -255,12 +256,14 @@ class PointWords:
         return conj((*free, *(neg(self.holding(way)) for way in self.flanks(m))))
 
     def closing(self, m: MachineId, x: Position) -> bool:
-        """To close a crossing or bridge is always permitted, but for one that routes hold open to its road (R13)."""
+        """To close a crossing or bridge is always permitted, but for one that routes hold open to its road, and for the
+        doors of an air lock (R13)."""
         held_open = any((m, x.other) in r.path.demands for r in self._w.sym.routes)
-        return m in self._w.layout.machines.device and x is Position.REVERSE and not held_open
+        machines = self._w.layout.machines
+        return m in machines.device and not other_doors(machines, m) and x is Position.REVERSE and not held_open
 
     def obtainable(self, m: MachineId, x: Position) -> Expr:
-        """The machine can be had in a position (R10)."""
+        """The machine can be had in a position (R10); a door of an air lock open while the others are shut (R13)."""
         if self.closing(m, x):
             return TRUE
         lies = conj((self.detected(m, x), *(neg(self.commanded(m, y)) for y in Position)))
@@ -270,7 +273,13 @@ class PointWords:
             if off is None
             else conj((self.commanded(m, x), disj((self.detected(m, x), neg(var(off))))))
         )
-        return disj((arrives, conj((self.movable(m), self.unblocked(m))), lies))
+        return conj((disj((arrives, conj((self.movable(m), self.unblocked(m))), lies)), self.alone(m, x)))
+
+    def alone(self, m: MachineId, x: Position) -> Expr:
+        """To open a door of an air lock: it is commanded so already, or the others are shut, and not commanded open."""
+        others = other_doors(self._w.layout.machines, m) if x is Position.REVERSE else ()
+        shut = [y for o in others for y in (self.detected(o, x.other), neg(self.commanded(o, x)))]
+        return disj((self.commanded(m, x), conj(shut)))
 
     def swings(self, m: MachineId) -> Expr:
         """An overlap over the machine swings from one alternative to another."""

@@ -428,6 +428,8 @@ KINDS: tuple[Kind, ...] = (
     Kind("driven-while-locked", "a driven point moves while it is locked", _unguarded("driven along")),
     Kind("blocked-point-moves", "a point of a blocked section moves for a route", blocked.point_moves),
     Kind("blocked-drive-runs", "the drive of a point runs on in a blocked section", blocked.drive_runs),
+    Kind("door-beside-open", "a door of an air lock opens beside an open one", without("WA MAR", "other doors shut")),
+    Kind("doors-at-once", "two doors of an air lock are opened in one scan", without("MAR", "no other door opens")),
     Kind("starts-under-train", "a point starts over a train that came since", without("ZS", "point section clear")),
     Kind("foul-not-checked", "proceed although a foul section is occupied", without("WD", "foul section clear")),
     Kind(

@@ -33,7 +33,7 @@ from interlock.model.elements import (
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology, Traversal, topology
 from interlock.table.cells import ExitKind, OverlapCell, Role, RouteKind
-from interlock.table.national.cn_notation import HEADINGS, LEGEND, OVERLAP, lying, order
+from interlock.table.national.cn_notation import DEVICE, HEADINGS, LEGEND, OVERLAP, lying, order
 from interlock.table.national.reading import Reading
 from interlock.table.national.sheet import Cell, Heading, Sheet, route_rows
 from interlock.table.printed import Printed, PrintedRoute
@@ -353,7 +353,7 @@ class _Form:
                 m = self.layout.pointwork.point[q].machine
                 out.setdefault(m, lying(m, on_path[m]))
             for p in flank:
-                if p.section == key[0]:
+                if p.section == key[0] and p.machine not in self.layout.machines.device:
                     out.setdefault(p.machine, f"[{lying(p.machine, p.position)}]")
             for p in r.locking.driven:
                 if p.section == key[0]:
@@ -406,14 +406,16 @@ class _Form:
         return bool(self._facing(r)[t.kind is not RouteKind.MAIN]) and self._meet(r, t)
 
     def _other(self, r: RouteRow) -> str:
-        """The block of the line on which a train departs (BS: 闭塞), the overlap, which has no column, and what stays
-        locked longer."""
+        """The block of the line on which a train departs (BS: 闭塞), level crossings, doors and other devices, the
+        overlap, which has no column, and what stays locked longer."""
         block = (
             self.layout.track.boundary_at[self._way(r.path.traversals[-1]).exit].block
             if self._departing(r)
             else BlockKind.NONE
         )
         parts = ["BS"] if block is BlockKind.SEMI_AUTOMATIC else []
+        devices = self._reading.machines.devices(r).items()
+        parts += [f"{m} {DEVICE[self.layout.machines.word(m, x)]}" for m, x in devices]
         overlap = [self._overlap(r, r.locking.overlap)] if r.locking.overlap is not None else []
         longer = [f"{m} 延时 {r.locking.hold:g} s 解锁" for m in r.locking.held_longer]
         return "、".join([*parts, *(c for c in r.requirements if not self._is_block(c)), *overlap, *longer])
@@ -421,7 +423,11 @@ class _Form:
     def _overlap(self, r: RouteRow, over: OverlapCell) -> str:
         """An overlap's sections, its points, those that protect it, and the speed for which it is made."""
         inside = {s for s, _ in over.ways}
-        own = [lying(p.machine, p.position) for p in r.locking.points if p.role is Role.OVERLAP]
+        own = [
+            lying(p.machine, p.position)
+            for p in r.locking.points
+            if p.role is Role.OVERLAP and p.machine not in self.layout.machines.device
+        ]
         own += [
             f"[{lying(p.machine, p.position)}]"
             for p in r.locking.points

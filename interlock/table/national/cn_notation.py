@@ -39,6 +39,10 @@ OVERLAP = ("保护区段 T，道岔 1", "终端信号机内方的保护区段及
 """Where a layout has overlaps, for which the form has no column."""
 
 
+DEVICE = {"open": "开启", "closed": "关闭", "shut": "关闭"}
+"""How a level crossing (道口), a door or another device is, by the word for it."""
+
+
 def lying(m: PointId | MachineId, x: Position) -> str:
     """Points as they lie: in brackets where reverse."""
     return m if x is Position.NORMAL else f"({m})"

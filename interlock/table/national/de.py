@@ -27,6 +27,10 @@ LAGE = (
 )
 
 
+GESTELLT = {"open": "offen", "closed": "geschlossen", "shut": "geschlossen"}
+"""How a device is, by the word for it."""
+
+
 def heading(mark: str, de: str, en: str, zh: str) -> Heading:
     """A heading; `mark` is the letter of the column in PT1."""
     return Heading(en, zh, de, mark)
@@ -100,9 +104,19 @@ def _deciding(x: Reading, r: RouteRow) -> str:
     return ", ".join(f"{x.machines.called(p)}{end_lage(x, p, position)}" for p, position in x.machines.deciding(r))
 
 
-def _devices(x: Reading, r: RouteRow, kind: DeviceKind) -> list[str]:
-    found = (p.machine for p in r.locking.points if p.machine in x.layout.machines.device)
-    return [str(m) for m in found if x.layout.machines.device[m].kind is kind]
+def _crossings(x: Reading, r: RouteRow) -> list[str]:
+    """The level crossings that are closed for a route."""
+    return [str(m) for m, at in x.machines.devices(r).items() if _closed(x, m, at)]
+
+
+def _closed(x: Reading, m: MachineId, at: Position) -> bool:
+    return x.layout.machines.device[m].kind is DeviceKind.LEVEL_CROSSING and at is Position.REVERSE
+
+
+def _other_devices(x: Reading, r: RouteRow) -> list[str]:
+    """Bridges, doors and what else a route locks, and level crossings that must be open."""
+    others = ((m, at) for m, at in x.machines.devices(r).items() if not _closed(x, m, at))
+    return [f"{m} {GESTELLT[x.layout.machines.word(m, at)]}" for m, at in others]
 
 
 def _derailers(x: Reading, r: RouteRow) -> str:
@@ -114,7 +128,7 @@ def _keys(x: Reading, r: RouteRow) -> str:
 
 
 def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
-    notes = [f"{m} geschlossen" for m in _devices(x, r, DeviceKind.INTERLOCK)]
+    notes = _other_devices(x, r)
     notes += [str(c.condition) for c in r.conditions.external]
     notes += [f"{z.zone} nicht voll" for z in r.conditions.zones]
     notes += [f"{b.section} frei (Strecke)" for b in r.conditions.block]
@@ -162,7 +176,7 @@ def train_routes(layout: Layout, table: InterlockingTable) -> Sheet:
         Field(heading("K", "Überwachte Ssp", "Keys supervised", "钥匙锁"), lambda r: _keys(x, r)),
         Field(
             heading("L", "Abhängiger BÜ", "Level crossings", "道口"),
-            lambda r: ", ".join(_devices(x, r, DeviceKind.LEVEL_CROSSING)),
+            lambda r: ", ".join(_crossings(x, r)),
         ),
         Field(
             heading("O", "Anrückverschluss", "Approach locking", "接近锁闭"),
@@ -250,7 +264,7 @@ def shunt_routes(layout: Layout, table: InterlockingTable) -> Sheet:
         Field(heading("M", "Überwachte Ssp", "Keys supervised", "钥匙锁"), lambda r: _keys(x, r)),
         Field(
             heading("N", "Abhängiger BÜ", "Level crossings", "道口"),
-            lambda r: ", ".join(_devices(x, r, DeviceKind.LEVEL_CROSSING)),
+            lambda r: ", ".join(_crossings(x, r)),
         ),
         Field(
             heading("O", "Ziel erlaubnisabhängig", "Token at the end", "终端方向闭锁"),

@@ -45,6 +45,14 @@ class MachineReading:
         """Whether a machine is a derailer, and works no points."""
         return self._layout.machines.is_derailer(m)
 
+    def devices(self, r: RouteRow) -> dict[MachineId, Position]:
+        """Level crossings, doors and other devices that a route locks, each as it must be."""
+        return {p.machine: p.position for p in r.locking.points if p.machine in self._layout.machines.device}
+
+    def devices_lie(self, r: RouteRow) -> list[str]:
+        """The same in words: `LC1 closed`, `D1 open`, of a door."""
+        return [f"{m} {self._layout.machines.word(m, x)}" for m, x in self.devices(r).items()]
+
     def derailers(self, r: RouteRow) -> dict[PointId, Position]:
         """The derailers that a route locks, also those whose machine works points, and how they lie."""
         asked = [(p.machine, p.position) for p in r.locking.points]

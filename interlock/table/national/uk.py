@@ -112,7 +112,7 @@ def _sequence(r: RouteRow) -> str:
 
 
 def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
-    said = [f"{p.machine} closed" for p in r.locking.points if p.machine in x.layout.machines.device]
+    said = x.machines.devices_lie(r)
     said += x.machines.derailers_lie(r)
     said += [*r.requirements] + [f"{b.section} clear (line)" for b in r.conditions.block]
     if r.signal.closing.whole is not None:

@@ -20,7 +20,7 @@ _KINDS = {RouteKind.MAIN: "train", RouteKind.SHUNT: "shunt", RouteKind.CALL_ON: 
 
 
 def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
-    said = [f"{p.machine} closed" for p in r.locking.points if p.machine in x.layout.machines.device]
+    said = x.machines.devices_lie(r)
     said += [*r.requirements, *(f"{m} held {r.locking.hold:g} s longer" for m in r.locking.held_longer)]
     if r.locking.overlap is not None:
         said.append("overlap " + ", ".join(s for s, _ in r.locking.overlap.ways))
