@@ -151,6 +151,22 @@ def test_every_problem_of_a_phase_is_reported_at_once() -> None:
     assert len([d for d in sink.diagnostics if d.severity == "error"]) >= 3
 
 
+def test_every_track_without_a_section_is_told_though_another_one_is_wrong_as_well() -> None:
+    sink = Sink()
+    text = """interlock: 1
+name: demo
+tracks: {top: [A.normal, C.normal], bot: [A.reverse, C.reverse], c: [C.toe, Q3 300, E], a: [Q1 30 0, A.toe]}
+boundaries: {E: {trains: out}}
+points: {A: {section: T}, C: {section: U}}
+signals: {}
+"""
+    load_text("demo.yaml", text, sink)
+    assert [d.message for d in sink.diagnostics if d.code == "IL3017"] == [
+        f"the track {x} has no section" for x in ("top", "bot")
+    ]
+    assert len({d.code for d in sink.diagnostics}) > 1
+
+
 def test_line_ends_and_a_byte_order_mark_do_not_matter(tmp_path: Path) -> None:
     text = Path("layouts/fig2_2.yaml").read_bytes()
     path = tmp_path / "dos.yaml"

@@ -66,7 +66,9 @@ def test_the_readme_tells_of_what_shipped_layouts_have_nothing_to_claim() -> Non
         c: layouts for c, layouts in where.items() if len(layouts) == 1
     }
     assert len(one) == sum(len(names.split(" and ")) for names, _ in groups)
-    placed = {c.id for x in ("spaces", "identifier", "air_lock_doors") for c in places_of(f"../tests/layouts_for_tests/{x}")}
+    placed = {
+        c.id for x in ("spaces", "identifier", "air_lock_doors") for c in places_of(f"../tests/layouts_for_tests/{x}")
+    }
     assert set(none) <= placed
 
 

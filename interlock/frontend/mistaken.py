@@ -25,6 +25,14 @@ def ends_of_layout(f: LayoutFile) -> frozenset[str]:
     return frozenset((*f.boundaries, *f.buffers, *f.traps))
 
 
+def is_end(f: LayoutFile, item: str) -> bool:
+    """Whether an item of a track is an end of something else: `west.end`, `P1.toe`."""
+    name, dot, end = item.partition(".")
+    rooms = {"point": {*f.points}, "crossing": {*f.crossings}, "slip": {*f.slips}, "derailer": {*f.derailers}}
+    ends = {x for kind, names in rooms.items() if name in names for x in ENDS[kind]}
+    return bool(dot) and (end in ends or (name in f.tracks and end in ("start", "end")))
+
+
 def for_a_section(f: LayoutFile, name: str, *, of_a_signal: bool = False) -> str:
     """What to write where a section is wanted and `name` is something else."""
     if name in f.tracks:

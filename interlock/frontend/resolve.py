@@ -13,7 +13,7 @@ from interlock.diag.called import called
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.doors import as_door, check_doors
-from interlock.frontend.mistaken import ends_of_layout, for_a_section
+from interlock.frontend.mistaken import ends_of_layout, for_a_section, is_end
 from interlock.frontend.parts import points_of
 from interlock.frontend.ports import Wiring
 from interlock.frontend.scalars import item_parts, length_behind
@@ -76,6 +76,7 @@ def _meant(ctx: Context, wiring: Wiring) -> set[str]:
     """What may be the name of a section in an item of a track that cannot be read, which is reported."""
     ends = ends_of_layout(ctx.file)
     items = [x for those in ctx.file.tracks.values() for x in those if x.strip() and " ".join(x.split()) not in ends]
+    items = [x for x in items if not is_end(ctx.file, x.strip())]
     unclear = [item.split() for item in items if item_parts(item)[0] not in wiring.sections]
     return {" ".join(words[:k]) for words in unclear for k in range(1, max(2, len(words)))} - ends
 
@@ -126,7 +127,7 @@ def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
                 "IL3006",
                 f"{called('signal', name)}: {spec.from_} and {spec.into} meet in {len(places)} places",
                 ctx.at("signals", name, "into"),
-                "add `at: POINT`, naming a point next to the joint meant",
+                _parted(spec) if spec.at else "add `at: POINT`, naming a point next to the joint meant",
             )
             continue
         node, into = places[0]
@@ -215,6 +216,12 @@ def identifiers(ctx: Context) -> tuple[SignalId, ...]:
 def signal_releases(ctx: Context) -> tuple[tuple[SignalId, float], ...]:
     """Seconds for which the routes of a signal are held, where it has a time of its own (R8)."""
     return tuple(sorted((SignalId(g), x.release) for g, x in ctx.file.signals.items() if x.release is not None))
+
+
+def _parted(spec: SignalSpec) -> str:
+    """What to do where two sections meet twice at one point, as those of a balloon loop do."""
+    parts = f"give {spec.from_} or {spec.into} two parts, each with a name of its own"
+    return f"{spec.at} lies next to all of them: {parts}, so that one of them meets the other section there"
 
 
 def _near(wiring: Wiring, at: dict[NodeId, list[Edge]], node: NodeId, point: str) -> bool:

@@ -122,11 +122,12 @@ class Wirer:
         f = self.ctx.file
         ends = set(f.boundaries) | set(f.buffers) | set(f.traps)
         for name, items in f.tracks.items():
-            track = Measured([])
+            track, readable = Measured([]), 0
             head: Port | None = None
             for i, item in enumerate(items):
                 span = self.ctx.at("tracks", name, i)
                 if measured(self.ctx, track, item.strip(), span):
+                    readable += 1
                     continue
                 if not sure(self.ctx, name, i, self._spoken_of):
                     continue
@@ -141,6 +142,7 @@ class Wirer:
                     port = self._terminal(name, item.strip(), ends, span, first=i == 0, last=i == len(items) - 1)
                     if port is None:
                         continue
+                    readable += 1
                     if i == 0:
                         head = port
                     elif track.stretches:
@@ -154,7 +156,7 @@ class Wirer:
                 track.stretches.append(Stretch(*got, span))
                 self.out.sections.setdefault(got[0], span)
             if not track.stretches:
-                if not self.ctx.sink.has_errors:
+                if readable == len(items):  # else some of them could not be read
                     self.ctx.add(
                         "IL3017",
                         f"the {called('track', name)} has no section",
