@@ -95,6 +95,19 @@ def knob(base: str, name: str, wanted: object, other: object, why: str, more: st
 EXCLUDED = "claim S-EXCLUDED lacks"
 DECLARED = "claim S-DECLARED lacks"
 DEMANDED = "claim S-DEMANDED lacks"
+HOIST = f"{LINE}interlocks: {{D: {{over: [q2]}}}}\n"
+REASON = "reason: of the doors of air lock north only one may be open"
+DOORS = Path("tests/layouts_for_tests/air_lock_doors.yaml").read_text("utf-8")
+BY_DEMANDS = DOORS.replace("air_lock: north", "kind: door") + "".join(
+    [
+        "demand:\n",
+        *(
+            f"  - {{point: {d}, lies: normal, routes: {{via: [{s}]}}, {REASON}}}\n"
+            for d, s in (("D2", "a"), ("D1", "b"))
+        ),
+    ]
+)
+"""The same doors, kept apart through routes alone."""
 FORK2 = FORK.replace("buffers: [B]", "buffers: [B, C]")
 FORK2 = FORK2.replace("q4 100, E]", "q4 100, E]").replace("tracks:\n", "tracks:\n  p2: [C, c1 100]\n")
 FORK2 = FORK2.replace("  east: [q3 100, q4 100, E]", "  mid: [q3 100]\n  east: [q4 100, E]")
@@ -264,6 +277,9 @@ RESTRICTS: dict[str, Case] = {
     "derailer.supervision": put(DEVICES, "outer: sid.start}", "outer: sid.start, supervision: 20}", PRESET),
     "device.over": forgot(DEVICES, "LC1: {over: [g4]}", "LC1: {over: [g5]}", PLANT),
     "device.supervision": forgot(DEVICES, "LC1: {over: [g4]}", "LC1: {over: [g4], supervision: 8}", "."),
+    "interlock.over": forgot(HOIST, "over: [q2]", "over: [q1]", "."),
+    "interlock.supervision": forgot(HOIST, "{over: [q2]}", "{over: [q2], supervision: 8}", "."),
+    "interlock.air_lock": Case(DOORS, BY_DEMANDS, "claim P-AIR-LOCK lacks"),
     # signals
     "signal_form.from": forgot(FORK, "Y3: {from: q3, into: q2}", "Y3: {from: q4, into: q3}", PLANT),
     "signal_form.into": forgot(FORK, "N3: {from: q3, into: q4}", "N3: {from: q2, into: q3}", PLANT),
@@ -413,6 +429,7 @@ CANNOT_MATTER: dict[str, str] = {
         (f"{x}.xy" for x in ("boundary_form", "point", "crossing", "slip", "derailer", "signal_form")), PRINTED
     ),
     **dict.fromkeys(("point.hand", "device.text", "condition.text"), PRINTED),
+    **dict.fromkeys(("interlock.text", "interlock.kind"), PRINTED),
     **dict.fromkeys((f"named.{x}" for x in ("from", "to", "via", "kind", "listed")), PRINTED),
     **dict.fromkeys((f"title_block.{x}" for x in ("company", "author", "number", "revision", "date")), PRINTED),
     **dict.fromkeys(("exclude.reason", "hostile.reason", "demand.reason", "waiver.reason"), PRINTED),
@@ -454,7 +471,7 @@ WORDS += (
     "signal_form.call_on",
     "point.speed",
 )
-WORDS += ("boundary_form.trains", "section_form.speed", "signal_form.identifier")
+WORDS += ("boundary_form.trains", "section_form.speed", "signal_form.identifier", "interlock.")
 """The keys with which an author forbids something; `tests.campaigns.keys` asks of all."""
 
 
