@@ -4,12 +4,16 @@ somebody works (R10)."""
 from __future__ import annotations
 
 import types
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from interlock.emit.python.runtime import runtime_py
+from interlock.logic import names
+from interlock.logic.expr import variables
 from interlock.logic.lower import lower
+from interlock.table.cells import Role
 from tests.layouts import built, grown
 
 CROSSOVER = """
@@ -223,3 +227,17 @@ def test_a_section_that_no_route_uses_is_blocked_for_its_derailer() -> None:
 def test_published_hbg_can_block_the_other_end_of_a_crossover() -> None:
     _, _, controller = built("../tests/stations/hbg")
     assert {"BLK_T6", "BLK_T11"} <= {i.name for i in controller.inputs}
+
+
+@pytest.mark.parametrize("name", ["flank_point", "overlap_flank", "devices", "triangle", "scissors_apart", "detour"])
+def test_whatever_a_lock_names_as_flank_protection_stays(name: str) -> None:
+    found = grown(Path(f"tests/layouts_for_tests/{name}.yaml").read_text("utf-8"))
+    assert found is not None
+    layout, table, _ = found
+    c = lower(layout, table)
+    step = {e.name: e.expr for e in c.steps if hasattr(e, "expr")}
+    demands = [(t.key, p.machine) for t in table.locks for p in t.points if p.role is Role.FLANK]
+    assert demands
+    for key, m in demands:
+        lock = c.symbols.sections.lock[key]
+        assert lock in set(variables((step[names.MOVABLE(m)],))), f"{m} may turn while {key} is locked"

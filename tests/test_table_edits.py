@@ -67,6 +67,19 @@ def test_a_wrong_length_and_wrong_flank_protection_are_found(column: str, edit) 
     assert {(f.route, f.column) for f in audit(layout, wrong)} == {("A-X.o2", column)}
 
 
+def test_a_level_crossing_that_is_open_for_a_train_is_found() -> None:
+    layout, table = made("devices")
+
+    def opened(r: RouteRow) -> RouteRow:
+        points = (replace(p, position=p.position.other) if p.role == "device" else p for p in r.locking.points)
+        return replace(r, locking=replace(r.locking, points=tuple(points)))
+
+    over = {r.id for r in table.routes if any(p.role == "device" for p in r.locking.points)}
+    wrong = replace(table, routes=tuple(map(opened, table.routes)))
+    found = {(f.route, f.column) for f in audit(layout, wrong)}
+    assert over and {(r, "devices") for r in over} <= found
+
+
 def test_a_place_that_needs_no_protection_has_none() -> None:
     layout, table = made("overlap_inside")
     short, long = (next(r for r in table.routes if r.id == i) for i in ("A-X", "A-X.o2"))

@@ -191,7 +191,8 @@ def _row(layout: Layout, r: RouteRow, trip: Trip, come: frozenset[SectionId] | N
         yield Finding(r.id, "foul", f"foul sections are {', '.join(told) or 'none'}")
     taken = {*trip.sections, *_sections(layout, trip.over)}
     secured = {d.id for d in layout.signalling.devices if set(d.over) & taken}
-    if {p.machine for p in r.locking.points if p.role == "device"} != secured:
+    lies = {(p.machine, p.position) for p in r.locking.points if p.role == "device"}
+    if lies != {(m, Position.REVERSE) for m in secured}:
         yield Finding(r.id, "devices", f"to be closed are {', '.join(sorted(secured)) or 'none'}")
     if (r.signal.aspect.shows, r.signal.aspect.next) != (shown := aspect(layout, trip, _slowest(layout, trip))):
         yield Finding(r.id, "aspect", f"an open {r.entry} shows {shown[0]}")
