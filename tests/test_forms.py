@@ -26,9 +26,8 @@ def test_a_through_route_has_every_cell() -> None:
     through = [dict(zip(heads, r, strict=True)) for r in sheet.rows if r[0].endswith("通过")]
     assert len(through) == 2
     for r in through:
-        assert r["其他联锁"] == f"进路 {r['进路号码'].replace('/', '、')} 的全部条件" and r["信号机显示"].startswith(
-            "L、"
-        )
+        assert r["其他联锁"] == f"进路 {r['进路号码'].replace('/', '、')} 的全部条件"
+        assert r["信号机显示"].startswith("L、")
 
 
 def test_american_aspects_tell_the_speed_where_there_is_one() -> None:
