@@ -50,12 +50,28 @@ def test_other_engines_come_to_the_same_verdicts(name: str, engine: str) -> None
 
 
 @pytest.mark.parametrize(
-    "name", ["token_unused", "token_excluded", "token_one_track", "limits_of_shunt", "identifier_whole"]
+    "name",
+    [
+        "token_unused",
+        "token_berth",
+        "token_excluded",
+        "token_one_track",
+        "limits_of_shunt",
+        "identifier_whole",
+        "foul_siding",
+    ],
 )
 def test_what_was_unknown_is_proved_and_certified(name: str, tmp_path: Path) -> None:
     """A token that no route needs, or one excluded route: T-LINE; limits of shunt on both sides of a berth: T-COLLISION
-    and more."""
+    and more; a point over one leg of which no route leads: T-FOUL and T-DERAIL."""
     assert accepted(certified(Path(f"tests/layouts_for_tests/{name}.yaml"), tmp_path))
+
+
+def test_an_overlap_that_comes_round_lies_foul_of_itself_alone() -> None:
+    """Its own lock was taken for one that it excludes: what is held by nobody else was not proved of it."""
+    layout, _, controller = built("../tests/layouts_for_tests/overlap_foul_of_itself")
+    result = prove(System(layout, controller), SHORT)
+    assert result.proved and result.dropped == ()
 
 
 def test_a_line_with_a_token_over_which_no_route_leads_out_is_told_what_helps() -> None:

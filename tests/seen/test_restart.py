@@ -60,3 +60,16 @@ def test_nothing_is_released_while_trains_that_ran_may_still_run() -> None:
     assert all(machine.state[k] for k in controller.symbols.sections.restart.values())
     run(machine, 1, RELALL=1)
     assert not any(machine.state[k] for k in controller.symbols.sections.restart.values())
+
+
+@pytest.mark.parametrize(("beside", "opens"), [("p", False), ("a", True)])
+def test_a_train_is_called_only_with_nothing_foul_of_it(beside: str, opens: bool) -> None:
+    """foul_siding: one stands in r since the restart, another over the point P, where it may lie on the leg over which
+    no route leads: S opened for the first."""
+    layout, _, controller = built("../tests/layouts_for_tests/foul_siding")
+    machine, stand = Machine(controller), {"CLR_r": 0, f"CLR_{beside}": 0}
+    run(machine, layout.principles.restart_delay_s + 1, **stand)
+    run(machine, 5, **stand, RELALL=1)
+    (route,) = (r for r in controller.symbols.routes if r.id == "S-E")
+    run(machine, 5, **stand, REQ=route.number)
+    assert run(machine, 1, **stand)["YS_S"] is not opens

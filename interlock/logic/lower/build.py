@@ -25,6 +25,7 @@ from interlock.logic.symbols import (
     WaySymbols,
 )
 from interlock.model.elements import MachineId, Position, SignalId
+from interlock.model.foul import foul_joints
 from interlock.model.layout import Layout
 from interlock.model.principles import Local
 from interlock.table.cells import RouteKind
@@ -75,10 +76,9 @@ PASSES = (
 
 
 def lower(layout: Layout, table: InterlockingTable) -> Controller:
-    """The controller of a table; lengths are not looked at.  Raises `MalformedController` only for a defect of this
-    package."""
-    layout = layout.bare
-    d = Draft(layout, table.bare)
+    """The controller of a table; of lengths no more is looked at than which joints are foul.  Raises
+    `MalformedController` only for a defect of this package."""
+    d = Draft(layout.bare, table.bare, foul_joints(layout))
     for add in PASSES:
         add(d)
     return Controller(

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from interlock.logic.controller import Equation, Input, Join, Output, StateVar, Step, Term, Timer
 from interlock.logic.expr import Expr, var
 from interlock.logic.lower.index import MachineIndex, OverlapIndex, RouteIndex, SectionIndex, SignalIndex
 from interlock.logic.names import Name
+from interlock.model.foul import FoulJoint
 from interlock.model.layout import Layout
 from interlock.model.times import whole_ms
 from interlock.model.traversal import Topology, topology
@@ -17,13 +18,14 @@ from interlock.table.rows import InterlockingTable
 class Draft:
     """A controller in the making, with what it is made from."""
 
-    def __init__(self, layout: Layout, table: InterlockingTable) -> None:
+    def __init__(self, layout: Layout, table: InterlockingTable, fouls: Sequence[FoulJoint]) -> None:
+        """`layout`, `table`: without lengths, of which `fouls` tells the foul joints."""
         self.layout = layout
         self.table = table
         self.topo: Topology = topology(layout)
         self.routes = RouteIndex(layout, table)
         self.overlaps = OverlapIndex(table)
-        self.sections = SectionIndex(layout, table, self.topo, self.routes)
+        self.sections = SectionIndex(layout, table, fouls, self.topo, self.routes)
         self.machines = MachineIndex(layout)
         self.signals = SignalIndex(layout, table, self.topo, self.routes, self.sections)
         self.inputs: list[Input] = []

@@ -3,7 +3,7 @@ and the conditions that speak of them."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from itertools import pairwise
 
@@ -11,6 +11,7 @@ from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.logic.names import Name
 from interlock.model.elements import MachineId, NodeId, Position, RouteId, SectionId, SignalId
+from interlock.model.foul import FoulJoint
 from interlock.model.layout import Layout
 from interlock.model.places import Approach
 from interlock.model.traversal import Topology
@@ -206,8 +207,15 @@ class OverlapIndex:
 class SectionIndex:
     """The sections inside a layout: what locks each, and what is reported of it."""
 
-    def __init__(self, layout: Layout, table: InterlockingTable, topo: Topology, routes: RouteIndex) -> None:
-        self._layout, self._table, self._topo, self._routes = layout, table, topo, routes
+    def __init__(
+        self,
+        layout: Layout,
+        table: InterlockingTable,
+        fouls: Sequence[FoulJoint],
+        topo: Topology,
+        routes: RouteIndex,
+    ) -> None:
+        self._layout, self._table, self._fouls, self._topo, self._routes = layout, table, fouls, topo, routes
         self._shunting = any(g.shunt for g in layout.signalling.signals)
 
     @cached_property
@@ -225,11 +233,11 @@ class SectionIndex:
 
     @cached_property
     def foul_of(self) -> Mapping[SectionId, frozenset[SectionId]]:
-        """The sections with a way of which vehicles at a joint of another section stand foul, by that other."""
+        """The sections with a way of which vehicles at a joint of another section stand foul, by that other: any way,
+        since a train may have stood at the restart on one over which no route leads."""
         out: dict[SectionId, set[SectionId]] = {}
-        for t in self._table.locks:
-            for c in (c for c in t.foul if c.crossing is None):
-                out.setdefault(c.section, set()).add(t.section)
+        for f in self._fouls:
+            out.setdefault(f.neighbour, set()).add(f.section)
         return {s: frozenset(those) for s, those in out.items()}
 
     @cached_property

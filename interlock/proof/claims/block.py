@@ -106,8 +106,9 @@ def _of_no_route(f: Facts, rear: Way, onward: Sequence[Way]) -> list[Way]:
 
 def _staying(f: Facts, b: NodeId) -> list[tuple[str, Expr]]:
     """Where no train is ever called towards the boundary: a shunting movement that ends before it goes no further."""
-    ends = {r.path.ways[-1] for r in f.sym.routes if f.track.way(*r.path.ways[-1])[1] == b}
-    return [(f"K-STAYS:{s}", neg(_goes_on(f, s, n))) for s, n in sorted(ends) if f.track.berth(s)]
+    ends = {r.path.berth or r.path.ways[-1] for r in f.sym.routes}
+    before = [(s, n) for s, n in sorted(ends) if f.track.way(s, n)[1] == b and f.track.berth(s)]
+    return [(f"K-STAYS:{s}", neg(_goes_on(f, s, n))) for s, n in before]
 
 
 def _goes_on(f: Facts, s: SectionId, n: int) -> Expr:

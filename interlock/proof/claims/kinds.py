@@ -143,11 +143,11 @@ class LockFacts:
         self._locks: dict[str, list[tuple[int, Expr]]] = {}
         for (sec, n), name in sorted(self._sym.sections.lock.items()):
             self._locks.setdefault(sec, []).append((n, var(name)))
-        self._overlaps: dict[str, list[tuple[int, Expr]]] = {}
+        self._overlaps: dict[str, list[tuple[int, tuple[SignalId, int], Expr]]] = {}
         self._options: dict[str, dict[tuple[SignalId, int], Name]] = {}
         for option, name in self._sym.overlaps.held.items():
             for s, n in self._sym.overlaps.ways[option]:
-                self._overlaps.setdefault(s, []).append((n, var(name)))
+                self._overlaps.setdefault(s, []).append((n, option, var(name)))
                 self._options.setdefault(s, {})[option] = name
 
     def lock(self, s: str, n: int) -> Expr:
@@ -190,9 +190,12 @@ class LockFacts:
         """Locked in any manner, as overlap too."""
         return disj((self.locked(s), *self.overlaps(s)))
 
-    def overlaps(self, s: str, numbers: tuple[int, ...] | None = None) -> list[Expr]:
-        """Held as overlap (for one of the ways)."""
-        return [x for n, x in self._overlaps.get(s, ()) if numbers is None or n in numbers]
+    def overlaps(
+        self, s: str, numbers: tuple[int, ...] | None = None, but: tuple[SignalId, int] | None = None
+    ) -> list[Expr]:
+        """Held as overlap (for one of the ways), of whichever alternative `but` one."""
+        those = self._overlaps.get(s, ())
+        return [x for n, option, x in those if option != but and (numbers is None or n in numbers)]
 
     def options(self, s: str) -> Mapping[tuple[SignalId, int], Name]:
         """The overlap alternatives that lie over a section, with their variables."""

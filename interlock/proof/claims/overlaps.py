@@ -11,13 +11,14 @@ from interlock.model.elements import MachineId, NodeId, Position, SectionId, Sig
 from interlock.proof.claims.kinds import Facts, Invariant
 
 
-def against_of(f: Facts, other: SectionId, whole: bool, numbers: tuple[int, ...]) -> Expr:
-    """What an exclusion forbids."""
+def against_of(
+    f: Facts, other: SectionId, whole: bool, numbers: tuple[int, ...], but: tuple[SignalId, int] | None = None
+) -> Expr:
+    """What an exclusion forbids; `but`: the overlap of which it is, which may come round and lie foul of itself."""
+    overlaps = f.locking.overlaps(other, None if whole else numbers, but)
     if whole:
-        return f.locking.held(other)
-    return disj(
-        [f.locking.restart(other), *(f.locking.lock(other, k) for k in numbers), *f.locking.overlaps(other, numbers)]
-    )
+        return disj((f.locking.locked(other), *overlaps))
+    return disj([f.locking.restart(other), *(f.locking.lock(other, k) for k in numbers), *overlaps])
 
 
 def overrun(f: Facts, s: str) -> Expr:
@@ -99,7 +100,7 @@ def _option(f: Facts, option: tuple[SignalId, int], held: Expr) -> list[Invarian
             sure = implies(conj((held, firm)), f.seen.settled(m, p))
             out.append(Invariant(f"O-LIES:{m}", f"{place}:{s}", sure))
         for other, whole, numbers in f.sym.ways.excluded[s, n]:
-            bad = against_of(f, other, whole, numbers)
+            bad = against_of(f, other, whole, numbers, but=option)
             out.append(Invariant(f"O-EXCLUDES:{other}", f"{place}:{s}", implies(held, neg(bad))))
     for s, n in ways:
         entry = f.track.way(s, n)[0]
