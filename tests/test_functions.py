@@ -25,6 +25,7 @@ OTHERS = (
     "driven",
     "entry_speeds",
     "foul_joint",
+    "foul_siding",
     "held_apart",
     "held_longer",
     "overlap_condition",

@@ -21,7 +21,9 @@ def without_terms(controller: Controller, *kinds: str) -> Controller:
     return replace(controller, steps=steps)
 
 
-@pytest.mark.parametrize("name", ["crossing_line", "depot", "heishan", "cn6502"])
+@pytest.mark.parametrize(
+    "name", ["crossing_line", "depot", "heishan", "cn6502", "../tests/layouts_for_tests/foul_siding"]
+)
 def test_a_signal_that_opens_over_what_a_standing_train_does_not_find_in_order_is_not_proved(name: str) -> None:
     layout, _, controller = built(name)
     old = without_terms(controller, "rear released", "rear device closed", "stands alone")
