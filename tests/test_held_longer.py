@@ -3,6 +3,7 @@ still be running when it is wholly in."""
 
 from __future__ import annotations
 
+import json
 import re
 from dataclasses import replace
 from pathlib import Path
@@ -17,6 +18,7 @@ from interlock.checker.reading import loaded
 from interlock.derivation import derive
 from interlock.diag import Sink
 from interlock.emit.tables.document import table_json
+from interlock.emit.tables.railml import railml_json
 from interlock.frontend import load_text
 from interlock.logic.lower import lower
 from interlock.proof.engines.limits import Limits
@@ -31,6 +33,7 @@ from interlock.verify import Rejected
 from tests.campaigns.simulate import Case
 from tests.layouts import grown
 from tests.test_added import made
+from tests.test_coupled_derailer import SPUR
 from tests.written import told
 
 FILE = "tests/layouts_for_tests/held_longer.yaml"
@@ -294,6 +297,60 @@ def test_it_stands_in_every_national_form(profile: str) -> None:
         for text in (f"{x}profile: {profile}\n" for x in (TEXT, AT_ONCE))
     )
     assert with_ != without
+
+
+@pytest.mark.parametrize("text", [TEXT, AT_ONCE])
+def test_the_locking_table_has_a_column_for_it_where_the_layout_asks_for_it(text: str) -> None:
+    table = made(text.replace("_kmh: 40", "_kmh: 40, overlap_m: 0") + "profile: de\n")
+    (sheet,) = [s for s in national_sheets(*table) if s.key == "de_verschluss"]
+    headings = [h.de for h in sheet.headings]
+    told = {row[0]: row[headings.index(LONGER)] for row in sheet.rows} if LONGER in headings else {}
+    assert {r: x for r, x in told.items() if x} == ({"A-N": "2 30 s"} if text is TEXT else {})
+    assert bool(told) is (text is TEXT)
+
+
+LONGER = "Länger verschlossen"
+
+
+def relations(text: str) -> dict[str, dict[str, Any]]:
+    """What each route requires, with the names of railML."""
+    found = json.loads(railml_json(*made(text)))["routeRelations"]
+    return {x["refersToRoute"]: x for x in found}
+
+
+def test_the_names_of_railml_tell_the_seconds_of_what_is_held_and_of_nothing_else() -> None:
+    asked = {"refersTo": "2", "inPosition": "normal"}
+    assert relations(TEXT)["A-N"]["requiredSwitchPosition"] == [{**asked, "releaseDelay": 30}]
+    assert relations(AT_ONCE)["A-N"]["requiredSwitchPosition"] == [asked]
+    assert "releaseDelay" not in str([x for r, x in relations(TEXT).items() if r != "A-N"])
+
+
+@pytest.mark.parametrize("part", ["additionalRelation", "requiredDerailerPosition"])
+def test_the_names_of_railml_tell_them_of_doors_and_derailers(part: str) -> None:
+    spur = SPUR + "demand:\n  - {point: 3, lies: normal, routes: {from: L}, hold: 12.5, reason: overrun}\n"
+    text = longer("air_lock") if part == "additionalRelation" else spur
+    told = [y for x in relations(text).values() for y in x[part]]
+    assert {y["releaseDelay"] for y in told if "releaseDelay" in y} == {12.5}
+    assert relations(text.replace("hold: 12.5, ", "")) == without_delay(relations(text))
+
+
+def without_delay(told: Any) -> Any:
+    """The same without seconds of release."""
+    if isinstance(told, dict):
+        return {k: without_delay(v) for k, v in told.items() if k != "releaseDelay"}
+    return [without_delay(v) for v in told] if isinstance(told, list) else told
+
+
+def test_the_names_of_railml_tell_for_how_long_declared_routes_stay_hostile() -> None:
+    body = json.loads(railml_json(*made(TEXT)))
+    number = {r["id"]: r["elementNumber"] for r in body["routes"]}
+    told = {
+        (c["refersToRoute"], n): c.get("releaseDelay")
+        for c in body["conflictingRoutes"]
+        for g in c["conflictsWithRoutes"]
+        for n in body["routeGroups"][g]
+    }
+    assert {k: x for k, x in told.items() if x is not None} == {("A-N", number["N-E"]): 30}
 
 
 def _with(locking: RouteLocking, points: Any) -> RouteLocking:

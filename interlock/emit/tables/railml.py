@@ -2,7 +2,8 @@
 
 Names used: route, routeEntry, routeExit, hasOverlap, facingSwitchInPosition, trailingSwitchInPosition, hasTvdSection,
 routeRelation (requiredSwitchPosition, requiredDerailerPosition, requiredSectionState, requiredSignalAspect,
-requiredLevelCrossingState), conflictingRoute (refersToRoute, conflictsWithRoute, reasonForConflict).
+requiredLevelCrossingState), conflictingRoute (refersToRoute, conflictsWithRoute, reasonForConflict), releaseDelay: of
+an overlap, and of what the author has a route hold so many seconds longer.
 """
 
 from __future__ import annotations
@@ -52,15 +53,18 @@ class _Groups(dict[tuple[object, ...], int]):
 
 
 def _conflicts(table: InterlockingTable, r: RouteRow, groups: _Groups) -> Iterator[dict[str, object]]:
-    """The routes that conflict with a route, those together that do for one reason."""
-    found: dict[Hostility, list[int]] = {}
+    """The routes that conflict with a route, those together that do for one reason, and, where the author declares
+    them, for as long."""
+    longer = {c.route for c in r.locking.barred} if r.locking.hold else set()
+    found: dict[tuple[Hostility, bool], list[int]] = {}
     for h in r.locking.hostile:
-        found.setdefault(h.how, []).append(table.route[h.route].number)
-    kinds: dict[str, list[int]] = {}
-    for how, routes in found.items():
-        kinds.setdefault(how.kind, []).append(groups.place(routes))
-    for kind, places in kinds.items():
-        yield {"refersToRoute": r.id, "conflictsWithRoutes": places, "reasonForConflict": kind}
+        found.setdefault((h.how, h.route in longer), []).append(table.route[h.route].number)
+    kinds: dict[tuple[str, bool], list[int]] = {}
+    for (how, held), routes in found.items():
+        kinds.setdefault((how.kind, held), []).append(groups.place(routes))
+    for (kind, held), places in kinds.items():
+        more = {"releaseDelay": r.locking.hold} if held else {}
+        yield {"refersToRoute": r.id, "conflictsWithRoutes": places, "reasonForConflict": kind, **more}
 
 
 def _route(x: Reading, r: RouteRow) -> dict[str, object]:
@@ -99,13 +103,18 @@ def _relation(x: Reading, r: RouteRow, groups: _Groups) -> dict[str, object]:
     devices = x.machines.devices(r).items()
     crossings = {m for m, _ in devices if x.layout.machines.device[m].kind is DeviceKind.LEVEL_CROSSING}
     flank = [p for p in r.locking.points if p.role in (Role.FLANK, Role.ADDED)]
+    named = [(m, *(end.id for end in x.layout.machines.ends.get(m, ()))) for m in r.locking.held_longer]
+    after = {name: {"releaseDelay": r.locking.hold} for names in named for name in names}
     return {
         "refersToRoute": r.id,
         "requiredSwitchPosition": [
-            {"refersTo": p.machine, "inPosition": IN[p.position]} for p in flank if x.machines.is_machine(p)
+            {"refersTo": p.machine, "inPosition": IN[p.position], **after.get(p.machine, {})}
+            for p in flank
+            if x.machines.is_machine(p)
         ],
         "requiredDerailerPosition": [
-            {"refersTo": d, "inPosition": DERAILER[position]} for d, position in x.machines.derailers(r).items()
+            {"refersTo": d, "inPosition": DERAILER[position], **after.get(d, {})}
+            for d, position in x.machines.derailers(r).items()
         ],
         "requiredSectionState": [
             {
@@ -118,10 +127,12 @@ def _relation(x: Reading, r: RouteRow, groups: _Groups) -> dict[str, object]:
         + [{"refersTo": c.section, "inState": "vacant"} for c in r.clear.demanded or ()],
         "requiredSignalAspect": [{"refersTo": list(stops), "showsAspect": "closed"}] if stops else [],
         "requiredLevelCrossingState": [
-            {"refersTo": m, "inState": x.layout.machines.word(m, at)} for m, at in devices if m in crossings
+            {"refersTo": m, "inState": x.layout.machines.word(m, at), **after.get(m, {})}
+            for m, at in devices
+            if m in crossings
         ],
         "additionalRelation": [
-            {"refersTo": m, "inState": STATE.get(word := x.layout.machines.word(m, at), word)}
+            {"refersTo": m, "inState": STATE.get(word := x.layout.machines.word(m, at), word), **after.get(m, {})}
             for m, at in devices
             if m not in crossings
         ],

@@ -299,6 +299,12 @@ _ART = {RouteKind.MAIN: "Zug", RouteKind.SHUNT: "Rangier", RouteKind.CALL_ON: "E
 _ART |= {RouteKind.IDENTIFIER: "Zug, hinter Kennlicht"}
 
 
+_HELD_LONGER = Field[RouteRow](
+    heading("", "Länger verschlossen", "Held longer", "延时解锁"),
+    lambda r: tuple(f"{m} {r.locking.hold:g} s" for m in r.locking.held_longer),
+)
+
+
 def locking(layout: Layout, table: InterlockingTable) -> Sheet:
     """Verschlusstafel: what each route locks and excludes."""
     x = Reading(layout, table)
@@ -324,6 +330,7 @@ def locking(layout: Layout, table: InterlockingTable) -> Sheet:
             heading("", "Verzögerung bei Rücknahme (s)", "Release delay (s)", "解锁延时 (s)"),
             lambda r: f"{r.locking.approach.delay_s:g}",
         ),
+        *([_HELD_LONGER] if any(r.locking.hold for r in table.routes) else []),
     )
     headings, rows = by_way(fields, x.printed.listed, _d_way)
     title = Heading("Locking table", "联锁表", "Verschlusstafel")
