@@ -270,6 +270,50 @@ def test_another_demand_than_the_author_has_is_none_that_is_known(which: str) ->
     assert agree(*told(text), specification(), lie).left == (f"the sentences of the codes {code} in io/words.csv",)
 
 
+HELD = Path("tests/layouts_for_tests/held_longer.yaml").read_text("utf-8")
+TWICE = "  - {point: 2, lies: normal, routes: {from: A}, hold: 45, reason: a steep grade}\n"
+
+
+def held_longer(more: str) -> tuple[str, Published]:
+    found = grown(HELD + more)
+    assert found is not None
+    return HELD + more, published(lower(*found[:2]))
+
+
+@pytest.mark.parametrize(("more", "seconds"), [("", 30), (TWICE, 45), (TWICE.replace("45", "45.00004"), 45)])
+def test_a_declared_route_that_is_held_longer_is_told_with_the_seconds(more: str, seconds: int) -> None:
+    text, its = held_longer(more)
+    hostile = {k: x for k, x in its.codes.items() if "declared hostile" in x}
+    assert sorted(hostile.values()) == [
+        f"route A-N, declared hostile (held {seconds} s longer), is set or not yet cleared",
+        "route N-E, declared hostile, is set or not yet cleared",
+    ]
+    assert agree(*told(text), specification(), its).left == ()
+    for code, said in hostile.items():
+        for other in (f" (held {seconds} s longer)", " (held 29 s longer)", ""):
+            lie = re.sub(r"declared hostile( \(.*?\))?", f"declared hostile{other}", said)
+            left = agree(*told(text), specification(), replace(its, codes={**its.codes, code: lie})).left
+            assert left == (() if lie == said else (f"the sentences of the codes {code} in io/words.csv",)), lie
+
+
+def test_the_reasons_of_two_demands_of_one_machine_are_known_as_the_table_tells_them() -> None:
+    """VERIFIED was refused to a layout with two demands of one machine, of which the later holds it longer."""
+    text, its = held_longer(TWICE)
+    both = "which demands 2 normal (overrun; a steep grade; held 45 s longer)"
+    (code,) = (k for k, x in its.codes.items() if both in x)
+    assert agree(*told(text), specification(), its).left == ()
+    for other in (
+        "overrun; held 30 s longer",
+        "a steep grade; held 45 s longer",
+        "a steep grade; overrun; held 45 s longer",
+    ):
+        lie = its.codes[code].replace("overrun; a steep grade; held 45 s longer", other)
+        left = agree(*told(text), specification(), replace(its, codes={**its.codes, code: lie})).left
+        assert left == (f"the sentences of the codes {code} in io/words.csv",), other
+    idle = TWICE.replace("hold: 45, ", "")  # it adds nothing to the first
+    assert agree(*told(held_longer(idle)[0]), specification(), held_longer(idle)[1]).left == ()
+
+
 def test_a_comment_ends_as_it_began() -> None:
     """A sentence with `*)` was cut there in the C runtime, and its comment called false."""
     both = "w.X = 10001; /* a *) b */\n W.X := 10002; (* c */ d *)"

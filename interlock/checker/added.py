@@ -53,9 +53,13 @@ class Added(Terminals):
         return [r for r in self.w_routes() if self.w_hold_of(r)]
 
     def w_hold_of(self, r: int) -> int:
-        """For how many milliseconds: the longest that some demand has it do."""
+        """For how many milliseconds."""
+        return whole_ms(self.longest_hold(r))
+
+    def longest_hold(self, r: int) -> float:
+        """For how many seconds a route holds what was added to it longer: the longest that some demand has it do."""
         wishes = (x for x in self.demands() if "hold" in x and r in self.chosen_routes(x["routes"]))
-        return max((whole_ms(float(x["hold"])) for x in wishes), default=0)
+        return max((float(x["hold"]) for x in wishes), default=0.0)
 
     def w_is_one_of_these(self, t: str) -> Formula:
         """Something says how long the timer must be."""

@@ -34,11 +34,25 @@ class Telling(World):
         return [self.called[r]] if r in self.called else []
 
     def w_wishes_of(self, r: int) -> list[Wish]:
-        """What the author has a route lock, by his own words."""
+        """What the author has a route lock, by his own words: a machine of several demands with the reason of the
+        first, and of each later one by which it is held longer."""
         c, p = self.run_of(r)
-        asked = [x for called_on in (False, True) for x in self._demands(c, p, called_on) if "point" in x]
-        machines = [(self._machine_of(x["point"]), x) for x in asked]
-        return [Wish(m, self._lies(m, x["lies"] == "normal"), _reason(x)) for m, x in machines]
+        asked = {id(x) for called_on in (False, True) for x in self._demands(c, p, called_on)}
+        found: dict[tuple[str, bool], tuple[str, float]] = {}
+        for x in (x for x in self.r.body.get("demand") or () if id(x) in asked and "point" in x):
+            key, longer = (self._machine_of(x["point"]), x["lies"] == "normal"), float(x.get("hold", 0))
+            before, held = found.get(key, ("", -1.0))
+            if longer > held:
+                told = str(x["reason"]) not in before.split("; ")
+                found[key] = "; ".join(filter(None, (before, str(x["reason"]) * told))), longer
+        return [Wish(m, self._lies(m, so), f"{x}{_longer(s)}") for (m, so), (x, s) in found.items()]
+
+    def w_routes_declared_at_once(self) -> list[int]:
+        """The routes that are declared hostile, and let that go as soon as their train is wholly in."""
+        return [r for r in self.w_routes_declared() if not self.w_hold_of(r)]
+
+    def w_seconds_held_longer(self, r: int) -> list[str]:
+        return [f"{longest:g}"] if (longest := self.longest_hold(r)) else []
 
     def _lies(self, m: str, normal: bool) -> str:
         """What a machine is said to do that lies normal or reverse."""
@@ -192,7 +206,6 @@ class Telling(World):
         return self.r.paths.chosen(x, *self._whole(r))
 
 
-def _reason(wish: Mapping[str, Any]) -> str:
-    """Why a route locks a machine, in the author's words, and for how long after its train has come in."""
-    longer = float(wish.get("hold", 0))
-    return str(wish["reason"]) + (f"; held {longer:g} s longer" if longer else "")
+def _longer(seconds: float) -> str:
+    """For how long a machine is held after the route's train has come in."""
+    return f"; held {seconds:g} s longer" if seconds else ""

@@ -157,8 +157,9 @@ class _Writer:
 
     def _of_added(self, r: RouteRow, held: MachineId | None) -> str:
         """What is said of a route that holds what the author added to it: a machine, with his reason, or what he
-        declares hostile."""
-        which = "declared hostile"
+        declares hostile; and for how many seconds longer than it would."""
+        hold = r.locking.hold
+        which = f"declared hostile (held {hold:g} s longer)" if hold else "declared hostile"
         if held is not None:
             asked = next(p for p in r.locking.added if p.machine == held)
             lies = self.d.layout.machines.word(held, asked.position)
