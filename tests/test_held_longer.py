@@ -147,6 +147,23 @@ def test_a_grant_of_the_same_route_meanwhile_begins_anew() -> None:
     assert not line.controller.state["A_R1"] and line.controller.state["AH_R1"]
 
 
+@pytest.mark.parametrize(("route", "lies"), [("Y-E", "points 2 cannot move"), ("N-E", "declared hostile (held 30 s")])
+def test_the_runtime_tells_for_how_long_a_route_is_kept_out(route: str, lies: str) -> None:
+    """The train is in: from then on it counts, to the scan in which nothing is in the way any more."""
+    line = Line()
+    line.run(5, RELALL=1)
+    line.run(5, RELALL=0, REQ=A)
+    assert lies in line.controller.why_not(route)[1] and line.controller.countdown_ms(route) is None
+    line.until_in()
+    line.run(0.5)
+    left = []
+    while lies in (line.controller.why_not(route) or ("", ""))[1]:
+        left.append(line.controller.countdown_ms(route))
+        line.run(0.5)
+    assert left[:1] == [30_000] and left == [*range(30_000, -1, -500)], left
+    assert line.controller.why_not(route) is None and line.controller.countdown_ms(route) is None
+
+
 # --- what other routes lock meanwhile -------------------------------------------------------------
 
 APART = Path("tests/layouts_for_tests/held_apart.yaml").read_text("utf-8")

@@ -66,6 +66,7 @@ class Reasons:
         named = (*(s.name for s in controller.steps), *(s.name for s in controller.state), *self._inputs)
         self._names: dict[str, Name] = {n: n for n in named if isinstance(n, Name)}
         self._following: dict[str, Equation] = {computed(e.name): e for e in controller.next}
+        self._held_until = controller.words.let_go(t.name for t in controller.timers)
         self._notes: dict[str, str] = {s.name: s.note for s in controller.state}
         self._notes |= {i.name: i.note for i in controller.inputs}
 
@@ -109,21 +110,18 @@ class Reasons:
         """What a code says; of a lock, by whom it is held in this moment."""
         said = self._controller.words.reasons[code]
         x = said.condition
-        if x is None or x.op is not NOT or x.args[0].op is not VAR:
-            return Reason(said.text, said.at, said.rule)
-        name = x.args[0].name
-        text = self.locked(name, moment) if name in self.locks else f"{said.text}{self._to_go(name, moment)}"
-        return Reason(text, said.at, said.rule)
+        if x is not None and x.op is NOT and x.args[0].op is VAR and x.args[0].name in self.locks:
+            return Reason(self.locked(x.args[0].name, moment), said.at, said.rule)
+        return Reason(f"{said.text}{self._to_go(code, moment)}", said.at, said.rule)
 
-    def _to_go(self, name: str, moment: Moment) -> str:
+    def _to_go(self, code: int, moment: Moment) -> str:
         """For how long a route still holds what the author added to it; empty where that is not counted (yet)."""
-        known = self._names.get(name)
-        if known is None or known.family is not names.HOLDS_ADDED:
+        timer = self._held_until.get(code)
+        ran = None if timer is None else moment.before.elapsed.get(timer)
+        if timer is None or ran is None:
             return ""
-        timer = names.HOLD_OVER(known.number)
-        step, ran = self._steps.get(timer), moment.before.elapsed.get(timer)
-        if not isinstance(step, Timer) or ran is None:
-            return ""
+        step = self._steps[timer]
+        assert isinstance(step, Timer)
         return f": {ceil(max(0, step.preset_ms - ran) / 1000)} s to go"
 
     def of_stop(self, number: int, moment: Moment) -> list[Reason]:

@@ -15,14 +15,14 @@ equation, timer or output depends on a word, so that what is proved of the contr
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import field
 from functools import cached_property
 from typing import NamedTuple
 
 from interlock.dataclass import dataclass
-from interlock.logic.expr import TRUE, Expr, conj, disj, neg, variables
-from interlock.logic.names import WHY_NOT_CLEAR, Name
+from interlock.logic.expr import NOT, TRUE, VAR, Expr, conj, disj, neg, variables
+from interlock.logic.names import HOLD_OVER, HOLDS_ADDED, WHY_NOT_CLEAR, Name
 
 UNKNOWN, FREE, SET, OPEN, CANCELLING = range(5)
 SAID = {
@@ -122,6 +122,14 @@ class Words:
     def said(self, code: int) -> str:
         """What a code says."""
         return self.reasons[code].text if code in self.reasons else SAID.get(code, f"no word has the value {code}")
+
+    def let_go(self, timers: Iterable[Name]) -> dict[int, Name]:
+        """By the code of a refusal: the one of these timers at whose end the route that it names holds no longer what
+        the author has added to it."""
+        after = {str(HOLDS_ADDED(t.number)): t for t in timers if t.family is HOLD_OVER}
+        refusals = [(r.code, r.condition) for r in self.reasons.values() if r.condition is not None]
+        held = [(code, x.args[0]) for code, x in refusals if x.op is NOT and x.args[0].op is VAR]
+        return {code: after[x.name] for code, x in held if x.name in after}
 
     def failing(self, name: Name, true: Callable[[Expr], bool]) -> list[int]:
         """Every code that a word could have by the cases that hold now, in order: the first is its value."""

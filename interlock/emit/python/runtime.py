@@ -86,6 +86,11 @@ def cancelled_after(c: Controller) -> dict[int, str]:
     return {r.number: str(c.symbols.cancellation.approach_timer[r.entry]) for r in c.symbols.routes}
 
 
+def held_until(c: Controller) -> dict[int, str]:
+    """The timer at whose end what keeps a route out is let go, by the code of the refusal."""
+    return {code: str(timer) for code, timer in c.words.let_go(t.name for t in c.timers).items()}
+
+
 def said(c: Controller) -> dict[int, tuple[str, str]]:
     """What the words of a controller say by their codes, and the rule behind each."""
     return {k: (x, "") for k, x in SAID.items()} | {r.code: (_plain(r.text), r.rule) for r in c.words.reasons.values()}
@@ -148,9 +153,13 @@ FIXED = f'''class Controller:
         return (code, *SAID[code]) if code > {REFUSED} else None
 
     def countdown_ms(self, route):
-        """How long it takes until the cancelled route is given up: None while none is, or the delay does not run."""
-        timer = CANCELLED_AFTER[self.request(route)['REQ']]
-        if self.words()[self.request(route)['REQ']] != {CANCELLING} or self.elapsed[timer] is None:
+        """How long it takes until the cancelled route is given up, or until another one holds no longer what keeps this
+        one out, as `why_not` tells it: None while neither is counted.
+        """
+        number = self.request(route)['REQ']
+        code = self.words()[number]
+        timer = CANCELLED_AFTER[number] if code == {CANCELLING} else HELD_UNTIL.get(code)
+        if timer is None or self.elapsed[timer] is None:
             return None
         return TIMERS[timer] - self.elapsed[timer]
 
@@ -223,6 +232,10 @@ def _tables(c: Controller) -> list[str]:
         "# number of a route: the timer that runs while it is being cancelled",
         "CANCELLED_AFTER = {",
         *(f"    {number}: {timer!r}," for number, timer in cancelled_after(c).items()),
+        "}",
+        "# code of a refusal: the timer that runs while another route holds longer what was added to it",
+        "HELD_UNTIL = {",
+        *(f"    {code}: {timer!r}," for code, timer in held_until(c).items()),
         "}",
         "# code: what a word says by it, and the rule behind it",
         "SAID = {",
