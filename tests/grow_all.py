@@ -164,6 +164,7 @@ def words(text: str) -> frozenset[str]:
     found |= {f"sections: {k}" for x in sections for k in ("speed", "one_way", "lane") if k in x}
     found |= {"tracks end to end" for x in tracks if re.search(r"\.end$", str(x))}
     found |= {"identifier" for g in signals if "identifier" in g}
+    found |= {"hold" for x in body.get("demand") or () if "hold" in x}
     found |= {"listed: no" for x in (body.get("routes") or {}).values() if "listed" in x}
     found |= {"names with spaces" for g in body.get("signals") or {} if " " in g}
     found |= {"names of other scripts" for g in body.get("signals") or {} if not g.isascii()}
@@ -185,6 +186,8 @@ PARTS = (
     ),
     "voyages",
 )
+HOLDS = ("0.5", "12.5", "30", "90")
+"""Seconds for which what a route demands is held longer."""
 MACHINES = ("points", "slips", "derailers", "level_crossings", "interlocks")
 OVERLAPS = ("ways", "entry_speed", "release", "release_by_length", "falling")
 
@@ -326,6 +329,16 @@ def without_idle(text: str, sink: Sink) -> str:
     return "".join(x for x in text.splitlines(keepends=True) if not x.startswith(dropped)) if dropped else text
 
 
+def held_longer(seed: int, text: str) -> str:
+    """A text some of whose demands of points are held longer."""
+    rng = random.Random(f"held {seed}")
+
+    def some(found: re.Match[str]) -> str:
+        return f"{found[1]}, hold: {rng.choice(HOLDS)}, reason" if rng.random() < 0.7 else found[0]
+
+    return re.sub(r"(?m)^(  - \{point: .*), reason", some, text)
+
+
 def spaced(text: str, sign: str) -> str:
     """A layout with a space after the first word of its names, `Gl G34`, where these began with a sign."""
     text = text.replace(sign, "Gl ")
@@ -369,4 +382,6 @@ def grow_all(seed: int) -> str:
         again = grown(more)
         if again is not None and not again[2].has_errors and again[1].routes:
             text, found = more, again
-    return text
+    more = held_longer(seed, text)
+    again = grown(more) if more != text else None
+    return more if again is not None and not again[2].has_errors else text

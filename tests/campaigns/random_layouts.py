@@ -47,7 +47,8 @@ joined end to end; main, shunt and combined signals, call-on, stop boards, limit
 trains end, signals that are passed at identifier light, signals that close behind the first axle or the whole movement;
 overlaps of several lengths and entry
 speeds, successive, swinging; flank space, zones, conditions, detectors that report faults, blocks and direction tokens,
-speeds, single directions; what the author adds, excludes, waives and names; substations and their health; four profiles
+speeds, single directions; what the author adds, has held longer, excludes, waives and
+names; substations and their health; four profiles
 with knobs of their own, names of several scripts.
 
 *Waivers found out*: of a flank from which something can roll after all; T-FLANK and S-FLANK are refuted there and
