@@ -12,7 +12,7 @@ import pytest
 
 from interlock.emit.tables.export import sheet_csv
 from interlock.emit.tables.railml import railml_json
-from interlock.table.cells import ProviderKind
+from interlock.table.cells import ProviderKind, RouteKind
 from interlock.table.national import SHEETS, Sheet, national_sheets
 from tests.layouts import SHIPPED, built, grown
 
@@ -204,6 +204,27 @@ def test_chinese_alternatives_are_told_apart_by_their_buttons_and_the_csv_has_a_
     trains = [r[3] for r in sheet.rows if r[0] != "调车"]
     assert len(set(trains)) == len(trains) and "XLA、X2BA、SIIILA" in trains
     assert sheet_csv(sheet).startswith("\ufeff方向,进路,")
+
+
+@pytest.mark.parametrize("profile", ["cn", "de", "uk", "generic"])
+def test_a_form_lists_call_on_routes_or_says_how_many_it_leaves_out(profile: str) -> None:
+    text = Path("layouts/cn6502.yaml").read_text("utf-8").replace("profile: cn", f"profile: {profile}")
+    found = grown(text)
+    assert found is not None
+    calling = [r for r in found[1].routes if r.kind is RouteKind.CALL_ON]
+    (sheet, *_) = (s for s in national_sheets(found[0], found[1]) if s.of_routes)
+    told = {sign: text.split()[0] for sign, text in sheet.legend if "条不列" in text}
+    if profile == "cn":
+        others = [r for r in found[1].routes if r.kind is RouteKind.SHUNT and r.path.variant > 1]
+        assert told == {"引导进路": str(len(calling)), "变更调车进路": str(len(others))} and calling and others
+        assert not any("引导" in x for row in sheet.rows for x in row)
+    else:
+        assert not told and calling
+    plain = grown(text.replace(", call_on: yes", ""))
+    assert plain is not None
+    (bare, *_) = (s for s in national_sheets(plain[0], plain[1]) if s.of_routes)
+    assert "引导进路" not in dict(bare.legend)
+    assert len(sheet.rows) - len(bare.rows) == (0 if profile == "cn" else len(calling))
 
 
 def test_german_tables_print_left_and_right_where_the_hand_is_stated() -> None:

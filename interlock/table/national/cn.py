@@ -16,6 +16,8 @@ Input: layout and table.  Everything comes from topology, geometry and the table
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import cached_property
 
@@ -33,7 +35,7 @@ from interlock.model.elements import (
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology, Traversal, topology
 from interlock.table.cells import ExitKind, OverlapCell, Role, RouteKind
-from interlock.table.national.cn_notation import DEVICE, HEADINGS, LEGEND, OVERLAP, lying, order
+from interlock.table.national.cn_notation import DEVICE, HEADINGS, LEGEND, NOT_PRINTED, OVERLAP, lying, order
 from interlock.table.national.reading import Reading
 from interlock.table.national.sheet import Cell, Heading, Sheet, route_rows
 from interlock.table.printed import Printed, PrintedRoute
@@ -44,7 +46,7 @@ Need = tuple[MachineId, Position]
 
 def chinese_table(layout: Layout, table: InterlockingTable) -> Sheet:
     """Train routes first, then through routes, which bear no number of their own, then shunt routes; a signal's routes
-    together; of shunt routes only the basic ones."""
+    together; of shunt routes only the basic ones, and no call-on routes, of which the legend tells."""
     form = _Form(layout, table)
     number = {w.id: str(k) for k, w in enumerate(form.printed, start=1)}
     rows = route_rows(form.printed, lambda w, r: form.row(r, number[w.id]), separator="、")
@@ -57,7 +59,7 @@ def chinese_table(layout: Layout, table: InterlockingTable) -> Sheet:
         (*rows[:trains], *form.through(number), *rows[trains:]),
         True,
         "after the printed form of Chinese textbooks (联锁表, fifteen columns); no standard was read",
-        legend=(*LEGEND, *([OVERLAP] if any(r.locking.overlap is not None for r in table.routes) else [])),
+        legend=(*LEGEND, *form.notes()),
     )
 
 
@@ -82,6 +84,15 @@ class _Form:
         """The routes in print, in order."""
         shown = [w for w in Printed(self.table).listed if self._is_shown(w.rows[0])]
         return tuple(sorted(shown, key=lambda w: self._place(w.rows[0])))
+
+    def notes(self) -> Iterator[tuple[str, str]]:
+        """What stands in no column of its own, and the routes that have no row."""
+        if any(r.locking.overlap is not None for r in self.table.routes):
+            yield OVERLAP
+        left = Counter(w.rows[0].kind for w in Printed(self.table).listed if not self._is_shown(w.rows[0]))
+        for kind, (sign, text) in NOT_PRINTED.items():
+            if left[kind]:
+                yield sign, text.format(left[kind])
 
     def _is_shown(self, r: RouteRow) -> bool:
         return r.kind is RouteKind.MAIN or (r.kind is RouteKind.SHUNT and r.path.variant == 1)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from interlock.model.elements import MachineId, PointId, Position
+from interlock.table.cells import RouteKind
 from interlock.table.national.sheet import Heading
 
 HEADINGS = (
@@ -37,6 +38,12 @@ LEGEND = (
 )
 OVERLAP = ("保护区段 T，道岔 1", "终端信号机内方的保护区段及其道岔；因保护区段而敌对的进路见 table.csv")
 """Where a layout has overlaps, for which the form has no column."""
+
+NOT_PRINTED = {
+    RouteKind.CALL_ON: ("引导进路", "{} 条不列：教科书的联锁表只列列车和调车进路；见 table.csv"),
+    RouteKind.SHUNT: ("变更调车进路", "{} 条不列：调车只列基本进路；见 table.csv"),
+}
+"""What the form leaves out of a table, with how many there are."""
 
 
 DEVICE = {"open": "开启", "closed": "关闭", "shut": "关闭"}
