@@ -172,6 +172,8 @@ THROUGH = (
     + "automatic:\n  - {from: B, to: E, via: [T1, e1]}\n"
 )
 """Nobody stops at N: routes lead out over the boundary, those from B by themselves."""
+BEHIND_ALL = APART.replace("_kmh: 40", "_kmh: 40, main_closes: whole-movement").replace("{from: A}", "{from: N}")
+"""What is held longer is held for those from N, which closes behind the whole movement."""
 
 
 class Apart(Line):
@@ -285,7 +287,7 @@ def test_a_grant_of_the_same_route_begins_it_anew_whatever_others_did(tmp_path: 
     assert not line.holds() and not line.controller.state["AHE_R1"]
 
 
-@pytest.mark.parametrize("text", [APART, THROUGH])
+@pytest.mark.parametrize("text", [APART, THROUGH, BEHIND_ALL])
 def test_it_is_proved_where_others_lock_the_same(text: str) -> None:
     layout, table = made(text)
     result = prove(System(layout, lower(layout, table)), Limits(search_s=0))

@@ -162,14 +162,15 @@ def called_on_lit(f: Facts) -> Iterator[tuple[SignalId, Expr]]:
 
 
 def added_invariants(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:
-    """What was added is held while a route is set and while its signal is open; no two that exclude each other hold it;
-    the points are commanded."""
+    """What was added is held while a route is set and while its signal is open, also where it closes behind the whole
+    movement; no two that exclude each other hold it; the points are commanded."""
     if r.added is None:
         return
     holds = var(r.added)
     yield "R-ADDED", implies(disj((var(r.active), *(var(n) for n in r.open_while))), holds)
     if r.path.hold_begun is not None:
-        yield "R-HOLD-BEGUN", implies(var(r.path.hold_begun), conj((holds, neg(var(r.active)))))
+        closed = (neg(var(n)) for n in (r.active, *r.open_while))
+        yield "R-HOLD-BEGUN", implies(var(r.path.hold_begun), conj((holds, *closed)))
     of = {x.number: x.added for x in f.sym.routes}
     for n in r.path.barred:
         other = of[n]
