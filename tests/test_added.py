@@ -31,6 +31,7 @@ from interlock.proof.engines import Answer, solver
 from interlock.proof.engines.limits import Limits
 from interlock.proof.engines.tseitin import Cnf
 from interlock.proof.induction.verdict import Verdict
+from interlock.proof.mutation import forgotten
 from interlock.proof.prover import prove
 from interlock.proof.system.loop import closed_loop
 from interlock.proof.system.transition import System
@@ -212,11 +213,65 @@ def test_a_controller_without_it_is_refused_by_the_second_checker(part: str) -> 
         agree(loaded(CALLED), system, text, specification.shipped())
 
 
-def test_no_exclusion_chooses_call_on_routes_alone() -> None:
+# --- call-on routes that are excluded alone -------------------------------------------------------
+
+CALLED_OFF = CALLED[: CALLED.index("hostile:")] + "exclude:\n  - {from: A, to: N1, kind: call-on, reason: a platform}\n"
+NOT_CALLED_OFF = CALLED_OFF[: CALLED_OFF.index("exclude:")]
+
+
+def test_a_call_on_route_is_excluded_alone() -> None:
+    _, every = made(NOT_CALLED_OFF)
+    layout, table = made(CALLED_OFF)
+    assert {r.id for r in every.routes} - {r.id for r in table.routes} == {"A-N1.c"}
+    assert {"A-N1", "A-N2", "A-N2.c"} <= {r.id for r in table.routes} and audit(layout, table) == ()
+    assert "A-N1.c" in {f.route for f in audit(layout, every)}
+
+
+def test_it_is_proved_that_nobody_is_called_on_there_and_the_second_checker_asks_for_it() -> None:
+    layout, table = made(CALLED_OFF)
+    result = prove(System(layout, lower(layout, table)), Limits(search_s=0))
+    assert {c.verdict for c in result.claims} == {Verdict.PROVED} and not result.dropped
+    assert next(c.places for c in result.claims if c.id == "S-EXCLUDED") == 1
+    _, system, text = told(CALLED_OFF)
+    assert agree(loaded(CALLED_OFF), system, text, specification.shipped()).left == ()
+    with pytest.raises(Rejected, match="S-EXCLUDED"):  # another one, of the same signal
+        agree(loaded(CALLED_OFF.replace("to: N1, kind", "to: N2, kind")), system, text, specification.shipped())
+    with pytest.raises(Rejected, match="S-EXCLUDED"):  # the train route with it
+        agree(loaded(CALLED_OFF.replace("call-on, reason", "main, reason")), system, text, specification.shipped())
+
+
+def test_a_controller_that_calls_on_all_the_same_is_refuted_and_refused_by_the_second_checker() -> None:
+    layout, table = made(CALLED_OFF)
+    ((_, forgets),) = forgotten.more(forgotten.exclusions)(layout, table)
+    assert forgets.steps == lower(*made(NOT_CALLED_OFF)).steps
+    result = prove(System(layout, forgets), Limits(search_s=60))
+    (claim,) = [c for c in result.claims if c.id == "S-EXCLUDED"]
+    assert claim.verdict is Verdict.REFUTED and claim.open == ("A call-on:1",)
+    _, system, text = told(NOT_CALLED_OFF)
+    with pytest.raises(Rejected, match="S-EXCLUDED"):
+        agree(loaded(CALLED_OFF), system, text, specification.shipped())
+
+
+@pytest.mark.parametrize(
+    "exclusion", ["{from: A, kind: call-on, reason: none}", "{from: A, to: N1, via: [k1], kind: call-on, reason: none}"]
+)
+def test_all_call_on_routes_of_a_signal_are_excluded_or_those_over_some_sections(exclusion: str) -> None:
+    text = NOT_CALLED_OFF + f"exclude:\n  - {exclusion}\n"
+    layout, table = made(text)
+    assert {r.id for r in table.routes if r.kind is RouteKind.CALL_ON} == ({"A-N2.c"} if "via" in exclusion else set())
+    assert {"A-N1", "A-N2"} <= {r.id for r in table.routes} and audit(layout, table) == ()
+    assert prove(System(layout, lower(layout, table)), Limits(search_s=0)).proved
+    assert agree(*told(text), specification.shipped()).left == ()
+
+
+def test_an_exclusion_of_call_on_routes_where_nobody_is_called_on_is_told() -> None:
     sink = Sink()
-    text = CALLED + "exclude:\n  - {from: A, kind: call-on, reason: none}\n"
-    assert load_text("called_on.yaml", text, sink)[0] is None
-    assert [d.code for d in sink.diagnostics] == ["IL1017"]
+    text = NOT_CALLED_OFF + "exclude:\n  - {from: B, kind: call-on, reason: none}\n"
+    layout, _ = load_text("called_on.yaml", text, sink)
+    assert layout is not None
+    derive(layout, sink)
+    (found,) = [d for d in sink.diagnostics if d.code == "IL2012"]
+    assert found.fix is not None and "no train is called on" in found.fix
 
 
 # --- sections that are demanded clear ---------------------------------------------------------------

@@ -301,8 +301,14 @@ class Paths:
         return (leads_on or p.berth) and self._opens(c) and self.can_be_run(p)
 
     def unwanted(self, c: Calling, p: Path) -> bool:
-        """The author excludes a route over this path."""
-        return any(self.chosen(x, c, p) for x in self._r.body.get("exclude") or ())
+        """The author excludes a route over this path; not the call-on route alone."""
+        told = self._r.body.get("exclude") or ()
+        return any(self.chosen(x, c, p) for x in told if x.get("kind") != "call-on")
+
+    def called_off(self, g: Signal, p: Path) -> bool:
+        """The author excludes the call-on route alone over this path of trains."""
+        told = self._r.body.get("exclude") or ()
+        return any(self.chosen(x, Calling(g, False), p) for x in told if x.get("kind") == "call-on")
 
     def barred(self, c: Calling, p: Path, called_on: bool) -> bool:
         """The author excludes every route of trains over this path; `called_on`: those that call a train on, too."""

@@ -339,7 +339,8 @@ class Terminals(Lamps):
                 calls = g.call_on and bool(self.lamps(g, CALL_ON)) and not c.shunt
                 for p in self.r.paths.of(c):
                     if not self.r.paths.excluded(c, p):
-                        taken |= {w for w in p.ways if calls} | {w for w in p.ways[-1:] if p.berth}
+                        called = calls and not self.r.paths.called_off(g, p)
+                        taken |= {w for w in p.ways if called} | {w for w in p.ways[-1:] if p.berth}
         return [w for w in self.w_lockable(s) if w not in taken]
 
     def w_automatic(self, r: int) -> Formula:

@@ -221,6 +221,10 @@ class Topology:
         """The paths of routes that the author excludes."""
         return [p for p in self.r.paths.of(c) if self.r.paths.can_be(c, p) and self.r.paths.unwanted(c, p)]
 
+    def w_called_off_paths(self, g: Signal) -> list[Path]:
+        """The paths of trains over which the author excludes the call-on route, and no other."""
+        return [p for p in self.w_train_paths(g) if self.r.paths.called_off(g, p)]
+
     def w_runs(self, g: Signal) -> list[Run]:
         """How trains may run from a signal past others at identifier light."""
         return [u for p in self.w_train_paths(g) for u in self.r.paths.runs(p)]

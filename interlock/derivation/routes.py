@@ -182,7 +182,9 @@ def _tell_idle(layout: Layout, fits: Sequence[int], led: Sequence[_Found], sink:
         if n:
             continue
         alike = [f for f in led if _excludes(replace(x, via=(), not_via=()), f)]
-        if alike and (x.via or x.not_via):
+        if any(_excludes(replace(x, called_on=False), f) for f in led):
+            fix = "remove it: over these routes no train is called on, with which it deals alone (`kind: call-on`)"
+        elif alike and (x.via or x.not_via):
             fix = "remove it, or correct `via`: " + over_which([t.section for t in f.run] for f in alike)
         else:
             ends = where_routes_lead(x.entry, x.exit, ((f.signal.id, f.end) for f in led))

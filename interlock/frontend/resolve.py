@@ -405,7 +405,7 @@ def resolve_excludes(ctx: Context, wiring: Wiring) -> tuple[Exclude, ...]:
     out = []
     for i, spec in enumerate(ctx.file.exclude):
         x = resolve_choice(ctx, wiring, spec, ("exclude", i), "an exclusion")
-        out.append(Exclude(x.entry, x.exit, x.via, x.not_via, x.shunt, spec.reason))
+        out.append(Exclude(x.entry, x.exit, x.via, x.not_via, x.shunt, spec.reason, called_on=x.called_on))
     return tuple(out)
 
 

@@ -350,9 +350,6 @@ class ChoiceSpec(Part):
 class ExcludeSpec(ChoiceSpec):
     """Routes that shall not be: all that fit what is given."""
 
-    kind: Annotated[Literal["main", "shunt"] | None, choice("kind of route", ("main", "shunt"))] = key(
-        "train routes or shunt routes; without it, both", None
-    )
     reason: Reason = key("why they shall not be; not empty")
 
 

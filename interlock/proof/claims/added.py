@@ -153,11 +153,12 @@ def _who(g: SignalId, shunt: bool, called_on: bool) -> str:
 
 
 def called_on_lit(f: Facts) -> Iterator[tuple[SignalId, Expr]]:
-    """The call-on aspect is lit for call-on routes and no others, where the author adds something to these alone."""
-    added = [x for b in f.layout.declared.barred for x in (b.one, b.other)]
-    added += [d.routes for d in f.layout.declared.demanded]
+    """The call-on aspect is lit for call-on routes and no others, where the author adds something to these alone, or
+    excludes some of them alone."""
+    told: list[Choice] = [x for b in f.layout.declared.barred for x in (b.one, b.other)]
+    told += [*(d.routes for d in f.layout.declared.demanded), *f.layout.declared.excluded]
     for g, lamp in f.sym.aspects.call_on.items():
-        if any(x.called_on and x.entry in (None, g) for x in added):
+        if any(x.called_on and x.entry in (None, g) for x in told):
             yield g, iff(var(lamp), f.sym.routes.called(g))
 
 

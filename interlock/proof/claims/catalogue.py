@@ -80,7 +80,7 @@ CLAIMS: dict[str, str] = {
     "S-EXCLUDED": "No proceed is shown over a path that no route may take: that the author excludes, alone or past a "
     "signal at identifier light, that ends in a trap or leaves where trains only come in, that begins at a board, or "
     "that leads over a hand-worked point against its key, twice over one diamond, or through a section without "
-    "detection.",
+    "detection; and no train is called on over a path of which the author excludes the call-on route.",
     "S-DECLARED": "No two signals show proceed for routes that the author declares hostile, and no two such routes are "
     "held at once, each from proceed on until its train is wholly in its last section.",
     "S-DEMANDED": "Proceed is shown only while the points that the author has the route lock are detected so in that "

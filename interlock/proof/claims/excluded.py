@@ -1,7 +1,8 @@
 """Where no route may lead, whatever else is in order: S-EXCLUDED (R1, R2).
 
-The author excludes routes; a trap takes none; over a boundary where trains only come in none leaves; none begins at a
-board; none leads over a hand-worked point against its key, over both arms of a diamond, or without detection.
+The author excludes routes, or of those of trains the call-on routes alone; a trap takes none; over a boundary where
+trains only come in none leaves; none begins at a board; none leads over a hand-worked point against its key, over both
+arms of a diamond, or without detection.
 """
 
 from __future__ import annotations
@@ -31,6 +32,9 @@ def excluded(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             elif _unwanted(f, g, shunt, path):
                 past = FALSE if passed is None else conj((calls, after(f.sym.aspects.identifies(passed))))
                 yield "S-EXCLUDED", f"{who}:{k}", implies(here, past)
+            if not shunt and g in f.sym.aspects.call_on and _unwanted(f, g, shunt, path, called_on=True):
+                called = after(conj((var(f.sym.aspects.call_on[g]), lie(f, path.ways))))
+                yield "S-EXCLUDED", f"{who} call-on:{k}", neg(called)
             for run in () if shunt else runs_past(f, path):
                 can, further = _can_be_run(f, run.ways, run.ways), _passed(f, run.parts[-1])
                 if not can or _unwanted(f, g, False, SignalPath(g, False, run.ways, None)):
@@ -44,9 +48,10 @@ def _passed(f: Facts, path: SignalPath) -> SignalId | None:
     return signal if signal in f.layout.signalling.identifiers else None
 
 
-def _unwanted(f: Facts, g: SignalId, shunt: bool, path: SignalPath) -> bool:
-    """The author excludes a route over the path."""
-    return any(fits(f, x, g, shunt, path.ways, not shunt) for x in f.layout.declared.excluded)
+def _unwanted(f: Facts, g: SignalId, shunt: bool, path: SignalPath, called_on: bool = False) -> bool:
+    """The author excludes a route over the path, or (`called_on`) the call-on route alone."""
+    told = (x for x in f.layout.declared.excluded if x.called_on is called_on)
+    return any(fits(f, x, g, shunt, path.ways, not shunt) for x in told)
 
 
 def _can_be(f: Facts, g: SignalId, shunt: bool, path: SignalPath) -> bool:
