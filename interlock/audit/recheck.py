@@ -55,8 +55,7 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
     mine = [t for t in every if not _unwanted(layout, t)]
     told_nothing = without_speed(layout, (t for t in every if not t.shunt))
     called = [t for t in told_nothing if not _unwanted(layout, t)]
-    calling = [replace(t, call_on=True) for t in called if _calls_on(layout, t)]
-    mine += [t for t in calling if not _unwanted(layout, t)]
+    mine += [x for t in called if _calls_on(layout, t) and not _unwanted(layout, x := replace(t, call_on=True))]
     passed = [replace(t, identifier=True) for t in called if t.entry in layout.signalling.identifiers]
     past = _past(layout, [t for t in told_nothing if t.exit in layout.signalling.identifiers], passed)
     mine += [*past, *dict.fromkeys(p for t in past for p in t.parts[1:])]
