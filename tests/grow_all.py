@@ -164,6 +164,7 @@ def words(text: str) -> frozenset[str]:
     found |= {f"sections: {k}" for x in sections for k in ("speed", "one_way", "lane") if k in x}
     found |= {"tracks end to end" for x in tracks if re.search(r"\.end$", str(x))}
     found |= {"identifier" for g in signals if "identifier" in g}
+    found |= {"exclude: call-on" for x in body.get("exclude") or () if x.get("kind") == "call-on"}
     found |= {"hold" for x in body.get("demand") or () if "hold" in x}
     found |= {"listed: no" for x in (body.get("routes") or {}).values() if "listed" in x}
     found |= {"names with spaces" for g in body.get("signals") or {} if " " in g}
@@ -329,7 +330,17 @@ def without_idle(text: str, sink: Sink) -> str:
     return "".join(x for x in text.splitlines(keepends=True) if not x.startswith(dropped)) if dropped else text
 
 
-def held_longer(seed: int, text: str) -> str:
+def called_off(seed: int, text: str, table: InterlockingTable) -> str:
+    """A text that excludes a call-on route alone."""
+    rng = random.Random(f"called off {seed}")
+    calling = [r for r in table.routes if r.kind is RouteKind.CALL_ON]
+    if not calling or rng.random() < 0.6:
+        return text
+    chosen = routes_text(rng.choice(calling))
+    return with_part(text, ["exclude:", f"  - {{{chosen}, kind: call-on, reason: by chance}}"])
+
+
+def held_longer(seed: int, text: str, table: InterlockingTable) -> str:
     """A text some of whose demands of points are held longer."""
     rng = random.Random(f"held {seed}")
 
@@ -382,6 +393,9 @@ def grow_all(seed: int) -> str:
         again = grown(more)
         if again is not None and not again[2].has_errors and again[1].routes:
             text, found = more, again
-    more = held_longer(seed, text)
-    again = grown(more) if more != text else None
-    return more if again is not None and not again[2].has_errors else text
+    for part in (called_off, held_longer) if found is not None and not found[2].has_errors else ():
+        more = part(seed, text, found[1])
+        again = grown(more) if more != text else None
+        if again is not None and not again[2].has_errors and again[1].routes:
+            text = more
+    return text
