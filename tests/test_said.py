@@ -314,6 +314,23 @@ def test_the_reasons_of_two_demands_of_one_machine_are_known_as_the_table_tells_
     assert agree(*told(held_longer(idle)[0]), specification(), held_longer(idle)[1]).left == ()
 
 
+def test_the_reasons_of_a_train_route_are_not_those_of_the_call_on_route_over_the_same_way() -> None:
+    text = Path("tests/layouts_for_tests/called_on.yaml").read_text("utf-8")
+    at, chosen = text.index("hostile:"), "point: 2, lies: normal, routes: {from: A, to: N2"
+    text = f"{text[:at]}demand:\n  - {{{chosen}}}, hold: 5, reason: one}}\n"
+    text += f"  - {{{chosen}, kind: call-on}}, hold: 15, reason: another}}\n"
+    found = grown(text)
+    assert found is not None
+    its = published(lower(*found[:2]))
+    said = [x for x in its.codes.values() if "which demands" in x]
+    train, called = (
+        "A-N2, which demands 2 normal (one; held 5 s",
+        "A-N2.c, which demands 2 normal (one; another; held 15 s",
+    )
+    assert [any(x in y for y in said) for x in (train, called)] == [True, True], said
+    assert agree(*told(text), specification(), its).left == ()
+
+
 def test_a_comment_ends_as_it_began() -> None:
     """A sentence with `*)` was cut there in the C runtime, and its comment called false."""
     both = "w.X = 10001; /* a *) b */\n W.X := 10002; (* c */ d *)"

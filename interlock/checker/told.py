@@ -37,7 +37,8 @@ class Telling(World):
         """What the author has a route lock, by his own words: a machine of several demands with the reason of the
         first, and of each later one by which it is held longer."""
         c, p = self.run_of(r)
-        asked = {id(x) for called_on in (False, True) for x in self._demands(c, p, called_on)}
+        kinds = (False, True) if r in self.w_routes_calling_on() else (False,)
+        asked = {id(x) for called_on in kinds for x in self._demands(c, p, called_on)}
         found: dict[tuple[str, bool], tuple[str, float]] = {}
         for x in (x for x in self.r.body.get("demand") or () if id(x) in asked and "point" in x):
             key, longer = (self._machine_of(x["point"]), x["lies"] == "normal"), float(x.get("hold", 0))
