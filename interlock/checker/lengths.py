@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from graphlib import CycleError, TopologicalSorter
 from math import ceil
 
 from interlock.checker.drawing import Diamond, Edge
@@ -253,20 +254,38 @@ class Lengths(Overlaps):
     def until_all_stand(self) -> int:
         """Until every train stands that ran at a power cut: on to the next main signal at half the line's speed, then a
         halt from the highest speed."""
-        known: dict[Way, Fraction] = {}
-
-        def run(w: Way) -> Fraction:
-            if w not in known:
-                known[w] = Fraction(0)  # round a loop a train passes no place twice
-                ahead = self.r.track.beyond(w.section, w.exit)
-                on = ahead if ahead is not None and (w.exit, ahead) not in self.r.main_into else None
-                further = [run(x) for x in self.r.track.from_end(on, w.exit)] if on is not None else []
-                known[w] = self._exact(w) + max(further, default=Fraction(0))
-            return known[w]
-
-        longest = max((run(w) for s in self.r.track.sections for w in self.r.track.ways[s]), default=Fraction(0))
+        longest = self._longest_run([w for s in self.r.track.sections for w in self.r.track.ways[s]])
         fastest = max(self.kmh(s) for s in [None, *self.r.track.sections])
         return self.halt(fastest) + ceil(2000 * longest / _a_second(self._d.rule("line_speed_kmh")))
+
+    def _longest_run(self, ways: list[Way]) -> Fraction:
+        """The metres of the longest run over some ways that meets no main signal.  A way that comes back to itself
+        belongs to a ring, which counts as one way of all its metres: round a loop a train passes no place twice."""
+        onward = {w: self._unhindered(w) for w in ways}
+        ring = {w: w for w in ways}
+        while True:
+            order = TopologicalSorter({ring[w]: set() for w in ways})
+            for w in ways:
+                order.add(ring[w], *(ring[x] for x in onward[w] if ring[x] != ring[w]))
+            try:
+                last_first = list(order.static_order())
+                break
+            except CycleError as found:
+                one, *others = dict.fromkeys(found.args[1])
+                ring = {w: one if x in others else x for w, x in ring.items()}
+        metres = dict.fromkeys(last_first, Fraction(0))
+        beyond: dict[Way, set[Way]] = {r: set() for r in last_first}
+        for w in ways:
+            metres[ring[w]] += self._exact(w)
+            beyond[ring[w]] |= {ring[x] for x in onward[w]} - {ring[w]}
+        for r in last_first:
+            metres[r] += max((metres[x] for x in beyond[r]), default=Fraction(0))
+        return max(metres.values(), default=Fraction(0))
+
+    def _unhindered(self, w: Way) -> list[Way]:
+        """The ways over which a train runs on from the end of one, where no main signal stands."""
+        ahead = self.r.track.beyond(w.section, w.exit)
+        return [] if ahead is None or (w.exit, ahead) in self.r.main_into else self.r.track.from_end(ahead, w.exit)
 
     def unseen(self) -> dict[str, float]:
         """Sections, and approaches from which trains come, that may be run through in less than A-SCAN asks for, with

@@ -71,22 +71,23 @@ class Track:
         d = self._drawn
         found: list[tuple[str, str, tuple[str, ...]]] = []
 
-        def go(node: str, path: tuple[Edge, ...], start: str, seen: frozenset[str]) -> None:
+        begun: list[tuple[str, tuple[Edge, ...], str, frozenset[str]]] = [
+            (start, (e,), start, frozenset({start}))
+            for start in self.ends[section]
+            for e in d.at[start]
+            if e.section == section
+        ]
+        while begun:
+            node, path, start, seen = begun.pop()
             e = path[-1]
             there = e.far(node)
             if (e.one_way and e.a != node) or there in d.off_rails:
-                return
+                continue
             if self._end(there):
                 found.append((start, there, tuple(x.name for x in path)))
-                return
-            for onward in d.onward(there, e) if there not in seen else ():
-                if onward.section == section:
-                    go(there, (*path, onward), start, seen | {there})
-
-        for start in self.ends[section]:
-            for e in d.at[start]:
-                if e.section == section:
-                    go(start, (e,), start, frozenset({start}))
+            elif there not in seen:
+                more = (x for x in d.onward(there, e) if x.section == section)
+                begun += [(there, (*path, x), start, seen | {there}) for x in more]
         for number, (a, b, names) in enumerate(sorted(found), 1):
             metres = sum(d.edges[n].length for n in names)
             yield Way(section, number, a, b, *self._passed(a, names), names, metres)

@@ -22,6 +22,14 @@ from interlock import __version__
 INTERRUPTED = 130  # 128 and the number of the signal, as shells have it
 UNREAD = 141  # the same, where whoever reads the output has closed it: `interlock check ... | head -1`
 
+DEPTH = 10_000
+"""How deep calls may be: what is in rear of a signal, or beyond it, is followed section by section."""
+
+TOO_LONG = (
+    "more sections follow on one another here without a main signal, or more is nested, than interlock can follow; "
+    "put a main signal between them"
+)
+
 VERBS = {
     "init": "Write a starter layout, or a large one for trials.",
     "check": "Report every problem in the layouts (fast, without proof).",
@@ -120,6 +128,7 @@ def main() -> None:
 
 def _run() -> None:
     _closed_streams()
+    sys.setrecursionlimit(DEPTH)
     gc.disable()  # what a command builds lives to its end, which is soon: the collector would only walk it
     try:
         code = cli(standalone_mode=False)
@@ -135,6 +144,9 @@ def _run() -> None:
     except Exception as error:
         if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT):
             _failed(f"what is written does not fit: {error.strerror}")
+            _leave(1)
+        if isinstance(error, RecursionError):
+            _failed(TOO_LONG)
             _leave(1)
         if "keyboard interrupt" in str(error):  # what a solver says that was interrupted
             _interrupted()

@@ -13,11 +13,12 @@ from fractions import Fraction
 
 from interlock.dataclass import dataclass
 from interlock.model.elements import BoundaryKind, MachineId, Position, SectionId, SignalId
+from interlock.model.farthest import farthest
 from interlock.model.layout import Layout
 from interlock.model.overlap import overlap_paths, through
 from interlock.model.principles import Principles
 from interlock.model.times import stated, supervision_s, whole_ms
-from interlock.model.traversal import Traversal, topology
+from interlock.model.traversal import Topology, Traversal, topology
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,22 +113,18 @@ def _restart(layout: Layout) -> int:
     """Until every train stands that ran at a power cut: all signals show stop, so that it runs to the next one it meets
     at most, at half the highest speed at least, and brakes there."""
     rules, topo = layout.principles, topology(layout)
-    known: dict[tuple[SectionId, int], Fraction] = {}
-
-    def to_signal(t: Traversal) -> Fraction:
-        """Metres over a way and on to the next main signal, a boundary, the end of the track, or round a loop."""
-        found = known.get(t.key)
-        if found is None:
-            known[t.key] = Fraction(0)
-            ahead = topo.beyond(t.section, t.exit)
-            on = ahead is not None and (t.exit, ahead) not in topo.main_into
-            further = topo.through(ahead, t.exit) if on and ahead is not None else ()
-            found = known[t.key] = exact_m(layout, t) + max(map(to_signal, further), default=Fraction(0))
-        return found
-
-    metres = max((to_signal(t) for s in topo.sections for t in topo.traversals[s]), default=Fraction(0))
+    ways = {t.key: t for s in topo.sections for t in topo.traversals[s]}
+    metres = farthest({k: exact_m(layout, t) for k, t in ways.items()}, {k: _on(topo, t) for k, t in ways.items()})
     fastest = max([rules.line_speed_kmh, *(float(s.speed) for s in layout.track.sections if s.speed is not None)])
     return halt_ms(rules, fastest) + whole_ms(through(metres, rules.line_speed_kmh))
+
+
+def _on(topo: Topology, t: Traversal) -> list[tuple[SectionId, int]]:
+    """The ways that go on from one where no main signal stands."""
+    ahead = topo.beyond(t.section, t.exit)
+    if ahead is None or (t.exit, ahead) in topo.main_into:
+        return []
+    return [x.key for x in topo.through(ahead, t.exit)]
 
 
 def exact_m(layout: Layout, t: Traversal) -> Fraction:

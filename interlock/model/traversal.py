@@ -134,27 +134,26 @@ class Topology:
         mine = set(self._edges_of[section])
         found: list[tuple[NodeId, NodeId, tuple[EdgeId, ...]]] = []
 
-        def go(node: NodeId, path: list[EdgeId], start: NodeId, seen: frozenset[NodeId]) -> None:
+        todo = [
+            (start, [e.id], start, frozenset({start}))
+            for start in self.ends[section]
+            for e in layout.track.edges_at[start]
+            if e.id in mine
+        ]
+        while todo:  # with a list, not with calls: there may be more points in a row than calls may be deep
+            node, path, start, seen = todo.pop()
             edge = path[-1]
             e = layout.track.edge[edge]
             if e.one_way and e.a != node:
-                return
+                continue
             nxt = layout.track.far(edge, node)
             if nxt in layout.track.buffer_at and layout.track.buffer_at[nxt].kind is BufferKind.DERAIL:
-                return  # off the rails: no way at all
+                continue  # off the rails: no way at all
             if self._is_end(nxt):
                 found.append((start, nxt, tuple(path)))
-                return
-            if nxt in seen:
-                return
-            for onward in onward_edges(layout, nxt, edge):
-                if onward in mine:
-                    go(nxt, [*path, onward], start, seen | {nxt})
-
-        for start in self.ends[section]:
-            for e in layout.track.edges_at[start]:
-                if e.id in mine:
-                    go(start, [e.id], start, frozenset({start}))
+            elif nxt not in seen:
+                onward = (x for x in onward_edges(layout, nxt, edge) if x in mine)
+                todo += [(nxt, [*path, x], start, seen | {nxt}) for x in onward]
         return [self._traversal(section, i, a, b, path) for i, (a, b, path) in enumerate(sorted(found), start=1)]
 
     def _traversal(self, section: SectionId, number: int, a: NodeId, b: NodeId, path: tuple[EdgeId, ...]) -> Traversal:
