@@ -56,6 +56,34 @@ def test_a_train_that_is_too_long_for_its_overlaps_is_told_so() -> None:
     assert code == 0 and "each granted within" in text
 
 
+CLOSE = """interlock: 1
+name: close
+boundaries: {W: {approach: aW 600}, E: {approach: aE 600}}
+tracks: {t: [W, a 400, b 40, c 300, d 400, E]}
+signals:
+  X: {from: W, into: a}
+  A: {from: a, into: b}
+  B: {from: b, into: c}
+  C: {from: c, into: d}
+  Y: {from: E, into: d}
+overlaps: {A: {length: 150}, B: {length: 100}}
+"""
+"""The overlap of A leads past B, and shuts the route from A on until it is given up."""
+
+
+def test_an_overlap_that_is_never_given_up_is_planned_as_kept(tmp_path: Path) -> None:
+    """Where no approach section tells whether more of a train is to come, it never counts as wholly before the signal:
+    a plan was shown that fails on the controller, and in a shift the route was refused for ever."""
+    seen, unseen = tmp_path / "seen.yaml", tmp_path / "unseen.yaml"
+    seen.write_text(CLOSE, "utf-8")
+    unseen.write_text(CLOSE.replace("W: {approach: aW 600}", "W: {}"), "utf-8")
+    code, text = run(str(seen), "1:W>E", "--length", "20")
+    assert code == 0 and "each granted within" in text
+    code, text = run(str(unseen), "1:W>E", "--length", "20")
+    assert code == 1 and "it keeps the overlap of A, as nothing reports that all of it is in a\n" in text
+    assert "fix: give trains an `approach` section, or detection, before a, or shorten the overlap of A" in text
+
+
 def test_no_train_turns_in_an_overlap_that_is_held_while_it_stands_there() -> None:
     """R4: the overlap of N2 over the siding is not given up while the train is in it, and shuts its points."""
     code, text = run("tests/layouts_for_tests/overlaps.yaml", "1:W>sid>W", "--length", "20", "--timings", "3")

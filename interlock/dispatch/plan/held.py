@@ -1,8 +1,9 @@
 """What trains keep from others where they stand, and what nobody else may hold so that a route can be set and driven.
 
 From the table alone.  The overlap of a route is held until its train stands wholly before the signal (R4).  So a train
-that is longer than the last section of its route keeps it, and one behind which another may come over the boundary may
-keep it: these go on only by routes that go with the overlap.
+that is longer than the last section of its route keeps it, one that came in where nothing reports whether more of it
+is to come keeps it, and one behind which another may come over the boundary may keep it: these go on only by routes that
+go with the overlap.
 """
 
 from __future__ import annotations
@@ -163,11 +164,23 @@ class Held:
             return None
         section, number = place.under[0]
         entry = self._entry[section, number]
+        if self.unseen(place):
+            return None
         if entry in self._layout.track.boundary_at:
             approach = self._approach.get(str(entry))
             return frozenset({("outside", str(entry))} | ({("section", approach)} if approach else set()))
         rear = self._topo.beyond(section, entry)
         return frozenset({("section", rear)} if rear is not None else ())
+
+    def unseen(self, place: Place) -> bool:
+        """Nothing ever reports that a train stands wholly before its signal: it came past a main signal from where
+        nothing detects it."""
+        section, number = place.under[0]
+        entry = self._entry[section, number]
+        outside = entry in self._layout.track.boundary_at
+        rear = self._approach.get(str(entry)) if outside else self._topo.beyond(section, entry)
+        dark = rear is None or rear in self._layout.track.undetected
+        return dark and (entry, section) in self._topo.main_into
 
     def inside(self, under: Iterable[TraversalKey]) -> Mapping[str, int]:
         """How often a train on ways counts in zones: with each section."""

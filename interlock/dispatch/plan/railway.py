@@ -183,7 +183,21 @@ class Railway:
         leads = f"routes lead from {start} to {', '.join(exits[:8])}{', ...' if exits[8:] else ''}; name another place"
         no = f"no route leads on from {start}: put a signal there, or name another place"
         why = f"no chain of routes takes {errand.train} from {start} {over}to {to}"
+        kept = [p for p, out in steps.items() if p.leg == far and not out and self._keeps_its_overlap(p)]
+        if kept and kept[0].route is not None:
+            section, g = kept[0].under[0][0], self.table.route[kept[0].route].exit
+            fix = f"give trains an `approach` section, or detection, before {section}, or shorten the overlap of {g}"
+            return NoVoyage(
+                f"{why}: it keeps the overlap of {g}, as nothing reports that all of it is in {section}", fix
+            )
         return NoVoyage(why, leads if exits else no)
+
+    def _keeps_its_overlap(self, place: Place) -> bool:
+        """A train stands before a signal over which routes lead on, none of which goes with the overlap that it keeps
+        for ever."""
+        overlap = place.route is not None and self.table.route[place.route].locking.overlap
+        alone = bool(overlap) and len(place.under) == 1 and self.held.unseen(place)
+        return alone and bool(self.routes_on(place, False))
 
     def _too_short(self, errand: Errand) -> tuple[str, str]:
         """In which sections the longest train that could go stands, and a longer one does not; and what to do.  Lengths
