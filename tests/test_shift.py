@@ -36,6 +36,7 @@ from interlock.emit.python.runtime import runtime_py
 from interlock.logic.lower import lower
 from interlock.model.stopping import MARGIN_M, SIGNAL_M
 from interlock.record import read
+from interlock.record.report import shift_html
 from interlock.simulate.agenda import Agenda, not_before
 from interlock.simulate.driving import Build, Rolling
 from interlock.simulate.mishaps import TRIAL
@@ -356,6 +357,8 @@ def test_a_route_refused_over_its_own_overlap_is_no_alarm(tmp_path: Path, tip: s
     w, said = shift.run(), shift._dispatcher.journal.said
     assert [x for x in said if "refused" in x] == ["1: G33-G38 was refused"] * refused * 2
     assert w.trains == 2 and w.alarms == [] and not any(w.wrong.counts().values())
+    pressed = {e["button"] for e in read(w.log).events if e["kind"] == "pressed"}
+    assert not pressed & {"REL_s13", "REL_s22"}  # the overlap of G33, on which no route was left over
 
 
 def test_a_train_that_has_changed_ends_for_a_route_taken_back_changes_them_again(tmp_path: Path) -> None:
@@ -385,6 +388,40 @@ def test_without_the_rule_a_fleet_stands_for_ever(tmp_path: Path) -> None:
     assert w.wrong.standstill and w.seconds < 8 * 3600
     last = read(w.log).events[-2]
     assert last["kind"] == "standstill" and last["waiting"]
+
+
+def test_a_shift_that_stands_for_ever_says_why(tmp_path: Path) -> None:
+    """One machine drives points on the way and others in the section in which its train stands, which do not move then
+    (IL7011).  "G-L was refused" was all that was told, in the record alone."""
+    layout, file, log = tmp_path / "under.yaml", tmp_path / "under.dispatch", tmp_path / "under-0.log"
+    layout.write_text(UNDER, "utf-8")
+    file.write_text(
+        "dispatch: 1\nlayout: under\nfleet: {1: {length: 30, speed: 20, at: out}}\nplaces:\n"
+        "  out: {kind: waiting, at: W}\n  load: {kind: loading, at: c, minutes: 4}\n"
+        "  tip: {kind: tipping, at: E, minutes: 2, back: 2}\norders: {x: {from: load, to: tip, trains: 2}}\n",
+        "utf-8",
+    )
+    done = CliRunner().invoke(command, [str(layout), "-o", str(tmp_path)])
+    why = "G-L was refused: points M cannot move: section a is locked"
+    assert done.exit_code == 1 and f"\n    seed 0: 1 stands for ever: {why}\n" in done.output
+    assert read(log.read_bytes()).events[-2]["waiting"] == {"1": why}
+    assert f"<td>1: {why}</td>" in shift_html(read(log.read_bytes()))
+
+
+UNDER = """interlock: 1
+name: under
+boundaries: {W: {approach: w0 300, trains: in}, E: {approach: e0 300, trains: out}}
+buffers: [B1, B2, B3]
+tracks: {t: [W, a 100], u: [c 80, d 100, E], k: [k 30, B1], m: [m 30, B2], n: [B3, n 30]}
+points:
+  P: {section: a, toe: t.end, normal: Q.toe, reverse: R.reverse, legs: 20}
+  Q: {section: a, normal: k.start, reverse: m.start, machine: M}
+  R: {section: b, toe: u.start, normal: n.end, machine: M}
+signals:
+  X: {from: W, into: a}
+  G: {from: a, into: b, at: P}
+  L: {from: c, into: d}
+"""
 
 
 @pytest.mark.parametrize("kind", ["all signals clear", "points wired the wrong way round"])

@@ -9,6 +9,7 @@ from interlock.app.setting import Setting
 from interlock.app.worked import Trip
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.describer import DOUBT, Describer
+from interlock.dispatch.run import Run
 from interlock.model.elements import SectionId
 from interlock.simulate.yard import Yard
 
@@ -66,7 +67,7 @@ class Attendant:
     def operate(self) -> None:
         """What stays locked for nobody is cancelled and released by hand, points that were trailed are confirmed."""
         seen = self.seen()
-        near = {s for run in self.dispatcher.runs for s in run.way.wanted(seen)}
+        near = {s for run in self.dispatcher.runs for s in run.way.wanted(seen) | self._beyond(run)}
         for s in self.setting.layout.track.sections:
             name = self.setting.release.get(s.id)
             locked = self.setting.symbols.indication.get(f"locked {s.id}")
@@ -84,6 +85,11 @@ class Attendant:
             if seen.get(name.replace("TC_", "YT_", 1)):
                 self._press(name, 1.0)
         self.yard.agenda.after(OPERATOR_S, self.operate)
+
+    def _beyond(self, run: Run) -> set[SectionId]:
+        """The sections of the overlaps of its routes: they are given up when its train stands, or has gone on."""
+        rows = [self.setting.railway.table.route[s.route] for s in run.way.granted[max(0, run.way.at - 1) :]]
+        return {s for r in rows if r.locking.overlap is not None for s, _ in r.locking.overlap.ways}
 
     def _cancel(self, first: SectionId) -> None:
         """A route that begins in a section may still be set, since nobody was seen to pass its signal."""

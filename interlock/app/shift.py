@@ -22,8 +22,9 @@ from interlock.dispatch import Dispatcher
 from interlock.dispatch.assign import Assigner
 from interlock.dispatch.causes import cause
 from interlock.dispatch.describer import DOUBT, Describer
-from interlock.dispatch.dispatcher import waiting
+from interlock.dispatch.dispatcher import REOPENS_MS, waiting
 from interlock.dispatch.orders import Derived
+from interlock.dispatch.panel import Stage
 from interlock.dispatch.plan.errands import NoVoyage, TooManyPlaces
 from interlock.dispatch.run import ways
 from interlock.model.elements import RouteId, SectionId
@@ -82,6 +83,7 @@ class Shift:
             rule=options.rule,
             look_ahead=options.look_ahead,
             guide=self._guide.waits if self._guide is not None else lambda run, step: "",
+            told=self._said,
         )
         self._attendant = Attendant(
             setting,
@@ -148,7 +150,9 @@ class Shift:
                 self._dispatch()
             if self.agenda.now_ms - self._progress_ms > self._quiet_ms and self._trips:
                 self.worked.wrong.standstill = True
-                self._say("standstill", waiting=dict(sorted(waiting(self._dispatcher).items())))
+                stood = {n: self._why(trip) or "its signal is open" for n, trip in sorted(self._trips.items())}
+                self.worked.wrong.stood = stood
+                self._say("standstill", waiting=stood)
                 return
 
     def _scan(self, end: int) -> bool:
@@ -286,7 +290,7 @@ class Shift:
             if not stands or trip.phase in ("loads", "tips"):
                 self._ends_wait(trip.train)
                 continue
-            text = why.get(trip.run.name, "")
+            text = why.get(trip.run.name, "") or (self._why(trip) if trip.run.way.shut_ms >= REOPENS_MS else "")
             if not text:
                 continue
             kind = cause(text) if trip.came else "another train goes first" if "before" in text else cause(text)
@@ -295,6 +299,23 @@ class Shift:
                 self._ends_wait(trip.train)
                 self._waits[trip.train] = (kind, self.agenda.now_ms)
                 self._say("waits", train=trip.train, cause=kind, text=text)
+
+    def _why(self, trip: Trip) -> str:
+        """Why a train stands; empty while its signal is open."""
+        way, place = trip.run.way, self._file.places[trip.order.order.from_].at
+        if trip.phase in ("loads", "tips", "tipping"):
+            return f"it {'is being loaded' if trip.phase == 'loads' else 'tips'}"
+        if way.ahead:
+            stage = way.granted[way.at]
+            shut = not stage.shown.open(self.scans.seen)
+            return f"{stage.entry} does not open for {stage.route}: {self._said(stage) or 'it is set'}" if shut else ""
+        said = waiting(self._dispatcher).get(trip.run.name, "")
+        return said or (f"it is to stand in {place}" if trip.phase == "to load" else "nothing more is asked for it")
+
+    def _said(self, stage: Stage) -> str:
+        """What the controller says of a route: why it is refused, or what it waits for."""
+        _, text = self.scans.controller.status(stage.route)
+        return str(text)
 
     def _ends_wait(self, train: str) -> None:
         old = self._waits.pop(train, None)

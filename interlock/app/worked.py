@@ -30,10 +30,18 @@ class Wrong:
     """What must not come about in a shift."""
 
     standstill: bool = False
+    stood: dict[str, str] = field(default_factory=dict)
+    """Why each train stood, that had an order, when all stood for ever."""
     places: int = 0
     """Trains that the dispatcher had elsewhere than they were."""
     hazards: list[str] = field(default_factory=list)
     passed_at_stop: list[str] = field(default_factory=list)
+
+    @property
+    def texts(self) -> list[str]:
+        """What was wrong, in words."""
+        stood = [f"{train} stands for ever: {why}" for train, why in self.stood.items()]
+        return [*stood, *self.hazards, *self.passed_at_stop]
 
     def counts(self) -> Mapping[str, int]:
         """The counts that must be 0."""

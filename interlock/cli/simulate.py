@@ -188,7 +188,7 @@ def _body(done: Sequence[Worked], files: Sequence[str]) -> dict[str, object]:
                 "plans": w.planning.made,
                 "by_rules": w.planning.by_rules,
                 "chain": w.chain,
-                "what_was_wrong": [*w.wrong.hazards, *w.wrong.passed_at_stop],
+                "what_was_wrong": w.wrong.texts,
                 **{k.replace(" ", "_"): v for k, v in w.wrong.counts().items()},
             }
             for w in done
@@ -222,7 +222,7 @@ def _print(setting: Setting, done: Sequence[Worked], files: Sequence[str], took:
         count = sum(w.wrong.counts()[name] for w in done)
         click.echo(f"  {name}: {click.style(str(count), fg='red' if count else 'green')}")
     for w in done:
-        for text in (*w.wrong.hazards, *w.wrong.passed_at_stop)[:5]:
+        for text in w.wrong.texts[:5]:
             click.echo(f"    seed {w.seed}: {text}")
     click.echo(
         f"  {sum(w.scans for w in done):,} scans, {sum(w.movements for w in done):,} signals passed, "

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 _SIGNS = (
+    ("was refused", "refused"),  # whatever else is said of it
+    ("does not open", "signal is shut"),
     ("no train stands before", "on its way"),
     ("goes first", "another train goes first"),
     ("comes in before it", "another train goes first"),
@@ -16,7 +18,6 @@ _SIGNS = (
     ("is blocked", "section is blocked"),
     ("is not moved", "points are not moved"),
     ("line beyond", "line beyond is occupied"),
-    ("was refused", "refused"),
     ("to be loaded", "signal is shut"),
     ("being loaded", "at work"),
     ("in doubt", "number is in doubt"),

@@ -42,7 +42,8 @@ class Dispatcher:
     look_ahead: how many routes are set ahead of a train.  priorities: the class of a voyage decides who is served
     first, else the order of the commands; `wait_ms`: one that has waited so long comes first all the same (0: never).
     rule: ask only if a completion plan exists; without it deadlocks can be shown.  guide: why a train is to wait though
-    it could go on; whoever gives one sees to it that it ends.
+    it could go on; whoever gives one sees to it that it ends.  told: what the controller says of a route that it
+    refuses.
     """
 
     def __init__(
@@ -57,6 +58,7 @@ class Dispatcher:
         policy: Policy | None = None,
         budget: int = BUDGET,
         guide: Callable[[Run, Step], str] = lambda run, step: "",
+        told: Callable[[Stage], str] = lambda stage: "",
     ) -> None:
         if look_ahead < 1:
             raise ValueError("at least one route is set ahead of a train")
@@ -75,7 +77,7 @@ class Dispatcher:
         self.other: deque[int] = deque()
         """Numbers that are asked for by hand and are no routes: overlaps that are to swing."""
         self.journal = Journal()
-        self._guide = guide
+        self._guide, self._told = guide, told
         self._writes, self._for = 0, None  # type: tuple[int, tuple[Run, Stage] | None]
         self._cancels: dict[str, int] = {}
         self._passing: dict[SignalId, Stage] = {}
@@ -252,7 +254,8 @@ class Dispatcher:
             return
         if not stage.shown.is_set(seen):
             run.asking.rest_ms = AGAIN_MS
-            run.reason = f"{stage.route} was refused"
+            why = self._told(stage)
+            run.reason = f"{stage.route} was refused" + (f": {why}" if why else "")
             if len(run.asking.routes) == len(step.routes):
                 run.asking.routes.clear()
             return

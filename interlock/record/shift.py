@@ -65,7 +65,8 @@ class Figures:
     faults: list[tuple[float, str]] = field(default_factory=list)
     requests: Requests = field(default_factory=Requests)
     hazards: list[str] = field(default_factory=list)
-    standstill: bool = False
+    standstill: list[tuple[float, str]] = field(default_factory=list)
+    """Why trains stood when all stood for ever; empty where they did not."""
 
     @property
     def waiting(self) -> dict[str, float]:
@@ -154,7 +155,8 @@ def _count(f: Figures, e: Event, works: dict[str, int]) -> None:
     elif kind == "waits" and e["cause"] == "refused":
         f.requests.refused += 1
     elif kind == "standstill":
-        f.standstill = True
+        why = [f"{train}: {text}" for train, text in e["waiting"].items()]
+        f.standstill += [(t / 1000, text) for text in why or ["nothing is told of why"]]
     elif kind == "end":
         f.requests.held_back = e["held_back"]
 
@@ -189,6 +191,6 @@ def to_csv(f: Figures) -> str:
             w.writerow(("utilisation", place, round(f.utilisation(place), 4), "part of the shift"))
     for name, value in (("requests granted", f.requests.granted), ("requests held back", f.requests.held_back),
                         ("requests refused", f.requests.refused), ("alarms", len(f.alarms)), ("faults", len(f.faults)),
-                        ("hazards", len(f.hazards)), ("standstills", int(f.standstill))):  # fmt: skip
+                        ("hazards", len(f.hazards)), ("standstills", int(bool(f.standstill)))):  # fmt: skip
         w.writerow((name, "", value, ""))
     return out.getvalue()

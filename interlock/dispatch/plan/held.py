@@ -2,8 +2,8 @@
 
 From the table alone.  The overlap of a route is held until its train stands wholly before the signal (R4).  So a train
 that is longer than the last section of its route keeps it, one that came in where nothing reports whether more of it
-is to come keeps it, and one behind which another may come over the boundary may keep it: these go on only by routes that
-go with the overlap.
+is to come keeps it, and one behind which another may come over the boundary may keep it: these go on only by routes
+that go with the overlap.
 """
 
 from __future__ import annotations
