@@ -19,7 +19,7 @@ from interlock.field.alone import InUse
 from interlock.panel.event import Event
 from interlock.panel.journal import page, trace
 from interlock.panel.recorder import Recorder
-from interlock.record.log import Log, read_file
+from interlock.record.log import Chain, Log, read_file
 from tests.panels import kinds, panel
 
 
@@ -232,3 +232,40 @@ def test_where_nothing_can_be_written_the_panel_works_on_and_nothing_is_lost(
     told = [e.get("text", "") for e in found.events]
     assert found.ended and "block section s3" in told and "free section s3" in told
     assert [e["dropped"] for e in found.events if e["kind"] == "gap"] == [0]
+
+
+FORGED = [
+    (0, {"title": 1}, "`title`"),
+    (0, {"program": None}, "`program`"),
+    (0, {"digest": []}, "`digest`"),
+    (0, {"views": []}, "`views`"),
+    (1, {"on": 3}, "`on`"),
+    (1, {"on": [["a"]]}, "`on`"),
+    (1, {"off": None}, "`off`"),
+    (1, {"whole": "yes"}, "`whole`"),
+    (2, {"reasons": 7}, "`reasons`"),
+    (2, {"reasons": [["a"]]}, "`reasons`"),
+    (2, {"reasons": [[1, []]]}, "`reasons`"),
+    (2, {"rules": 1}, "`rules`"),
+    (2, {"text": 1}, "`text`"),
+    (2, {"who": []}, "`who`"),
+]
+
+
+@pytest.mark.parametrize(("event", "fields", "told"), FORGED, ids=lambda x: str(x)[:30])
+@pytest.mark.parametrize("more", [[], ["--journal"]], ids=["played", "printed"])
+def test_a_forged_record_is_told_with_its_line(
+    tmp_path: Path, event: int, fields: dict[str, object], told: str, more: list[str]
+) -> None:
+    """Whoever can compute digests can write one; that ended in an internal error."""
+    path, chain, lines = tmp_path / "forged.log", Chain(), list[bytes]()
+    events: list[tuple[str, dict[str, object]]] = [
+        ("begin", {"title": "a", "program": "b", "digest": "c", "plan": "<svg></svg>", "views": {"x": ["a", "b"]}}),
+        ("picture", {"on": ["x"], "off": [], "whole": True}),
+        ("refusal", {"text": "no", "who": "Dora", "reasons": [["it is locked", []]], "rules": ["R3"]}),
+    ]
+    events[event][1].update(fields)
+    lines += [chain.line(1000, kind, x) for kind, x in events]
+    path.write_bytes(b"".join(lines))
+    done = CliRunner().invoke(cli, ["play", str(path), *more])
+    assert done.exit_code == 1 and f"line {event + 1}: {told} is missing, or not as a panel writes it" in done.output

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from datetime import datetime, timedelta
 from itertools import accumulate, pairwise
 from typing import Any
@@ -72,6 +72,9 @@ def span(found: Recorded, first: str, last: str) -> tuple[Event, int, int]:
         raise NotAPanels("this is the record of a simulated shift: name its layout with --layout")
     if not events or events[0]["kind"] != "begin" or "views" not in events[0]:
         raise NotAPanels("this is no record of a panel")
+    for line, e in enumerate(events, 1):
+        if wrong := next((k for k, fits in _fields(e, first=line == 1) if not fits), ""):
+            raise NotAPanels(f"line {line}: `{wrong}` is missing, or not as a panel writes it")
     begins, ends = _whole(events)
     try:
         since, until = at(first, events) if first else begins, at(last, events) if last else ends
@@ -80,6 +83,28 @@ def span(found: Recorded, first: str, last: str) -> tuple[Event, int, int]:
     if since > until and first and last:
         raise NotAPanels(f"--to {last} is before --from {first}")
     return events[0], since, until
+
+
+def _fields(e: Event, first: bool) -> Iterator[tuple[str, bool]]:
+    """The fields of an event that are read here, and whether each is as a panel writes it: whoever can compute digests
+    can write any."""
+    if first:
+        yield from ((k, isinstance(e.get(k), str)) for k in ("title", "digest", "program"))
+        yield from (("plan", "plan" in e), ("views", isinstance(e.get("views"), dict)))
+    if e["kind"] == PICTURE:
+        yield from (("on", _texts(e.get("on"))), ("off", _texts(e.get("off"))))
+        yield "whole", isinstance(e.get("whole"), bool)
+    elif e["kind"] in TOLD:
+        reasons = e.get("reasons", [])
+        told = isinstance(reasons, list) and all(isinstance(r, list) and len(r) == 2 for r in reasons)
+        yield "reasons", told and _texts([r[0] for r in reasons])
+        yield "rules", _texts(e.get("rules", []))
+        yield from ((k, isinstance(e.get(k, ""), str)) for k in ("text", "who"))
+        yield "who", e["kind"] != "release" or "who" in e
+
+
+def _texts(x: object) -> bool:
+    return isinstance(x, list) and all(isinstance(text, str) for text in x)
 
 
 def trace(found: Recorded, first: str = "", last: str = "") -> str:
