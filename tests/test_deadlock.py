@@ -19,8 +19,9 @@ from interlock.dispatch.plan.problem import Draft, build
 from interlock.dispatch.plan.search import Planner, Verdict
 from interlock.dispatch.policy import Policy, yields
 from interlock.dispatch.run import Run
-from interlock.model.elements import RouteId, SectionId
+from interlock.model.elements import RouteId, SectionId, SignalId
 from interlock.proof.system.loop import closed_loop
+from interlock.sim.trains import Spot, Train
 from tests.campaigns.dispatch import (
     LOOPS,
     MINE,
@@ -270,6 +271,25 @@ def test_a_dispatcher_sets_at_least_one_route_ahead() -> None:
         Dispatcher(ground.railway, ground.controller.symbols, look_ahead=0)
     far = case(MINE).run([[("1:W>E", 0, 0, 60.0)]], look_ahead=2)
     assert far.ahead == 2 and not far.stuck
+
+
+def test_a_train_changes_ends_for_the_route_that_it_has_now() -> None:
+    """One that was to turn for a route that was taken back turned for the next one, too, and stood with its signal
+    behind it; one that had turned did not turn back."""
+    ground = case("layouts/passing_loop.yaml").ground
+    loop = SectionId("3G")
+    way = next(t for t in ground.rails.topo.traversals[loop] if ground.rails.topo.beyond(loop, t.exit) == "2DG")
+    train = Train("1", 60.0, 11.0)
+    train.under.append(ground.rails.spot(way))
+    for there in (False, True):  # not there yet it goes by what the plan says
+        train.there = there
+        ground.changes_ends(train, loop, True, SignalId("S3"))
+        assert train.turns == {"3G"}
+        ground.changes_ends(train, loop, False, SignalId("X3"))
+        assert train.turns == set()
+    train.under[0] = Spot(loop, way.exit, way.entry, way.length)
+    ground.changes_ends(train, loop, False, SignalId("X3"))
+    assert train.turns == {"3G"}
 
 
 # --- figure 2-1 ----------------------------------------------------------------------------------

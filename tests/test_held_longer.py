@@ -424,6 +424,15 @@ def test_the_reasons_of_two_demands_of_one_machine_are_told_both(first: str) -> 
     assert [p.because.text for r in same.routes for p in r.locking.added] == ["demanded: overrun; held 45 s longer"]
 
 
+@pytest.mark.parametrize("second", ["hold: 20, ", "hold: 30, ", ""])
+def test_the_reason_of_a_demand_that_holds_no_longer_is_told_too(second: str) -> None:
+    """It was dropped; what is held, and for how long, is the same without it (IL4012)."""
+    text = TEXT + "  - " + HOLD.replace("hold: 30, ", second).replace("overrun", "a steep grade") + "\n"
+    _, table = made(text)
+    (demand,) = [p for r in table.routes for p in r.locking.added]
+    assert demand.hold == 30 and demand.because.text == "demanded: overrun; a steep grade; held 30 s longer"
+
+
 def test_zero_seconds_are_none() -> None:
     one, other = grown(TEXT.replace("hold: 30", "hold: 0")), grown(AT_ONCE)
     assert one is not None and other is not None and one[0].digest == other[0].digest

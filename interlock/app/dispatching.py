@@ -13,6 +13,7 @@ from interlock.dispatch.plan.railway import Railway
 from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
 from interlock.logic.names import Name
+from interlock.model.elements import SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.proof.system.loop import closed_loop
 from interlock.sim.lanes import Driver, Lane, Lanes, Wish
@@ -183,7 +184,8 @@ class Ground:
             outcome.ahead = max(outcome.ahead, max((r.way.ahead for r in dispatcher.runs), default=0))
             while dispatcher.journal.steps:
                 name, section, turned = dispatcher.journal.steps.pop(0)
-                trains[name].turns |= {section} if turned else set()
+                run = next(r for r in dispatcher.runs if r.name == name)
+                self.changes_ends(trains[name], section, turned, run.way.granted[run.way.at].entry)
             if not dispatcher.runs and not dispatcher.pending and not todo:
                 break
             before = [(t.done, t.due, len(t.under)) for t in trains.values()]
@@ -204,6 +206,14 @@ class Ground:
         outcome.asked, outcome.said = tuple(dispatcher.journal.asked), tuple(dispatcher.journal.said)
         outcome.refused, outcome.troubles = dispatcher.holding.refused, tuple(lane.troubles())
         return None
+
+    def changes_ends(self, train: Train, section: SectionId, turned: bool, entry: SignalId) -> None:
+        """A train changes ends in a section for a route over a signal, or does not; one that stands there looks where
+        the signal is, as it may have turned for a route that was taken back, or not yet."""
+        head = train.under[-1]
+        if train.there and head.section == section:
+            turned = head.exit != self.layout.signalling.signal[entry].node
+        train.turns = train.turns | {section} if turned else train.turns - {section}
 
     def _wishes(self, lane: Lane, trains: Iterable[Train]) -> list[Name]:
         """What all trains do; of several that come to one boundary, the first that is not in yet."""

@@ -79,6 +79,8 @@ def with_added(layout: Layout, paths: Sequence[Path], derived: Demands, sink: Si
                 _contradicts(layout, d, p, lies, i, sink)
             elif d.hold <= (lies.hold or 0):
                 idle.append(p)
+                if lies.role is Role.ADDED:
+                    found[p.id][found[p.id].index(lies)] = _cell(d, p, lies)
             elif lies.role is Role.ADDED:
                 found[p.id][found[p.id].index(lies)] = _cell(d, p, lies)
             else:
@@ -118,13 +120,15 @@ def _air_lock(layout: Layout, m: MachineId) -> str:
 
 
 def _cell(d: Demanded, p: Path, before: PointDemand | None = None) -> PointDemand:
-    """The demand in a route's row; before: another of the same, not held so long, of which the reason is told, too."""
-    reasons = [d.reason]
+    """The demand in a route's row; before: another of the same, of which the reason is told, too.  The longer one
+    holds."""
+    rule, reasons, hold = "R13" if d.air_lock else "R5", [d.reason], d.hold
     if before is not None:
         first = authors_reason(before.because).removesuffix(_longer(before.hold))
         reasons = [first, *(reasons if d.reason not in first.split("; ") else [])]
-    why = Because("R13" if d.air_lock else "R5", f"{DEMANDED}{'; '.join(reasons)}{_longer(d.hold)}")
-    return PointDemand(d.machine, d.position, Role.ADDED, p.ways[0].section, why, d.hold or None)
+        rule, hold = before.because.rule, max(hold, before.hold or 0)
+    why = Because(rule, f"{DEMANDED}{'; '.join(reasons)}{_longer(hold)}")
+    return PointDemand(d.machine, d.position, Role.ADDED, p.ways[0].section, why, hold or None)
 
 
 def _longer(hold: float | None) -> str:
