@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import cached_property
 from typing import Any
 
 from interlock.checker.formula import FALSE, Formula, some
@@ -17,9 +18,13 @@ from interlock.verify import need
 class Added(Terminals):
     """Words of additions."""
 
-    def demands(self) -> Iterator[Mapping[str, Any]]:
-        """What the author demands, and what an air lock does: who runs through one door has the others shut."""
-        yield from self.r.body.get("demand") or ()
+    @cached_property
+    def demands(self) -> list[Mapping[str, Any]]:
+        """What air locks demand, and then what the author does."""
+        return [*self._air_locks(), *(self.r.body.get("demand") or ())]
+
+    def _air_locks(self) -> Iterator[Mapping[str, Any]]:
+        """Who runs through one door of an air lock has the others shut."""
         for m, lock in air_locks(self.r).items():
             for other in self.w_other_doors(m):
                 reason = f"of the doors of air lock {lock} only one may be open"
@@ -42,7 +47,7 @@ class Added(Terminals):
 
     def w_routes_demanding(self) -> list[int]:
         """Others that hold what was added to them: points that do not lie so for them anyway."""
-        told = {r for x in self.demands() if "point" in x for r in self.chosen_routes(x["routes"])}
+        told = {r for x in self.demands if "point" in x for r in self.chosen_routes(x["routes"])}
         return [r for r in self.w_holding_routes() if r in told and r not in self.w_routes_declared()]
 
     def w_holding_routes(self) -> list[int]:
@@ -58,7 +63,7 @@ class Added(Terminals):
 
     def longest_hold(self, r: int) -> float:
         """For how many seconds a route holds what was added to it longer: the longest that some demand has it do."""
-        wishes = (x for x in self.demands() if "hold" in x and r in self.chosen_routes(x["routes"]))
+        wishes = (x for x in self.demands if "hold" in x and r in self.chosen_routes(x["routes"]))
         return max((float(x["hold"]) for x in wishes), default=0.0)
 
     def w_is_one_of_these(self, t: str) -> Formula:
@@ -96,7 +101,7 @@ class Added(Terminals):
 
     def _demands(self, c: Calling, p: Path, called_on: bool) -> Iterator[Mapping[str, Any]]:
         """What the author demands of routes over this path: of call-on routes alone, or of others."""
-        for x in self.demands():
+        for x in self.demands:
             whole = [k for k in ("point", "lies", "clear") if k in x] in (["point", "lies"], ["clear"])
             need(whole, "a demand names a point and how it lies, or a section that is clear")
             need("point" in x or not float(x.get("hold", 0)), "no section that is demanded clear is held longer")

@@ -34,18 +34,17 @@ class Telling(World):
         return [self.called[r]] if r in self.called else []
 
     def w_wishes_of(self, r: int) -> list[Wish]:
-        """What the author has a route lock, by his own words: a machine of several demands with the reason of the
-        first, and of each later one by which it is held longer."""
+        """What the author, or an air lock, has a route lock: a machine of several demands with all of their reasons, as
+        long as the longest of them holds it."""
         c, p = self.run_of(r)
         kinds = (False, True) if r in self.w_routes_calling_on() else (False,)
         asked = {id(x) for called_on in kinds for x in self._demands(c, p, called_on)}
         found: dict[tuple[str, bool], tuple[str, float]] = {}
-        for x in (x for x in self.r.body.get("demand") or () if id(x) in asked and "point" in x):
+        for x in (x for x in self.demands if id(x) in asked and "point" in x):
             key, longer = (self._machine_of(x["point"]), x["lies"] == "normal"), float(x.get("hold", 0))
-            before, held = found.get(key, ("", -1.0))
-            if longer > held:
-                told = str(x["reason"]) not in before.split("; ")
-                found[key] = "; ".join(filter(None, (before, str(x["reason"]) * told))), longer
+            before, held = found.get(key, ("", 0.0))
+            told = str(x["reason"]) not in before.split("; ")
+            found[key] = "; ".join(filter(None, (before, str(x["reason"]) * told))), max(held, longer)
         return [Wish(m, self._lies(m, so), f"{x}{_longer(s)}") for (m, so), (x, s) in found.items()]
 
     def w_routes_declared_at_once(self) -> list[int]:
