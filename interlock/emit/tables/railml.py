@@ -3,7 +3,9 @@
 Names used: route, routeEntry, routeExit, hasOverlap, facingSwitchInPosition, trailingSwitchInPosition, hasTvdSection,
 routeRelation (requiredSwitchPosition, requiredDerailerPosition, requiredSectionState, requiredSignalAspect,
 requiredLevelCrossingState), conflictingRoute (refersToRoute, conflictsWithRoute, reasonForConflict), releaseDelay: of
-an overlap, and of what the author has a route hold so many seconds longer.
+an overlap, and of what the author has a route hold so many seconds longer.  What railML has no element for that is
+known to us stands under additionalRelation in words: doors and bridges, conditions, zones, lamps, the direction of a
+line, and points that are driven beside the path.  Points lie normal or reverse here, and not left or right.
 """
 
 from __future__ import annotations
@@ -76,6 +78,12 @@ def _route(x: Reading, r: RouteRow) -> dict[str, object]:
             "designator": f"{r.locking.overlap.signal}:{r.locking.overlap.option}",
             "length": r.locking.overlap.metres,
             "hasTvdSection": [s for s, _ in r.locking.overlap.ways],
+            "switchInPosition": [
+                {"refersTo": p.machine, "inPosition": IN[p.position]}
+                for p in r.locking.points
+                if p.role is Role.OVERLAP and x.machines.is_machine(p)
+            ],
+            "maySwingTo": [f"{r.locking.overlap.signal}:{k}" for k in r.locking.overlap.swings],
             "releaseDelay": overlap_release_s(x.layout, r.locking.overlap.signal),
         }
     return {
@@ -116,15 +124,7 @@ def _relation(x: Reading, r: RouteRow, groups: _Groups) -> dict[str, object]:
             {"refersTo": d, "inPosition": DERAILER[position], **after.get(d, {})}
             for d, position in x.machines.derailers(r).items()
         ],
-        "requiredSectionState": [
-            {
-                "refersTo": c.section,
-                "inState": "vacant",
-                **({"while": f"{c.when[0]} {IN[c.when[1]]}"} if c.when else {}),
-            }
-            for c in r.clear.foul
-        ]
-        + [{"refersTo": c.section, "inState": "vacant"} for c in r.clear.demanded or ()],
+        "requiredSectionState": [*_vacant(r)],
         "requiredSignalAspect": [{"refersTo": list(stops), "showsAspect": "closed"}] if stops else [],
         "requiredLevelCrossingState": [
             {"refersTo": m, "inState": x.layout.machines.word(m, at), **after.get(m, {})}
@@ -135,5 +135,27 @@ def _relation(x: Reading, r: RouteRow, groups: _Groups) -> dict[str, object]:
             {"refersTo": m, "inState": STATE.get(word := x.layout.machines.word(m, at), word), **after.get(m, {})}
             for m, at in devices
             if m not in crossings
-        ],
+        ]
+        + [{"refersTo": name, "inState": state} for name, state in _in_words(r)],
     }
+
+
+def _vacant(r: RouteRow) -> Iterator[dict[str, object]]:
+    """Sections beside or beyond the path and its overlap that are vacant: foul ones, demanded ones, flank space, and the
+    line."""
+    for c in r.clear.foul:
+        when = {"while": f"{c.when[0]} {IN[c.when[1]]}"} if c.when else {}
+        yield {"refersTo": c.section, "inState": "vacant", **when}
+    others = [*(c.section for c in r.clear.demanded or ()), *(c.name for c in r.clear.space if not c.lamp)]
+    for name in dict.fromkeys([*others, *(b.section for b in r.conditions.block)]):
+        yield {"refersTo": name, "inState": "vacant"}
+
+
+def _in_words(r: RouteRow) -> Iterator[tuple[str, str]]:
+    """What else a route asks for, and the points that are driven with it."""
+    yield from ((str(c.condition), "holds") for c in r.conditions.external)
+    yield from ((str(z.zone), "not full") for z in r.conditions.zones)
+    yield from ((str(c.name), "stop lamp intact") for c in r.clear.space if c.lamp)
+    if r.conditions.token is not None:
+        yield str(r.conditions.token.boundary), "direction ours"
+    yield from ((str(p.machine), f"driven {IN[p.position]}") for p in r.locking.driven)
