@@ -141,7 +141,7 @@ def _relation(x: Reading, r: RouteRow, groups: _Groups) -> dict[str, object]:
 
 
 def _vacant(r: RouteRow) -> Iterator[dict[str, object]]:
-    """Sections beside or beyond the path and its overlap that are vacant: foul ones, demanded ones, flank space, and the
+    """Sections beside or beyond the path and its overlap that are vacant: foul and demanded ones, flank space, the
     line."""
     for c in r.clear.foul:
         when = {"while": f"{c.when[0]} {IN[c.when[1]]}"} if c.when else {}
