@@ -295,3 +295,16 @@ def test_trains_that_are_called_on_face_to_face_are_run_with_one_false_detection
     found = availability(System(layout, controller).loop, table)
     pair = next(p for p in found.pairs if {p.first, p.second} == {"S1-S2.c", "S3-S4.c"})
     assert pair.manner is Manner.BESIDE and pair.runs == 3 and found.shown
+
+
+def test_a_berth_in_which_a_movement_ends_may_be_demanded_clear_too() -> None:
+    """The train of the one stands then where the other one is to find nothing: its signal falls to stop, as it must."""
+    text = Path("tests/layouts_for_tests/clear_beyond.yaml").read_text("utf-8")
+    text += "  - {clear: y1, routes: {from: B0}, reason: wagons there would be hit}\n"
+    made = grown(text)
+    assert made is not None
+    layout, table, sink = made
+    assert not sink.has_errors and table.route["N1-Y.s"].path.berth == "y1"
+    found = availability(closed_loop(layout, lower(layout, table)), table)
+    assert found.shown
+    assert {"B0-B", "N1-Y.s"} in [{p.first, p.second} for p in found.pairs if p.manner is Manner.CLEAR]

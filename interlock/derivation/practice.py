@@ -153,7 +153,7 @@ def _check_places(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
         words = _called(found, place)
         if begins and place not in reached:
             said = f"no train comes to stand in {words}: no route, or chain of routes, from a boundary ends there"
-            fix = "add a signal that leads there, or a board at which a route can end, or check the directions of those near"
+            fix = "add a signal that leads there, or a board at its end, or check the directions of those near it"
             sink.add("IL7004", said, None, fix, about=Element("sections", str(name)), cause="reach", note=str(name))
         elif leaves and place in backward and place not in left:
             said = f"no train can leave {words}: no route leads on from there to a boundary"

@@ -233,6 +233,7 @@ class Trial:
         for x, y in ((a, b), (b, a)):
             wanted = set[SectionId]().union(*(clear.get(RouteId(p.id), set()) for p in parts(x)))
             over = {_before(self.railway, y), *(s for p in parts(y) for s, _ in p.path.ways)}
+            over |= {p.path.berth[0] for p in parts(y) if p.path.berth is not None}
             if wanted & over:
                 return a, b, Manner.CLEAR, [] if a.call_on or b.call_on else [self._run(a, b, How.GIVEN_BACK)]
         return None
