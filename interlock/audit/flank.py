@@ -13,7 +13,8 @@ from interlock.table.rows import RouteRow
 
 
 class Place(NamedTuple):
-    """An unused leg of a point or an end of a crossed arm: entered over `edge` towards `node`."""
+    """An unused leg of a point, or end of a crossed arm: entered over `edge` towards `node`.  own: the sections of the
+    trip there, and across a diamond."""
 
     name: str
     node: NodeId
@@ -21,6 +22,7 @@ class Place(NamedTuple):
     clear_of: float
     point: str
     leg: Position | None
+    own: frozenset[SectionId]
 
 
 def pairs(trip: Trip) -> Iterator[tuple[Move, Move]]:
@@ -38,15 +40,17 @@ def unused_places(layout: Layout, trip: Trip) -> list[Place]:
         if point is not None:
             unused = next(e for e in (point.normal, point.reverse) if e not in (a.edge, b.edge))
             leg = Position.NORMAL if unused == point.normal else Position.REVERSE
+            own = frozenset({layout.track.section_of(point.toe)})
             if point.derailer and leg is Position.NORMAL:
                 continue
-            out.append(Place(f"{point.id}.{leg}", a.node, unused, point.fouling + margin, point.id, leg))
+            out.append(Place(f"{point.id}.{leg}", a.node, unused, point.fouling + margin, point.id, leg, own))
         crossing = layout.pointwork.crossing_at.get(a.node)
         if crossing is not None:
+            own = frozenset(layout.track.section_of(arm[0]) for arm in crossing.arms)
             for arm in crossing.arms:
                 if a.edge not in arm:
                     out += [
-                        Place(f"{crossing.id}/{e}", a.node, e, layout.principles.fouling_m + margin, "", None)
+                        Place(f"{crossing.id}/{e}", a.node, e, layout.principles.fouling_m + margin, "", None, own)
                         for e in arm
                     ]
     return out
@@ -81,33 +85,37 @@ def _walk(
     layout: Layout, place: Place, lying: tuple[tuple[MachineId, Position], ...], told: frozenset[str] | None
 ) -> Walk:
     """The walk back from a place with points lying so, up to signals, or to some signals only.  Outside is the end of a
-    track, or a boundary where no train comes in, if a vehicle comes from there over a derailer or an inclined lane
-    (`spur`)."""
+    track, a ring, or a boundary where no train comes in, if a vehicle comes from there over a derailer or an inclined
+    lane (`spur`); and such a lane itself, unless it ends in a trap or points in its own section keep everything there.
+    """
     frozen = dict(lying)
-    todo, seen, outside = [(Move(place.edge, place.node), False)], set[tuple[Move, bool]](), False
-    met: dict[MachineId, None] = {}
+    todo = [(Move(place.edge, place.node), False, frozenset({place.node}))]
+    seen, met, outside = set[tuple[Move, frozenset[NodeId] | None]](), dict[MachineId, None](), False
     while todo:
-        here, spur = todo.pop()
+        here, spur, path = todo.pop()
         e = layout.track.edge[here.edge]
-        if (here, spur) in seen or nothing_comes(e, here.node):
+        if (here, path if spur else None) in seen or nothing_comes(e, here.node):
             continue
-        seen.add((here, spur))
-        rear = layout.track.far(here.edge, here.node)
+        seen.add((here, path if spur else None))
+        rear, lane = layout.track.far(here.edge, here.node), e.inclined and e.section not in place.own
         g = signal_facing(layout, rear, here.edge)
-        if g is not None and (told is None or g.id in told) and _stops(layout, rear, here.edge, place):
+        if g is not None and (told is None or g.id in told) and not lane and _stops(layout, rear, here.edge, place):
             continue
         boundary = layout.track.boundary_at.get(rear)
         spur = spur or e.inclined
+        ring = spur and rear in path
+        outside = outside or ring
         outside = outside or (boundary is not None and (spur or boundary.kind is not BoundaryKind.OUT))
         end = layout.track.buffer_at.get(rear)
         outside = outside or (spur and end is not None and end.kind is BufferKind.STOP)
-        if boundary is None and rear != place.node and end is None:
+        if boundary is None and end is None and rear != place.node and not ring:
             for before, faced in steps_to(layout, here):
                 if faced is not None:
                     met[faced[0]] = None
                 if faced is None or frozen.get(*faced) is faced[1]:
+                    outside = outside or (lane and layout.track.section_of(before.edge) != e.section)
                     kept = faced is not None and layout.pointwork.point_at[rear].derailer
-                    todo.append((before, spur or kept))
+                    todo.append((before, spur or kept, path | {rear}))
     return Walk(outside, tuple(met))
 
 

@@ -26,11 +26,13 @@ class Shown:
 @dataclass(frozen=True)
 class Flank:
     """A track over which a vehicle could come to a point or diamond on a way: its edge at the place, and how far away a
-    vehicle must stand that is held there.  waived: the author gives the protection up, with a reason."""
+    vehicle must stand that is held there.  own: the section of the way.  waived: the author gives the protection up,
+    with a reason."""
 
     edge: Edge
     node: str
     needed: float
+    own: str
     waived: bool = False
 
 
@@ -182,10 +184,10 @@ class Protection(Added):
         for name, demand in w.points:
             p = d.points[name]
             leg = f"{name}.{'normal' if demand.opposite == 'N' else 'reverse'}"
-            found.append(Flank(d.edges[p.leg(demand.opposite)], name, p.fouling + margin, leg in waived))
+            found.append(Flank(d.edges[p.leg(demand.opposite)], name, p.fouling + margin, w.section, leg in waived))
         for name, arm in w.arms:
             for e in d.diamonds[name].arms[1 - arm]:
-                found.append(Flank(d.edges[e], name, d.rule("fouling_m") + margin))
+                found.append(Flank(d.edges[e], name, d.rule("fouling_m") + margin, w.section))
         return found
 
     def w_spaced_flanks(self, w: Way) -> list[Flank]:
@@ -194,25 +196,44 @@ class Protection(Added):
         return [x for x in self.w_flanks(w) if asked and not x.waived]
 
     def w_exposed(self, x: Flank) -> Formula:
-        """A vehicle could roll over a flank, from beyond the next signal that could hold it, or from a buffer behind
-        a derailer, as everything lies."""
-        return self._rolls(x.edge, x.node, 0.0, x.needed, frozenset({x.node}), False)
+        """A vehicle could roll over a flank, from beyond the next signal that could hold it, from an inclined lane, or
+        from a buffer or round a ring behind a derailer, as everything lies."""
+        return self._rolls(x, x.edge, x.node, 0.0, frozenset({x.node}), False)
 
-    def _rolls(self, e: Edge, node: str, gone: float, needed: float, seen: frozenset[str], derailer: bool) -> Formula:
+    def _rolls(self, x: Flank, e: Edge, node: str, gone: float, seen: frozenset[str], derailer: bool) -> Formula:
         """derailer: one, or an inclined lane, has been passed, behind which nothing is trusted to stand."""
         far, gone, derailer = e.far(node), gone + e.length, derailer or e.inclined
-        if e.none_to(node) or far in seen or far in self.r.drawn.buffers:
-            stops = {str(x) for x in self.r.body.get("buffers") or ()} - seen
-            return TRUE if derailer and far in stops and not e.none_to(node) else FALSE
-        g = self._holding(e, far, gone, needed)
+        if e.none_to(node):
+            return FALSE
+        if e.inclined and e.section not in (x.own, x.edge.section):
+            return no(self._empty(e, node, seen))
+        if far in seen or far in self.r.drawn.buffers:
+            return TRUE if derailer and (far in seen or far in self._stops) else FALSE
+        g = self._holding(e, far, gone, x.needed)
         if g is not None:
             return self._lets_pass(g)
         if far in self.r.drawn.boundaries:
             return FALSE if self.r.drawn.boundaries[far].get("trains") == "out" and not derailer else TRUE
         kept = self.r.drawn.points[far].position(e.name) if far in self._derailers else None
         derailer = derailer or kept is not None
-        rolls = some(self._rolls(x, far, gone, needed, seen | {far}, derailer) for x in self.r.drawn.onward(far, e))
+        rolls = some(self._rolls(x, b, far, gone, seen | {far}, derailer) for b in self.r.drawn.onward(far, e))
         return every((rolls, no(self._turned_away(e, far))))
+
+    def _empty(self, e: Edge, node: str, seen: frozenset[str]) -> Formula:
+        """Nothing can be on an inclined lane: it ends in a trap, or points in its own section keep it out."""
+        far = e.far(node)
+        if far in seen or far in self.r.drawn.boundaries or far in self._stops:
+            return FALSE
+        if far in self.r.drawn.buffers:
+            return TRUE
+        out = [
+            self._empty(b, far, seen | {far}) if b.section == e.section else FALSE for b in self.r.drawn.onward(far, e)
+        ]
+        return some((self._turned_away(e, far), every(out)))
+
+    @cached_property
+    def _stops(self) -> frozenset[str]:
+        return frozenset(str(x) for x in self.r.body.get("buffers") or ())
 
     @cached_property
     def _derailers(self) -> frozenset[str]:

@@ -6,6 +6,7 @@ From there the search goes outward until something keeps vehicles away:
     toe of another point    both legs must be protected (AND)
     signal at stop          if it stands clear of the fouling point; otherwise the search goes on
     buffer, outgoing boundary, one-way track    nothing can come
+    inclined lane           vehicles run away over it: nothing beyond protects, but points in its own section, or a trap
 Nothing-can-come is preferred, but to the end of a track, where vehicles may stand, a point that is turned away before
 it; then a point turned away or a signal, as the principle `flank_by` says; a diamond prefers points.  The partner of a
 scissors crossover lies normal, whatever else there is (防护道岔): nothing else is offered there.  Which of the sets is
@@ -127,12 +128,19 @@ class Options:
 
     def of(self, r: Requester, allowed: Allowed) -> Iterator[tuple[Provider, ...]]:
         """Every set that demands nothing but what is allowed, preferred ones first."""
+        found = _outward(self._layout, r, allowed, r.edge, r.node, 0.0, frozenset())
         if r.partner is not None:
-            if allowed(r.partner, Position.NORMAL):
+            if allowed(r.partner, Position.NORMAL) and next(found, None) is not None:  # no inclined lane lies between
                 yield (Provider(ProviderKind.POINT, r.partner, Position.NORMAL),)
             return
-        found = _outward(self._layout, r, allowed, r.edge, r.node, 0.0, frozenset())
         yield from (option for option in found if point_demands(option) is not None)
+
+
+def over_lane(layout: Layout, r: Requester, edge: EdgeId) -> bool:
+    """Whether an edge lies on an inclined lane from which vehicles may run away towards a requester: not in the section
+    of the way itself, nor in the one across a diamond, where none stand."""
+    e = layout.track.edge[edge]
+    return e.inclined and e.section not in (r.section, layout.track.section_of(r.edge))
 
 
 Outward = tuple[EdgeId, NodeId]
@@ -148,45 +156,45 @@ def _outward(
     gone: float,
     seen: frozenset[Outward],
     spur: bool = False,
+    lane: SectionId | None = None,
 ) -> Iterator[tuple[Provider, ...]]:
     e = layout.track.edge[edge]
+    if lane is not None and e.section != lane:
+        return  # what stands on the inclined lane runs away, whatever is beyond
     if e.nothing_comes_to(node):
         yield (Provider(ProviderKind.ONE_WAY, e.section),)
         return
     far = layout.track.far(edge, node)
     gone += e.length
-    spur = spur or e.inclined
-    if far == r.node or (edge, node) in seen:
-        yield ()  # a closed ring: nothing comes from outside; or over the path itself, which is no flank
+    spur, lane = spur or e.inclined, e.section if over_lane(layout, r, edge) else None
+    if far == r.node or (edge, node) in seen or (spur and far in {n for _, n in seen}):
+        if not spur:
+            yield ()  # a closed ring: nothing comes from outside; or over the path itself, which is no flank
         return
     seen = seen | {(edge, node)}  # round a balloon loop it comes back the other way, as a vehicle could
-    if far in layout.track.buffer_at:
-        yield from _end(layout, far, spur)
-        return
     signal = layout.signalling.facing.get((far, edge))
-    if signal is not None and gone >= r.clear_of:
+    if signal is not None and gone >= r.clear_of and lane is None:
         yield (Provider(ProviderKind.SIGNAL, signal.id),)
         return
-    if far in layout.track.boundary_at:
+    if far in layout.track.buffer_at or far in layout.track.boundary_at:
         yield from _end(layout, far, spur)
         return
     point = layout.pointwork.point_at.get(far)
     if point is None:
         for nxt in onward_edges(layout, far, edge):
-            yield from _outward(layout, r, allowed, nxt, far, gone, seen, spur)
+            yield from _outward(layout, r, allowed, nxt, far, gone, seen, spur, lane)
         return
     position = point.position_of(edge)
     if position is None:
-        for left in _outward(layout, r, allowed, point.normal, far, gone, seen, spur):
-            for right in _outward(layout, r, allowed, point.reverse, far, gone, seen, spur):
+        for left in _outward(layout, r, allowed, point.normal, far, gone, seen, spur, lane):
+            for right in _outward(layout, r, allowed, point.reverse, far, gone, seen, spur, lane):
                 yield tuple(dict.fromkeys(left + right))
         return
     turned: tuple[Provider, ...] | None = (Provider(ProviderKind.POINT, point.machine, position.other),)
-    if point.machine in layout.machines.by_hand and position.other is Position.REVERSE:
-        turned = None  # a key locks a hand-worked point in normal only
-    elif not allowed(point.machine, position.other):
+    by_hand = point.machine in layout.machines.by_hand  # a key locks a hand-worked point in normal only
+    if (by_hand and position.other is Position.REVERSE) or not allowed(point.machine, position.other):
         turned = None
-    beyond = _outward(layout, r, allowed, point.toe, far, gone, seen, spur or point.derailer)
+    beyond = _outward(layout, r, allowed, point.toe, far, gone, seen, spur or point.derailer, lane)
     first = next(beyond, None)
     preferred = _BY_SIGNAL if _signal_before(layout, r, point, position.other) else _PASSIVE
     ends = first is not None and any(p.kind is ProviderKind.BUFFER for p in first)  # vehicles may stand before it
@@ -225,7 +233,8 @@ def end_of_leg(layout: Layout, point: Point, position: Position) -> NodeId:
 
 def _end(layout: Layout, node: NodeId, spur: bool) -> Iterator[tuple[Provider, ...]]:
     """The end of a track, or a boundary where no train comes in.  `spur`: a derailer or an inclined lane has been
-    passed; neither protects from what is behind it, since vehicles stand there that nobody trusts to stay."""
+    passed; neither protects from what is behind it, since vehicles stand there that nobody trusts to stay.  None are
+    brought into a trap."""
     buffer, boundary = layout.track.buffer_at.get(node), layout.track.boundary_at.get(node)
     if buffer is not None and not (spur and buffer.kind is BufferKind.STOP):
         yield (Provider(ProviderKind.BUFFER, node),)

@@ -10,12 +10,12 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from math import floor
 
-from interlock.derivation.flank import Allowed, Options, Requester, point_demands, told
+from interlock.derivation.flank import Allowed, Options, Requester, over_lane, point_demands, told
 from interlock.derivation.routes import Path
 from interlock.derivation.settle import Place, Settlement
 from interlock.diag import Element, Sink
 from interlock.model.bits import chosen
-from interlock.model.elements import EdgeId, MachineId, NodeId, PointId, Position, SignalId
+from interlock.model.elements import EdgeId, MachineId, NodeId, PointId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.traversal import onward_edges
 from interlock.table.cells import Provider
@@ -138,7 +138,8 @@ def _remedy(layout: Layout, options: Options, r: Requester, allowed: Allowed, he
 
     No waiver is among it: what `derive` finds no protection for, T-FLANK and S-FLANK find a vehicle for."""
     said = [f"give {p} a machine of its own" for p in _worked_along(layout, r, frozenset(held))]
-    if r.partner is not None:
+    lanes = _lanes(layout, r)
+    if r.partner is not None and not lanes:
         return " or ".join([*said, "exclude the routes over both: `exclude:`"])
     near = _too_near(layout, r)
     at = min(near.values(), default=0.0)
@@ -152,8 +153,10 @@ def _remedy(layout: Layout, options: Options, r: Requester, allowed: Allowed, he
             where = f"where the fouling point of {point} is, if no further"
             said.append(f"state {where}: `points: {{{point}: {{fouling: {room:g}}}}}`")
     else:
-        beyond = f"{r.clear_of:g} m away or more"
-        said.append(f"add a signal or stop board, {beyond}, or a derailer on each way that leads to {r.name}")
+        signal = f"a signal or stop board, {r.clear_of:g} m away or more, or "
+        room = min(lanes.values(), default=r.clear_of) >= r.clear_of
+        before = f", before the inclined lane{'s' * (len(lanes) > 1)} {' and '.join(lanes)}" if lanes else ""
+        said.append(f"add {signal if room else ''}a derailer on each way that leads to {r.name}{before}")
     return ", or ".join(said)
 
 
@@ -170,7 +173,8 @@ def _room(layout: Layout, r: Requester, at: float) -> float | None:
 
 
 def _outward(layout: Layout, r: Requester) -> Iterator[tuple[EdgeId, NodeId, float]]:
-    """The track outward from a requester, up to signals clear of it: edges, their far ends, how far away those are."""
+    """The track outward from a requester, up to signals clear of it and the ends of inclined lanes: edges, their far
+    ends, how far away those are."""
     todo: list[tuple[EdgeId, NodeId, float]] = [(r.edge, r.node, 0.0)]
     seen: set[tuple[EdgeId, NodeId]] = set()
     while todo:
@@ -182,8 +186,12 @@ def _outward(layout: Layout, r: Requester) -> Iterator[tuple[EdgeId, NodeId, flo
         gone += e.length
         yield edge, far, gone
         clear = (far, edge) in layout.signalling.facing and gone >= r.clear_of
-        if not clear and far != r.node and far not in layout.track.boundary_at and far not in layout.track.buffer_at:
-            todo += [(x, far, gone) for x in onward_edges(layout, far, edge)]
+        if far == r.node or far in layout.track.boundary_at or far in layout.track.buffer_at:
+            continue
+        lane = over_lane(layout, r, edge)
+        onward = [x for x in onward_edges(layout, far, edge) if not lane or layout.track.section_of(x) == e.section]
+        if lane or not clear:
+            todo += [(x, far, gone) for x in onward]
 
 
 def _too_near(layout: Layout, r: Requester) -> dict[SignalId, float]:
@@ -191,8 +199,18 @@ def _too_near(layout: Layout, r: Requester) -> dict[SignalId, float]:
     found: dict[SignalId, float] = {}
     for edge, far, gone in _outward(layout, r):
         facing = layout.signalling.facing.get((far, edge))
-        if facing is not None and gone < r.clear_of:
+        if facing is not None and gone < r.clear_of and not over_lane(layout, r, edge):
             found[facing.id] = min(gone, found.get(facing.id, gone))
+    return found
+
+
+def _lanes(layout: Layout, r: Requester) -> dict[SectionId, float]:
+    """The first inclined lanes outward from a requester, and how far away each begins."""
+    found: dict[SectionId, float] = {}
+    for edge, _, gone in _outward(layout, r):
+        e = layout.track.edge[edge]
+        if over_lane(layout, r, edge):
+            found[e.section] = min(gone - e.length, found.get(e.section, gone))
     return found
 
 

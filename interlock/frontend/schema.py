@@ -245,8 +245,8 @@ class SectionSpec(Part):
 
     speed: Speed | None = key("km/h permitted in it; without it, none is stated (R11)", None)
     lane: Annotated[Literal["level", "inclined"], choice("lane", ("level", "inclined"))] = key(
-        "kind of line in a mine; an `inclined` one goes first among voyages, and wagons run away over it against "
-        "`one_way` (R5)",
+        "kind of line in a mine; an `inclined` one goes first among voyages, and wagons run away over it, "
+        "against `one_way` too: what lies beyond it protects no flank (R5)",
         "level",
     )
     detected: YesNo = key("no: a siding without detection, which always counts as occupied", True)

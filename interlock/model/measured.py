@@ -26,8 +26,9 @@ class Beyond:
     one_way: no vehicle comes over the edge towards the place.  closed: a buffer, or where the search has been before.
     signal: the next signal that a vehicle towards the place meets, far enough away to stand behind it.  boundary: the
     kind of the boundary at the far end.  trailed: a machine, and where it must lie for a vehicle to come from `onward`.
-    spur: the end of a track, or a boundary, behind a derailer or an inclined lane: it stands for the vehicles that are
-    left there, by whatever way, and for those that run back over the lane.
+    spur: the end of a track, a ring, or a boundary, behind a derailer or an inclined lane: it stands for the vehicles
+    that are left there, by whatever way, and for those that run back over the lane.  lane: an inclined one on which
+    vehicles may stand: not in the section of the way that is protected, nor across a diamond, nor before a trap.
     """
 
     section: SectionId
@@ -38,6 +39,7 @@ class Beyond:
     trailed: tuple[MachineId, Position] | None = None
     onward: tuple[Beyond, ...] = ()
     spur: bool = False
+    lane: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,16 +63,19 @@ class Measured:
 def measured(layout: Layout) -> Measured:
     """What a proof reads of a layout's lengths."""
     margin = layout.principles.clearance_m
-    starts = [(p.node, e, p.fouling + margin) for p in layout.pointwork.points for e in (p.normal, p.reverse)]
+    track = layout.track
+    starts = [
+        (p.node, e, _From(p.fouling + margin, frozenset({track.section_of(p.toe)})))
+        for p in layout.pointwork.points
+        for e in (p.normal, p.reverse)
+    ]
     starts += [
-        (c.node, e, layout.principles.fouling_m + margin)
+        (c.node, e, _From(layout.principles.fouling_m + margin, frozenset(track.section_of(a[0]) for a in c.arms)))
         for c in layout.pointwork.crossings
         for arm in c.arms
         for e in arm
     ]
-    beyond = {
-        (node, edge): _beyond(layout, edge, node, 0.0, needed, frozenset({node})) for node, edge, needed in starts
-    }
+    beyond = {(node, edge): _beyond(layout, start, edge, node, 0.0, frozenset({node})) for node, edge, start in starts}
     overlaps = {
         g.id: tuple(tuple(t.key for t in ways) for ways in paths)
         for g in layout.signalling.signals
@@ -95,25 +100,33 @@ def measured(layout: Layout) -> Measured:
     )
 
 
+@dataclass(frozen=True, slots=True)
+class _From:
+    """A place that is protected.  needed: how far away a vehicle must stand; sections: of the ways that pass there."""
+
+    needed: float
+    sections: frozenset[SectionId]
+
+
 def _beyond(
-    layout: Layout, edge: EdgeId, node: NodeId, gone: float, needed: float, seen: frozenset[NodeId], spur: bool = False
+    layout: Layout, start: _From, edge: EdgeId, node: NodeId, gone: float, seen: frozenset[NodeId], spur: bool = False
 ) -> Beyond:
-    """`gone`: metres from the place to `node`; `needed`: how far away a vehicle must stand; `spur`: past a derailer, or
-    over an inclined lane."""
+    """`gone`: metres from the place to `node`; `spur`: past a derailer, or over an inclined lane."""
     e = layout.track.edge[edge]
     if e.nothing_comes_to(node):
         return Beyond(e.section, one_way=True)
     far = layout.track.far(edge, node)
     gone += e.length
-    spur = spur or e.inclined
+    spur, lane = spur or e.inclined, e.inclined and e.section not in start.sections
     if far in seen or far in layout.track.buffer_at:
-        stop = far not in seen and layout.track.buffer_at[far].kind is BufferKind.STOP
-        return Beyond(e.section, closed=True, spur=spur and stop)
+        stand = far in seen or layout.track.buffer_at[far].kind is BufferKind.STOP
+        return Beyond(e.section, closed=True, spur=spur and stand, lane=lane and stand)
     facing = layout.signalling.facing.get((far, edge))
-    signal = facing.id if facing is not None and gone >= needed else None
+    signal = facing.id if facing is not None and gone >= start.needed else None
     boundary = layout.track.boundary_at.get(far)
     if signal is not None or boundary is not None:
-        return Beyond(e.section, signal=signal, boundary=boundary.kind if boundary is not None else None, spur=spur)
+        kind = boundary.kind if boundary is not None else None
+        return Beyond(e.section, signal=signal, boundary=kind, spur=spur, lane=lane)
     point, crossing, trailed = layout.pointwork.point_at.get(far), layout.pointwork.crossing_at.get(far), None
     if point is not None:
         position = point.position_of(edge)
@@ -124,5 +137,5 @@ def _beyond(
         ways = [b if edge == a else a for a, b in crossing.arms if edge in (a, b)]
     else:
         ways = [x.id for x in layout.track.edges_at[far] if x.id != edge]
-    onward = tuple(_beyond(layout, x, far, gone, needed, seen | {far}, spur) for x in ways)
-    return Beyond(e.section, trailed=trailed, onward=onward)
+    onward = tuple(_beyond(layout, start, x, far, gone, seen | {far}, spur) for x in ways)
+    return Beyond(e.section, trailed=trailed, onward=onward, lane=lane)

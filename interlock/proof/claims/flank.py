@@ -21,8 +21,10 @@ from interlock.proof.claims.paths import ground_of, shown_over, signal_paths
 
 
 def exposed(f: Facts, beyond: Beyond) -> Expr:
-    """Whether a vehicle could roll over a track towards the place, from beyond the next signal or from the end of a
-    track behind a derailer, as everything really lies."""
+    """Whether a vehicle could roll over a track towards the place, from beyond the next signal, from an inclined lane,
+    or from the end of a track behind a derailer, as everything really lies."""
+    if beyond.lane:
+        return neg(_kept(beyond))
     if beyond.one_way or beyond.closed:
         return TRUE if beyond.spur else FALSE
     if beyond.signal is not None:
@@ -43,6 +45,20 @@ def exposed(f: Facts, beyond: Beyond) -> Expr:
         return rolls
     machine, position = beyond.trailed
     return conj((neg(lies(machine, position.other)), rolls))
+
+
+def _kept(lane: Beyond) -> Expr:
+    """Whether nothing stands on an inclined lane, nor comes over it: points of its very section turn away whatever
+    could come, from wherever; or it ends in a trap."""
+    if not lane.lane:
+        return TRUE
+    if lane.closed or lane.signal is not None or lane.boundary is not None:
+        return FALSE
+    inside = conj(_kept(x) if x.section == lane.section else FALSE for x in lane.onward)
+    if lane.trailed is None:
+        return inside
+    machine, position = lane.trailed
+    return disj((lies(machine, position.other), inside))
 
 
 def flank(f: Facts) -> Iterator[tuple[str, str, Expr]]:
