@@ -883,6 +883,24 @@ def test_a_ring_behind_a_derailer_protects_from_nothing() -> None:
     assert {"T-FLANK", "S-FLANK"} <= {c.id for c in result.claims if c.verdict is not Verdict.PROVED}
 
 
+@pytest.mark.parametrize(
+    ("text", "at", "places"),
+    [(LOOP_AT_A_LANE, AT_THE_LOOP, ["P.reverse", "Q.normal"]), (RING_WITH_A_LANE, AT_THE_RING, ["P.normal"])],
+    ids=["balloon loop", "ring"],
+)
+def test_a_ring_into_which_vehicles_are_brought_is_told_of_where_only_it_protects(
+    text: str, at: str, places: list[str]
+) -> None:
+    """As the end of a track is: nothing comes from beyond, but trains stand in it."""
+    text = text.replace("lane: inclined", "lane: level")
+    for mended, told_of in ((text, places), (with_signal(text, at), [])):
+        made = grown(mended)
+        assert made is not None and not made[2].has_errors
+        spoken = [d.message for d in made[2].diagnostics if d.code == "IL4017"]
+        ring = "and nothing but the ring in which the track closes protects "
+        assert [m.split(ring)[1] for m in spoken if ring in m] == [f"{p} from them" for p in told_of], spoken
+
+
 CROSSOVER_IS_A_LANE = """
 interlock: 1
 name: scissors

@@ -233,7 +233,8 @@ def test_where_all_trains_run_one_way_a_signal_behind_points_looks_the_right_way
 def test_in_a_balloon_loop_both_ways_are_told_apart(tmp_path: Path) -> None:
     """Both ends of its track are one set of points."""
     assert lints(tmp_path, RING) == []
-    assert lints(tmp_path, RING.replace("S1: {from: r2, into: T}", "S1: {from: T, into: r2}")) == [("IL7001", "S1")]
+    turned = RING.replace("S1: {from: r2, into: T}", "S1: {from: T, into: r2}")
+    assert lints(tmp_path, turned) == [("IL4017", "P"), ("IL7001", "S1")]
 
 
 CROSSOVER = """interlock: 1

@@ -245,7 +245,7 @@ def _end(layout: Layout, node: NodeId, spur: bool) -> Iterator[tuple[Provider, .
 def space(layout: Layout, r: Requester, providers: Sequence[Provider]) -> dict[tuple[str, bool], str]:
     """What the principles ask of the flank space: sections to be clear (False), stop lamps to be intact (True)."""
     rules = layout.principles
-    between, signals = reached(layout, r, providers)
+    between, signals, _ = reached(layout, r, providers)
     found: dict[tuple[str, bool], str] = {}
     if rules.flank_space:
         for s in between:
@@ -259,8 +259,9 @@ def space(layout: Layout, r: Requester, providers: Sequence[Provider]) -> dict[t
 
 def reached(
     layout: Layout, r: Requester, providers: Sequence[Provider]
-) -> tuple[dict[SectionId, None], dict[SignalId, None]]:
-    """The sections between a requester and what protects it, its own among them, and the signals that protect it.
+) -> tuple[dict[SectionId, None], dict[SignalId, None], bool]:
+    """The sections between a requester and what protects it, its own among them; the signals that protect it; whether
+    the track closes in a ring.
 
     Walks outward from the requester again and stops at the chosen providers; round a balloon loop it comes back the
     other way, as a vehicle could.  The section of a protecting point does not lie between the point and its joint: a
@@ -268,6 +269,7 @@ def reached(
     """
     between: dict[SectionId, None] = {}
     signals: dict[SignalId, None] = {}
+    ring = not providers
     todo: list[tuple[EdgeId, NodeId, float]] = [(r.edge, r.node, 0.0)]
     seen: dict[tuple[EdgeId, NodeId], float] = {}  # by the shortest way: there a signal counts least
     while todo:
@@ -285,6 +287,7 @@ def reached(
             signals[signal.id] = None
         elif far == r.node or far in layout.track.buffer_at or far in layout.track.boundary_at:
             between[e.section] = None
+            ring = ring or far == r.node
         elif _turns_away(layout, far, edge, providers):
             if layout.track.section_of(layout.pointwork.point_at[far].toe) != e.section:
                 between[e.section] = None
@@ -294,7 +297,7 @@ def reached(
             if layout.track.section_of(x) != e.section:
                 between[e.section] = None
             todo.append((x, far, gone))
-    return between, signals
+    return between, signals, ring
 
 
 def _turns_away(layout: Layout, node: NodeId, leg: EdgeId, providers: Sequence[Provider]) -> bool:

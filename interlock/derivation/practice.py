@@ -246,35 +246,41 @@ def _check_waiting(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
 
 def _check_spurs(layout: Layout, paths: Sequence[Path], locks: Locks, sink: Sink) -> None:
     """Tracks into which vehicles are brought, and which nothing but their own end keeps from a place that others pass
-    (R5): not where they must be clear, as flank space or at a foul joint."""
+    (R5), or the ring in which it closes: not where they must be clear, as flank space or at a foul joint."""
     brought: dict[SectionId, list[str]] = {}
     for p in paths:
         brought.setdefault(p.berth or p.ways[-1].section, []).append(p.id)
     by_hand = _by_hand(layout)
-    open_: dict[NodeId, dict[SectionId, dict[str, None]]] = {}
+    open_: dict[Element, dict[SectionId, dict[str, None]]] = {}
     for row in locks.values():
         clear = {row.section, *(c.section for c in row.foul if c.when is None)}
         clear |= {SectionId(c.name) for c in row.space if not c.lamp}
         cells = {c.requester: c.providers for c in row.flank}
         for r in requesters(layout, topology(layout).traversals[row.section][row.number - 1]):
-            ends = [NodeId(p.name) for p in cells.get(r.name, ()) if p.kind is ProviderKind.BUFFER]
-            ends = [n for n in ends if layout.track.buffer_at[n].kind is BufferKind.STOP]
-            for s in reached(layout, r, cells[r.name])[0] if ends else ():
+            if r.name not in cells or r.waiver is not None:
+                continue
+            ends = [NodeId(p.name) for p in cells[r.name] if p.kind is ProviderKind.BUFFER]
+            holds = [Element("buffers", n) for n in ends if layout.track.buffer_at[n].kind is BufferKind.STOP]
+            between, _, ring = reached(layout, r, cells[r.name])
+            if ring and not holds:
+                holds.append(Element("points" if r.node in layout.pointwork.point_at else "crossings", r.node))
+            for s in between if holds else ():
                 if s not in clear and (s in brought or s in by_hand):
-                    for node in ends:
-                        open_.setdefault(node, {}).setdefault(s, {})[r.name] = None
-    for node, sections in sorted(open_.items()):
+                    for x in holds:
+                        open_.setdefault(x, {}).setdefault(s, {})[r.name] = None
+    for held, sections in sorted(open_.items(), key=lambda x: (x[0].room, str(x[0].name))):
         come = list(dict.fromkeys(p for s in sections for p in brought.get(s, ())))
         places = dict.fromkeys(p for those in sections.values() for p in those)
+        end = f"the end of the track, {held.name}," if held.room == "buffers" else "the ring in which the track closes"
         by = f"by {_listed(come)}" if come else by_hand[next(iter(sections))]
         sink.add(
             "IL4017",
-            f"vehicles are brought into {' and '.join(sections)} ({by}), and nothing but the end of the track, {node}, "
+            f"vehicles are brought into {' and '.join(sections)} ({by}), and nothing but {end} "
             f"protects {_listed(places)} from them",
             None,
             "add a signal or a derailer that stands clear of the points"
             + ("" if layout.principles.flank_space else f", or have the track clear: {_SPACE}"),
-            about=Element("buffers", str(node)),
+            about=held,
         )
 
 
