@@ -30,6 +30,9 @@ OTHERS = (
     "held_longer",
     "overlap_condition",
     "overlaps",
+    "overlap_past_signals",
+    "overlaps_join",
+    "overlap_berth",
     "shunt_yard",
     "speeds",
 )

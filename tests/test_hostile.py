@@ -44,8 +44,9 @@ def test_a_pair_is_hostile_if_something_makes_it_so(name: str, monkeypatch: pyte
     if found is None:
         return  # refused by the front end
     conflicts, table = made[0], found[1]
-    paths, locks, _, _ = conflicts.given  # type: ignore[attr-defined]
-    pairs = [(a.id, b.id) for a, b in combinations(paths, 2) if classify(a, b, locks, conflicts._needs) is not None]
+    layout, paths, locks, _, _ = conflicts.given  # type: ignore[attr-defined]
+    needs = conflicts._needs
+    pairs = [(a.id, b.id) for a, b in combinations(paths, 2) if classify(layout, a, b, locks, needs) is not None]
     listed = {r.id: r.locking.hostile.routes for r in table.routes}
     assert [(a.id, b.id) for a, b in combinations(paths, 2) if b.id in listed[a.id]] == pairs
     assert all(a in listed[b] for a, b in pairs) and sum(map(len, listed.values())) == 2 * len(pairs)

@@ -83,6 +83,9 @@ ON = {
     "opens-under-train": DEVICES,
     **dict.fromkeys((k.name for k in KINDS if k.name.startswith("overlap-")), OVERLAPS),
     "overlap-flank-not-held": OVERLAP_FLANK,
+    "overlap-beside": "../tests/layouts_for_tests/overlap_past_both_ways",
+    "overlap-let-go": "../tests/layouts_for_tests/overlap_past_signals",
+    "overlap-free-of-one": "../tests/layouts_for_tests/overlap_past_signals",
     "overlap-inside": "../tests/layouts_for_tests/overlap_inside",
 }
 

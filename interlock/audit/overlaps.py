@@ -33,6 +33,25 @@ def overruns(layout: Layout, trip: Trip) -> list[Trip]:
     ]
 
 
+def onward_over(layout: Layout, trip: Trip) -> dict[str, frozenset[Move]]:
+    """The moves of a trip's overlap that trains may run over while it is held, by the signal from which they come: from
+    the trip's own end all of them, from a main signal that it meets further on those that follow.  What stands before
+    such a signal is within the overlap, and has come over it.  An overlap that swings may leave it."""
+    if not trip.over:
+        return {}
+    found = {trip.exit: frozenset(trip.over)}
+    for i, m in enumerate(trip.over[1:], 1):
+        g = signal_facing(layout, trip.over[i - 1].node, m.edge)
+        if g is not None and g.main and not swings(layout, trip.exit):
+            found[g.id] = frozenset(trip.over[i:])
+    return found
+
+
+def swings(layout: Layout, signal: str) -> bool:
+    """Whether another alternative may take the place of a signal's overlap."""
+    return any(o.signal == signal and o.swing for o in layout.overlaps.all)
+
+
 def without_speed(layout: Layout, found: Iterable[Trip]) -> list[Trip]:
     """The trips for which a train may be called that is told no speed: none that has a short overlap."""
     return [t for t in found if not t.over or t.over not in short(layout, SignalId(t.exit))]

@@ -17,7 +17,7 @@ from interlock.audit.aspect import aspect
 from interlock.audit.conditions import conditions
 from interlock.audit.flank import flank
 from interlock.audit.foul import Foul, across, crossed, foul_neighbours
-from interlock.audit.overlaps import overlap_speed, overruns, without_speed
+from interlock.audit.overlaps import onward_over, overlap_speed, overruns, swings, without_speed
 from interlock.audit.own_train import own_train_in_the_way
 from interlock.audit.voyages import voyages
 from interlock.audit.walk import Move, Trip, in_rear, left_standing, past_signals, standing_place, trips
@@ -277,9 +277,10 @@ def _in_the_way(layout: Layout, table: InterlockingTable, matched: dict[str, Tri
             there.setdefault(section, []).append(r)
     for r in table.routes:
         hostile = {*r.locking.hostile.routes} if r.clear.space else set()
+        onward = onward_over(layout, matched[r.id]) if r.clear.space and r.id in matched else {}
         for c in r.clear.space:
             for other in there.get(SectionId(c.name), ()) if not c.lamp else ():
-                if other.id not in hostile and other is not r and other.entry != r.exit:
+                if other.id not in hostile and other is not r and other.entry not in (r.exit, *onward):
                     yield Finding(r.id, "space", f"a train of {other.id} may be in {c.name}")
 
 
@@ -333,6 +334,8 @@ class _Ground:
     over_moves: frozenset[Move]
     over_nodes: frozenset[NodeId]
     ways: dict[SectionId, frozenset[Move]]
+    onward: dict[str, frozenset[Move]]
+    swings: bool
 
 
 def _ground(layout: Layout, row: RouteRow, trip: Trip) -> _Ground:
@@ -353,6 +356,8 @@ def _ground(layout: Layout, row: RouteRow, trip: Trip) -> _Ground:
         frozenset(trip.over),
         frozenset(m.node for m in trip.over[:-1] if m.node in layout.pointwork.crossing_at),
         _by_section(layout, (*trip.moves, *trip.over)),
+        onward_over(layout, trip),
+        swings(layout, trip.exit),
     )
 
 
@@ -491,11 +496,16 @@ def _same_way(layout: Layout, a: frozenset[Move], b: frozenset[Move], section: S
     }
 
 
-def _own(x: _Ground, y: _Ground) -> frozenset[NodeId]:
-    """Diamonds that y passes on the very overlap of x, going on from its exit."""
-    if y.row.kind != "main" or y.entry != x.exit:
+def _shared(x: _Ground, y: _Ground) -> frozenset[Move]:
+    """The moves of x's overlap over which y may run while it is held."""
+    return x.onward.get(y.entry, frozenset()) if y.row.kind == "main" else frozenset()
+
+
+def _held_by_both(x: _Ground, y: _Ground) -> frozenset[Move]:
+    """The moves over which two overlaps may lie at a time: beyond the signal of the one, past which the other leads."""
+    if x.exit == y.exit or x.swings or y.swings:
         return frozenset()
-    return frozenset(m.node for m in x.over_moves & y.moves)
+    return (x.onward.get(y.exit, frozenset()) & y.over_moves) | (y.onward.get(x.exit, frozenset()) & x.over_moves)
 
 
 Clash = tuple[str, Collection[str]]
@@ -512,12 +522,15 @@ def _cannot_both(layout: Layout, a: _Ground, b: _Ground, held: HeldOver) -> Clas
     for x, y in ((a, b), (b, a)):
         if not x.over:
             continue
-        if not x.over.isdisjoint(y.over):
+        shared, both = _shared(x, y), _held_by_both(x, y)
+        if any(not all(m in both for z in (x, y) for m in z.over_moves & z.ways[s]) for s in x.over & y.over):
             return "the overlaps share", x.over & y.over
         for section in sorted(x.over & y.sections):
-            if y.row.kind != "main" or y.entry != x.exit or not _same_way(layout, x.over_moves, y.moves, section):
+            mine = x.over_moves & x.ways[section]
+            if not mine <= shared or not _same_way(layout, x.over_moves, y.moves, section):
                 return "overlap over", frozenset({section})
-        if not x.over_nodes.isdisjoint(y.over_nodes) or not x.over_nodes.isdisjoint(y.nodes - (y.nodes & _own(x, y))):
+        nodes, lying = ({m.node for m in those} for those in (shared & y.moves, both))
+        if not x.over_nodes.isdisjoint(y.over_nodes - lying) or not x.over_nodes.isdisjoint(y.nodes - nodes):
             return "an overlap crosses", x.over_nodes
     if not a.positions.keys().isdisjoint(b.positions):
         for m in sorted(a.positions.keys() & b.positions.keys()):

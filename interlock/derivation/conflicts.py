@@ -9,13 +9,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import product
+from itertools import chain, product
 
 from interlock.dataclass import dataclass
 from interlock.derivation.added import Barred
 from interlock.derivation.routes import Path
 from interlock.model.bits import bits_of
-from interlock.model.elements import MachineId, Position, RouteId, SectionId
+from interlock.model.elements import MachineId, Position, RouteId, SectionId, SignalId
+from interlock.model.layout import Layout
+from interlock.model.shared_overlap import Ways, may_meet, shared_from
 from interlock.model.traversal import Traversal
 from interlock.table.cells import (
     Because,
@@ -36,18 +38,19 @@ class Conflicts:
 
     def __init__(
         self,
+        layout: Layout,
         paths: Sequence[Path],
         locks: Mapping[TraversalKey, TraversalRow],
         demands: Mapping[RouteId, Sequence[PointDemand]],
         barred: Barred,
     ) -> None:
         """Paths in order of number.  barred: for each route those that the author declares hostile."""
-        self._locks = locks
+        self._layout, self._locks = layout, locks
         self._path = {p.id: p for p in paths}
         self._needs = _needs(paths, demands)
         self._ids = [p.id for p in paths]
         self._barred = _with_parts(paths, barred)
-        self.derived = dict(zip(self._ids, _hostile(paths, locks, self._needs), strict=True))
+        self.derived = dict(zip(self._ids, _hostile(layout, paths, locks, self._needs), strict=True))
         """For each route the hostile ones but for those that are only declared so, as bits by number less one."""
         self._hostile = dict(self.derived)
         self._told: dict[tuple[RouteId, RouteId], Hostility] = {}
@@ -62,8 +65,13 @@ class Conflicts:
         if declared is not None:
             return declared.text
         as_train = replace(onward, kind=RouteKind.MAIN)
-        found = next(reasons(replace(path, onward=None), as_train, self._locks, self._needs), None)
-        return None if found is None else found[1].format(one=path.id, other=onward.id)
+        held = {t.section for t in path.overlap}  # all at once: past the next signal nothing is shared
+        meets = [f"both need {t.section} as overlap" for t in onward.overlap if t.section in held]
+        if onward.entry != path.exit:
+            meets += [f"{t.section} is the overlap of {{one}}" for t in onward.ways if t.section in held]
+        told = reasons(self._layout, replace(path, onward=None), as_train, self._locks, self._needs)
+        found = next(chain((x[1] for x in told), meets), None)
+        return None if found is None else found.format(one=path.id, other=onward.id)
 
     def bits(self, route: RouteId) -> int:
         """The hostile routes of a route, as bits by number less one."""
@@ -82,7 +90,7 @@ class Conflicts:
         """How a pair is hostile, the route of the lower number first."""
         if (a, b) not in self._told:
             parts = [self._path[a].parts, self._path[b].parts]
-            found = [x for p, q in product(*parts) for x in reasons(p, q, self._locks, self._needs)]
+            found = [x for p, q in product(*parts) for x in reasons(self._layout, p, q, self._locks, self._needs)]
             found.sort(key=lambda x: list(HostileClass).index(x[0])) if len(parts[0]) + len(parts[1]) > 2 else None
             declared = self._barred.get(a, {}).get(b)
             if declared is not None:
@@ -109,10 +117,13 @@ def _with_parts(paths: Sequence[Path], barred: Barred) -> dict[RouteId, dict[Rou
 
 
 def set_apart(
-    paths: Sequence[Path], locks: Mapping[TraversalKey, TraversalRow], demands: Mapping[RouteId, Sequence[PointDemand]]
+    layout: Layout,
+    paths: Sequence[Path],
+    locks: Mapping[TraversalKey, TraversalRow],
+    demands: Mapping[RouteId, Sequence[PointDemand]],
 ) -> list[int]:
     """For each route those that cannot be set together with it, as bits; paths in order of number."""
-    return _hostile(paths, locks, _needs(paths, demands))
+    return _hostile(layout, paths, locks, _needs(paths, demands))
 
 
 def _needs(paths: Sequence[Path], demands: Mapping[RouteId, Sequence[PointDemand]]) -> dict[RouteId, Needs]:
@@ -128,10 +139,13 @@ def _needs(paths: Sequence[Path], demands: Mapping[RouteId, Sequence[PointDemand
 
 
 def _hostile(
-    paths: Sequence[Path], locks: Mapping[TraversalKey, TraversalRow], needs: Mapping[RouteId, Needs]
+    layout: Layout,
+    paths: Sequence[Path],
+    locks: Mapping[TraversalKey, TraversalRow],
+    needs: Mapping[RouteId, Needs],
 ) -> list[int]:
     """For each route the hostile ones, as bits: those pairs of which `classify` tells a class."""
-    users = _Users(paths, needs)
+    users = _Users(layout, paths, needs)
     both = [users.alike(p, needs[p.id]) & ~(1 << i) for i, p in enumerate(paths)]
     found = list(both)
     for i, p in enumerate(paths):  # what one of a pair says of the other, the first of what it excludes
@@ -160,7 +174,10 @@ def _led_on(paths: Sequence[Path], found: list[int]) -> list[int]:
 class _Users:
     """By what it uses, the routes that do, as bits."""
 
-    def __init__(self, paths: Sequence[Path], needs: Mapping[RouteId, Needs]) -> None:
+    def __init__(self, layout: Layout, paths: Sequence[Path], needs: Mapping[RouteId, Needs]) -> None:
+        self._layout = layout
+        self._lying: dict[SectionId, dict[tuple[SignalId, Ways], None]] = {}
+        """By section the overlaps that lie over it."""
         by: dict[object, int] = {}
         for i, p in enumerate(paths):
             uses: list[object] = [("from", p.entry)]
@@ -169,6 +186,9 @@ class _Users:
             uses += [x for t in p.overlap for x in (("overlap", t.section), ("overlap", t.key))]
             uses += [("lies", m, x) for m, x in needs[p.id].path.items()]
             uses += [("held", m, x) for m, x in needs[p.id].held.items()]
+            uses += [("whole overlap", _held_beyond(p))] if p.overlap else []
+            for t in p.overlap:
+                self._lying.setdefault(t.section, {})[_held_beyond(p)] = None
             for use in uses:
                 by[use] = by.get(use, 0) | 1 << i
         self._by = by
@@ -192,13 +212,22 @@ class _Users:
 
     def of_overlap(self, p: Path, locks: Mapping[TraversalKey, TraversalRow]) -> int:
         """Those that are hostile to the overlap of a route."""
-        found = 0
+        found, own = 0, _held_beyond(p)
+        shared = shared_from(self._layout, *own) if p.overlap else {}
         for t in p.overlap:
-            onward = self._any(("train from", p.exit)) & self._any(("path", t.key))
-            found |= self._any(("overlap", t.section)) | (self._any(("path", t.section)) & ~onward)
+            from_ = self._any(*(("train from", g) for g, ways in shared.items() if t.key in ways))
+            onward = from_ & self._any(("path", t.key))
+            found |= self._any(("path", t.section)) & ~onward
+            others = (o for o in self._lying[t.section] if not may_meet(self._layout, own, o))
+            found |= self._any(*(("whole overlap", o) for o in others))
             for x in _excluded(locks[t.key]):
                 found |= self._any(("path", x), ("overlap", x))
         return found
+
+
+def _held_beyond(p: Path) -> tuple[SignalId, Ways]:
+    """The overlap of a route: its signal, and its ways."""
+    return SignalId(p.exit), tuple(t.key for t in p.overlap)
 
 
 def _excluded(lock: TraversalRow) -> Iterator[object]:
@@ -230,14 +259,14 @@ Reason = tuple[HostileClass, str, str]
 
 
 def classify(
-    a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow], needs: Mapping[RouteId, Needs]
+    layout: Layout, a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow], needs: Mapping[RouteId, Needs]
 ) -> Reason | None:
     """Class, witness and rule of a hostile pair, the first in the order of R6; None when both may be set together."""
-    return next(reasons(a, b, locks, needs), None)
+    return next(reasons(layout, a, b, locks, needs), None)
 
 
 def reasons(
-    a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow], needs: Mapping[RouteId, Needs]
+    layout: Layout, a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow], needs: Mapping[RouteId, Needs]
 ) -> Iterator[Reason]:
     """All that makes a pair hostile, in the order in which a reason is named; a class may come more than once."""
     if a.entry == b.entry:
@@ -254,7 +283,7 @@ def reasons(
                     kind = HostileClass.CROSSING if ex.because.rule == "R6" else HostileClass.FOUL
                     rule = "R6.4" if kind is HostileClass.CROSSING else "R6.10"
                     yield kind, f"{t.section} and {o.section}: {ex.because.text}", rule
-    overlap = _overlap(a, b, locks, "{one}") or _overlap(b, a, locks, "{other}")
+    overlap = _overlap(layout, a, b, locks, "{one}") or _overlap(layout, b, a, locks, "{other}")
     if overlap is not None:
         yield overlap
     all_a, all_b = needs[a.id].held, needs[b.id].held
@@ -272,15 +301,17 @@ def _written(text: str) -> str:
     return text.replace("{", "{{").replace("}", "}}")
 
 
-def _overlap(a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow], of: str) -> Reason | None:
-    """The overlap of a (named as `of`) against the path and overlap of b; a route onward from a's exit may lie over the
-    same ways."""
+def _overlap(layout: Layout, a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow], of: str) -> Reason | None:
+    """The overlap of a (named as `of`) against the path and overlap of b; what leads on over the same ways, from a's
+    exit or from a signal past which the overlap leads, may lie there, too."""
+    onward = shared_from(layout, *_held_beyond(a)).get(b.entry, ()) if a.overlap and b.kind is RouteKind.MAIN else ()
+    meets = a.overlap and b.overlap and may_meet(layout, _held_beyond(a), _held_beyond(b))
     for t in a.overlap:
         for o in b.overlap:
-            if o.section == t.section:
+            if o.section == t.section and not meets:
                 return HostileClass.OVERLAP, f"both need {t.section} as overlap", "R6.8"
         for o in b.ways:
-            if o.section == t.section and not (b.kind is RouteKind.MAIN and b.entry == a.exit and o.key == t.key):
+            if o.section == t.section and not (o.key == t.key and o.key in onward):
                 return HostileClass.OVERLAP, f"{t.section} is the overlap of {of}", "R6.7"
         for ex in locks[t.key].exclusions:
             for o in (*b.ways, *b.overlap):

@@ -52,7 +52,7 @@ def derive_locks(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[Tra
     fouls, options = (foul_joints(layout), crossed_sections(layout), foul_beside(layout)), Options(layout)
     bare = {key: _row(layout, t, (), used, fouls) for key, t in sorted(used.items())}
     demands = {p.id: route_demands(p, bare) for p in paths}
-    hostile = set_apart(paths, bare, demands)
+    hostile = set_apart(layout, paths, bare, demands)
     every = (1 << len(paths)) - 1
     beside_ = {bits: beside(bits, hostile, every) for bits in {*over.values()}}
     places = [Place(k, r, over[k], beside_[over[k]]) for k in bare for r in requesters(layout, used[k])]
@@ -77,7 +77,7 @@ def derive_locks(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[Tra
     report_flanks(layout, paths, places, settled, options, sink)
     if not any(_space(layout, used[key], row.flank, frozenset()) for key, row in rows.items()):
         return tuple(rows.values())
-    hostile = set_apart(paths, rows, {p.id: route_demands(p, rows) for p in paths})
+    hostile = set_apart(layout, paths, rows, {p.id: route_demands(p, rows) for p in paths})
     there, stands = [_taken(layout, p) for p in paths], [_standing(layout, p) for p in paths]
     run_over: dict[TraversalKey, int] = {}  # by path: a train that has its overlap there comes from elsewhere
     for i, path in enumerate(paths):

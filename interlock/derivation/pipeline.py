@@ -82,7 +82,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     demands = with_added(layout, paths, {p.id: route_demands(p, by_key) for p in paths}, sink)
     barred, asked_clear = derive_barred(layout, paths, sink), demanded_clear(layout, paths, sink)
     swinging = _swinging(layout, paths, sink)
-    hostile = Conflicts(paths, by_key, demands, barred)
+    hostile = Conflicts(layout, paths, by_key, demands, barred)
     _apart(paths, hostile, sink)
     idle_barred(layout, paths, hostile.derived, sink)
     fouls = {p.id: _foul(p, by_key, demands[p.id]) for p in paths}

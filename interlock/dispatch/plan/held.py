@@ -15,6 +15,7 @@ from itertools import pairwise
 from interlock.dispatch.plan.errands import OUTSIDE, Place
 from interlock.model.elements import MachineId, Position, RouteId
 from interlock.model.layout import Layout
+from interlock.model.shared_overlap import may_meet, shared_from
 from interlock.model.traversal import topology
 from interlock.table.cells import Role, RouteKind, TraversalKey
 from interlock.table.rows import InterlockingTable, RouteRow
@@ -139,18 +140,23 @@ class Held:
         things |= {("lies", d.machine, d.position.other) for d in (lock.points if lock else ())}
 
     def goes_with(self, before: RouteRow, r: RouteRow) -> bool:
-        """Whether a route can be set from the signal where another ends while the overlap of that is held."""
-        if before.locking.overlap is None:
+        """Whether a route can be set, from the signal where another ends or further on, while the overlap of that is
+        held."""
+        over, beyond = before.locking.overlap, r.locking.overlap
+        if over is None:
             return True
+        shared = shared_from(self._layout, over.signal, over.ways).get(r.entry, ())
+        meets = beyond is not None and may_meet(self._layout, (over.signal, over.ways), (beyond.signal, beyond.ways))
         held: set[object] = set()
         needed: set[object] = set()
-        for key in before.locking.overlap.ways:
+        for key in over.ways:
             self._locks(key, held)
         for key in r.path.traversals:
-            if key not in before.locking.overlap.ways or r.kind is not RouteKind.MAIN:
+            if key not in shared or r.kind is not RouteKind.MAIN:
                 self._way(key, key[0] == r.path.berth, needed)
-        for key in r.locking.overlap.ways if r.locking.overlap else ():
-            self._way(key, False, needed)
+        for key in beyond.ways if beyond is not None else ():
+            if not (meets and key in over.ways):
+                self._way(key, False, needed)
         needed |= {("lies", d.machine, d.position.other) for d in r.locking.added}
         return not held & needed
 

@@ -304,12 +304,14 @@ class Railway:
                 been = {s for r in chain for s in r.path.section_ids}
                 end = Place(0, frozenset(), chain[-1].id, chain[-1].path.traversals)
                 onward = [r for r, _ in self.routes_on(end, False) if been.isdisjoint(r.path.section_ids)]
-                todo += [((*chain, r), turned) for r in onward if self.held.goes_with(chain[-1], r)]
+                todo += [((*chain, r), turned) for r in onward if all(self.held.goes_with(x, r) for x in chain)]
         return found
 
     def _own(self, place: Place, chain: Sequence[RouteRow]) -> bool:
         """The train itself is in the way."""
-        mine = self.held.holds(place.under) | self.held.under_way(place) | self.held.inside_of(place)
+        mine = self.held.holds(place.under) | self.held.under_way(place)
+        if not all(self.held.goes_with(self.table.route[x], r) for x in place.inside for r in chain):
+            return True
         full, inside = dict(self.held.zones), self.held.inside(place.under)
         return any(mine & self.held.needs(r) for r in chain) or any(
             inside.get(z, 0) + n > full[z] for z, n in self.held.entering(chain).items()

@@ -24,7 +24,7 @@ class Draft:
         self.table = table
         self.topo: Topology = topology(layout)
         self.routes = RouteIndex(layout, table)
-        self.overlaps = OverlapIndex(table)
+        self.overlaps = OverlapIndex(layout, table)
         self.sections = SectionIndex(layout, table, fouls, self.topo, self.routes)
         self.machines = MachineIndex(layout)
         self.signals = SignalIndex(layout, table, self.topo, self.routes, self.sections)

@@ -14,6 +14,7 @@ from interlock.model.elements import MachineId, NodeId, Position, RouteId, Secti
 from interlock.model.foul import FoulJoint
 from interlock.model.layout import Layout
 from interlock.model.places import Approach
+from interlock.model.shared_overlap import may_meet, shared_from
 from interlock.model.traversal import Topology
 from interlock.table.cells import RouteKind, TraversalKey
 from interlock.table.rows import InterlockingTable, RouteRow, TraversalRow
@@ -131,8 +132,8 @@ class RouteIndex:
 class OverlapIndex:
     """The overlaps of a table: alternatives by signal and number."""
 
-    def __init__(self, table: InterlockingTable) -> None:
-        self._table = table
+    def __init__(self, layout: Layout, table: InterlockingTable) -> None:
+        self._layout, self._table = layout, table
 
     @cached_property
     def ways(self) -> Mapping[tuple[SignalId, int], tuple[TraversalKey, ...]]:
@@ -184,6 +185,16 @@ class OverlapIndex:
     def over(self, section: SectionId) -> list[tuple[SignalId, int]]:
         """The overlap alternatives that lie over a section."""
         return self._over_section.get(section, [])
+
+    def apart_from(self, option: tuple[SignalId, int], section: SectionId) -> list[tuple[SignalId, int]]:
+        """The overlap alternatives over a section that are not held together with one (R4)."""
+        own = option[0], self.ways[option]
+        return [o for o in self.over(section) if not may_meet(self._layout, own, (o[0], self.ways[o]))]
+
+    def led_over_from(self, option: tuple[SignalId, int], way: TraversalKey) -> tuple[SignalId, ...]:
+        """The signals from which train routes may lead over a way while an overlap alternative is held there (R4)."""
+        shared = shared_from(self._layout, option[0], self.ways[option])
+        return tuple(g for g, ways in shared.items() if way in ways)
 
     def along(self, rear: SectionId, node: NodeId, section: SectionId) -> list[tuple[SignalId, int]]:
         """The overlap alternatives that lie over a joint, from one section on into the next."""

@@ -48,7 +48,7 @@ def availability(d: Draft) -> None:
         if t.key in routes:
             _wire(d, names.WAY_FREE, t, [*free, *_unlocked(d, t.key)], f"free for a route ({rules.HOSTILE_ROUTES})")
     for (g, k), over in d.overlaps.ways.items():
-        terms = [x for key in over for x in _overlap_terms(d, g, key)]
+        terms = [x for key in over for x in _overlap_terms(d, (g, k), key)]
         d.wire(
             names.OVERLAP_FREE(g, k),
             Join.ALL,
@@ -131,18 +131,23 @@ def _space(d: Draft, t: TraversalRow) -> list[Term]:
     return out
 
 
-def _overlap_terms(d: Draft, g: SignalId, key: TraversalKey) -> list[Term]:
-    """The overlap's way is free, or lies over the route that is already set onward from the signal (R4)."""
-    s = key[0]
-    onward = disj(
-        var(names.ACTIVE(r.number)) for r in d.routes.over.get(key, ()) if r.entry == g and r.kind is RouteKind.MAIN
-    )
-    free = [neg(var(names.RESTART_LOCK(s))), *(neg(d.overlaps.held(o)) for o in d.overlaps.over(s))]
+def _overlap_terms(d: Draft, option: tuple[SignalId, int], key: TraversalKey) -> list[Term]:
+    """The overlap's way is free, or lies over the route that is already set onward from the signal, or from one past
+    which the overlap leads, and with the overlap of such a one (R4)."""
+    s, g = key[0], option[0]
+    onward = disj(var(names.ACTIVE(r.number)) for r in d.routes.over.get(key, ()) if _leads_on(d, r, option, key))
+    free = [neg(var(names.RESTART_LOCK(s))), *(neg(d.overlaps.held(o)) for o in d.overlaps.apart_from(option, s))]
     for t in d.sections.locks_of[s]:
         lock = neg(d.sections.lock(*t.key))
         free.append(disj((lock, onward)) if t.key == key else lock)
     clear = Term(d.sections.clear(s), "overlap clear", f"{s} clear: overlap")
     return [Term(conj(free), "overlap free", f"{s} free as overlap of {g}"), clear, *not_blocked(s), *available(d, key)]
+
+
+def _leads_on(d: Draft, r: RouteRow, option: tuple[SignalId, int], key: TraversalKey) -> bool:
+    """A train route leads over a way of an overlap that may be held meanwhile: nobody knows what stands in an overlap
+    that a call-on would run over."""
+    return r.kind is RouteKind.MAIN and r.entry in d.overlaps.led_over_from(option, key)
 
 
 def detection(d: Draft) -> None:
@@ -180,11 +185,9 @@ def _lying(key: TraversalKey, kind: str) -> list[Term]:
 
 
 def free_terms(d: Draft, r: RouteRow, key: TraversalKey) -> list[Term]:
-    """A way is free for a route; a train may run over the overlap of its own entry signal (R4)."""
+    """A way is free for a route; a train may run over the overlap of its own entry signal, or of one before (R4)."""
     s = key[0]
-    own = [o for o in d.overlaps.over(s) if o[0] == r.entry and key in d.overlaps.ways[o]]
-    if r.kind is not RouteKind.MAIN:  # nobody knows what stands in an overlap that a call-on would run over
-        own = []
+    own = [o for o in d.overlaps.over(s) if _leads_on(d, r, o, key)]
     clear = s in r.clear.section_ids
     if not own and not clear:
         free = var(names.FREE(s))

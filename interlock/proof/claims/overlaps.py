@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import combinations
 
 from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, implies, neg, var
 from interlock.logic.plant import accepted, across, came, image, lamp, o, overran, rests, running, shunting
 from interlock.model.elements import MachineId, NodeId, Position, SectionId, SignalId
+from interlock.model.shared_overlap import may_meet
 from interlock.proof.claims.kinds import Facts, Invariant
 
 
@@ -36,7 +38,10 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
             along = disj(conj((x, came(s, f.track.way(s, n)[0]))) for n, x in f.locking.of(s))
             out.append(Invariant("O-ALONG", s, implies(conj((o(s), running(s), neg(rests(s)))), along)))
         if len(f.locking.overlaps(s)) > 1:
-            out.append(Invariant("O-ONE", s, at_most_one(f.locking.overlaps(s))))
+            apart = _apart(f, s)
+            out.append(Invariant("O-ONE", s, at_most_one(f.locking.overlaps(s)) if apart is None else apart))
+            if apart is not None:
+                out.append(Invariant("O-OVER-ONE", s, at_most_one(overran(g, s) for g in f.seen.overrun(s))))
         for g in f.seen.overrun(s):
             out.append(Invariant(f"O-BEEN:{g}", s, implies(conj((overran(g, s), f.locking.firm(s))), f.seen.been(s))))
             calls = [
@@ -64,6 +69,17 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
         for g in f.seen.overrun(s):
             out += [Invariant(f"O-ON:{g}", f"{j}:{s}", x) for j, x in _inside(f, g, s)]
     return out
+
+
+def _apart(f: Facts, s: SectionId) -> Expr | None:
+    """No two overlaps lie over a section, but such as lie there the same way, one of them past the other's signal; None
+    where there are no such."""
+    over = f.locking.options(s)
+    of = {o: (o[0], f.sym.overlaps.ways[o]) for o in over}
+    if not any(may_meet(f.layout, of[a], of[b]) for a, b in combinations(over, 2)):
+        return None
+    apart = (x for x in combinations(over, 2) if not may_meet(f.layout, of[x[0]], of[x[1]]))
+    return conj(neg(conj((var(over[a]), var(over[b])))) for a, b in apart)
 
 
 def _inside(f: Facts, g: SignalId, s: SectionId) -> Iterator[tuple[str, Expr]]:

@@ -13,6 +13,7 @@ from interlock.model.principles import Closes
 from interlock.proof.claims.added import route_fits
 from interlock.proof.claims.aspects import allows_clear
 from interlock.proof.claims.paths import SignalPath
+from interlock.proof.functions.shared import Option, held_beside, over_held
 from interlock.proof.functions.words import Way, Words
 
 
@@ -190,7 +191,7 @@ def _refusing(w: Words, r: RouteSymbols, wide: bool) -> Iterator[Expr]:
     f, clear = w.f, _kept_clear(w, r)
     yield neg(w.valid)
     for s, n in r.path.ways:
-        own = [o for o, ways in w.sym.overlaps.ways.items() if o[0] == r.entry and (s, n) in ways]
+        own = [o for o in f.locking.options(s) if (s, n) in over_held(w, o).get(r.entry, ())]
         if r.shunt or r.call_on or r.path.identifier:
             own = []
         yield f.locking.locked(s)
@@ -202,7 +203,7 @@ def _refusing(w: Words, r: RouteSymbols, wide: bool) -> Iterator[Expr]:
     yield from _rear(w, r)
     if r.path.overlap is not None:
         for s, n in w.sym.overlaps.ways[r.path.overlap]:
-            yield _not_as_overlap(w, r.path.overlap[0], (s, n), wide)
+            yield _not_as_overlap(w, r.path.overlap, (s, n), wide)
     if r.path.berth is not None:
         yield from _berth(w, r.path.berth, wide)
     of = {x.number: x.added for x in w.sym.routes}
@@ -238,16 +239,23 @@ def _not_to_be_had(w: Words, way: Way, wide: bool) -> Expr:
     return disj(out)
 
 
-def _not_as_overlap(w: Words, g: SignalId, way: Way, wide: bool) -> Expr:
-    """A way cannot be held as overlap of a signal: it may lie over the route that is set onward (R4)."""
+def _not_as_overlap(w: Words, o: Option, way: Way, wide: bool) -> Expr:
+    """A way cannot be held as an overlap: it may lie over the route that is set onward, and beside another that leads
+    over the same track (R4)."""
     f, (s, n) = w.f, way
+    over = over_held(w, o)
     onward = disj(
         var(x.active)
         for x in w.sym.routes.over.get(way, ())
-        if x.entry == g and not x.shunt and not x.call_on and not x.path.identifier and way in x.path.ways
+        if way in over.get(x.entry, ())
+        and not x.shunt
+        and not x.call_on
+        and not x.path.identifier
+        and way in x.path.ways
     )
     locks = [conj((lock, neg(onward))) if k == n else lock for k, lock in f.locking.of(s)]
-    held = [f.locking.restart(s), *(var(name) for name in f.locking.options(s).values()), *locks]
+    others = [var(name) for x, name in f.locking.options(s).items() if not held_beside(w, o, x)]
+    held = [f.locking.restart(s), *others, *locks]
     return disj((*held, neg(w.sections.long(s)), w.ways.blocked(s), _not_to_be_had(w, way, wide)))
 
 

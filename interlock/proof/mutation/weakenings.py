@@ -25,7 +25,7 @@ from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.inductive import inductive, open_claims
 from interlock.proof.induction.search import search
 from interlock.proof.induction.story import tell
-from interlock.proof.mutation import asked, blocked, forgotten
+from interlock.proof.mutation import asked, blocked, forgotten, sharing
 from interlock.proof.mutation.points import Mutation
 from interlock.proof.mutation.swinging import swings_at_another_number, swung_at_once
 from interlock.proof.mutation.ways import (
@@ -285,16 +285,6 @@ def _held_number(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
         yield x, _with(c, e, always)
 
 
-def _overlap_flank_not_held(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
-    """A machine is held as flank protection of locked ways, not of overlaps."""
-    c = lower(layout, table)
-    put = Substitution(dict.fromkeys(c.symbols.overlaps.held.values(), FALSE))
-    for e in c.equations:
-        terms = tuple(t._replace(expr=put(t.expr)) if t.kind == "flank not held" else t for t in e.terms)
-        if e.name.family is names.MOVABLE and any(a.expr is not b.expr for a, b in zip(terms, e.terms, strict=True)):
-            yield e.name, _with(c, e, replace(e, terms=terms))
-
-
 KINDS: tuple[Kind, ...] = (
     Kind("stop-lamp-dark", "a stop lamp is never lit", _outputs(_dark)),
     Kind("machine-not-driven", "a machine is never driven to a position", _outputs(_undriven)),
@@ -392,7 +382,7 @@ KINDS: tuple[Kind, ...] = (
     Kind(
         "overlap-flank-not-held",
         "a machine may move although it protects the flank of an overlap",
-        _overlap_flank_not_held,
+        sharing.overlap_flank_not_held,
     ),
     Kind("flank-not-held", "a machine may move although it protects a flank", without("MOV", "flank not held")),
     Kind(
@@ -502,6 +492,9 @@ KINDS: tuple[Kind, ...] = (
         without(SWINGS, "overlap free", "overlap clear", "not run over", "exclusion"),
     ),
     Kind("swing-at-once", "a swung overlap counts before it lies", swung_at_once),
+    Kind("overlap-beside", "an overlap is held beside one that lies otherwise", sharing.beside_another),
+    Kind("overlap-let-go", "an overlap is given up with another over the same track", sharing.let_go_with_another),
+    Kind("overlap-free-of-one", "track that two overlaps hold is free when one is given up", sharing.free_of_one),
     Kind("overlap-taken", "a route is set over a section that is held as overlap", without("FREE", "no overlap")),
     Kind("proceed-on-lost-input", "proceed stays when inputs are lost", without("CO", "inputs valid")),
 )
