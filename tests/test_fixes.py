@@ -144,14 +144,19 @@ boundaries:
   A: {trains: in, approach: ax 400}
   O: {trains: out}
 tracks:
-  a: [A, a1 200, a2 60, p 40, o1 60, o2 200, O]
+  a: [A, a1 200, a2 60]
+  o: [o1 60, o2 200, O]
+  t: [t1 100, SAND]
+traps: [SAND]
+points:
+  P: {section: p, toe: a.end, normal: o.start, reverse: t.start}
 signals:
   S: {from: A, into: a1}
   S1: {from: a1, into: a2}
   S2: {from: a2, into: p}
   SO: {from: o1, into: o2}
 overlaps:
-  S1: {length: 180}
+  S1: {length: 180, not_over: [P.normal]}
 """
 
 
@@ -159,11 +164,15 @@ def test_an_overlap_past_a_signal_without_one_holds_the_train_that_ran_on_to_it(
     """The planner, which knows nothing of the warning, finds no way through either, and one as soon as it is heeded."""
     (found,) = said(tmp_path, SHORT_BLOCKS, "IL7014")
     assert "no train runs through at S1" in found.message and "runs on to S2 stands in it there" in found.message
-    assert "`overlaps: {S1: {length: 60}}`" in found.fix
+    assert "`overlaps: {S1: {length: 60}}`, without its `not_over`" in found.fix
     command = ("dispatch", str(tmp_path / "layout.yaml"), "1:A>O", "--length", "40")
     assert run(*command).exit_code == 1
-    assert not said(tmp_path, SHORT_BLOCKS.replace("length: 180", "length: 60"), "IL7014")
-    assert run(*command).exit_code == 0 and "PLAN  4 routes" in run(*command).output
+    for old, new in (
+        ("length: 180, not_over: [P.normal]", "length: 60"),
+        ("P.normal", "P.reverse"),
+    ):  # or it lies where trains run on
+        assert not said(tmp_path, SHORT_BLOCKS.replace(old, new), "IL7014")
+        assert run(*command).exit_code == 0 and "PLAN  4 routes" in run(*command).output
 
 
 @pytest.mark.parametrize("name", ["P1", "A1"])

@@ -47,19 +47,19 @@ def _check_overlaps(layout: Layout, paths: Sequence[Path], hostile: Conflicts, s
         if g not in on or len(past) < len(those):
             continue
         barred = [hostile.bits(p.id) for p in those]
-        through = [q for q in on[g] if not all(b >> q.number - 1 & 1 for b in barred)]
-        ahead = [on.get(SignalId(q.exit), []) for q in through]
-        if not all(rs and all(b >> r.number - 1 & 1 for r in rs for b in barred) for rs in ahead):
+        both = [(b, q) for b in barred for q in on[g] if not b >> q.number - 1 & 1]
+        ahead = [(b, on.get(SignalId(q.exit), [])) for b, q in both]
+        if any(not rs or any(not b >> r.number - 1 & 1 for r in rs) for b, rs in ahead):
             continue
         beyond = min((x for _, x in past), key=lambda x: x.metres).signal
         why = f"no route onward from {g} can be set together with {' or '.join(p.id for p in those)}"
-        if through:
-            ends = " or ".join(dict.fromkeys(q.exit for q in through))
+        if both:
+            ends = " or ".join(dict.fromkeys(q.exit for _, q in both))
             why = f"a train that runs on to {ends} stands in it there, where it is held, and no route onward can be set"
         sink.add(
             "IL7014",
             f"no train runs through at {g}: its overlap leads past {called('signal', beyond.id)}, so that {why}; "
-            f"trains {'must ' if through else ''}stop at {g} until it is released",
+            f"trains {'must ' if both else ''}stop at {g} until it is released",
             None,
             f"where it may end before {beyond.id}: {_shorter(layout, g, past)}",
             about=Element("signals", g),
@@ -84,7 +84,7 @@ def _shorter(layout: Layout, g: SignalId, past: Sequence[tuple[Path, _Past]]) ->
         least[own] = min(x.metres, least.get(own, inf))
     said = [f"`overlaps: {{{g}: {{length: {_down(least[None])}}}}}`"] if None in least else []
     said += [f"`length: {_down(m)}` in `ways` over {', '.join(w.over)}" for w, m in least.items() if w is not None]
-    written = " and ".join(said)
+    written = " and ".join(said) + (", without its `not_over`" if g in (x for x, _ in layout.overlaps.bars) else "")
     (p, x), *others = past
     kmh = max((v for v in (40, 60) if overlap_length(v, 0) <= x.metres), default=None)
     if others or None not in least or kmh is None or entry_speed(layout, g, p.overlap) is not None:

@@ -172,10 +172,17 @@ class _Writer:
         named = [(self._name(y), is_true) for y, is_true in parts.items() if y.op is VAR]
         lock = next((n for n, _ in named if n.family is names.LOCK), None)
         if t.kind == "overlap free" and lock is not None:
-            return f"{self._sentence(lock, True)}, and not for a route onward from its signal"
+            return f"{self._sentence(lock, True)}, and not for a route onward {self._onward(lock)}"
         if t.kind == "rear device closed":
             return ", and ".join(self._sentence(n, is_true) for n, is_true in named)
         return ""
+
+    def _onward(self, lock: Name) -> str:
+        """Which routes may lie where an overlap is asked for: those from its signal, or from others on its way, too."""
+        way = SectionId(str(lock.at[0])), int(lock.at[1])
+        over = (o for o in self.d.overlaps.over(way[0]) if way in self.d.overlaps.ways[o])
+        past = any(len(self.d.overlaps.led_over_from(o, way)) > 1 for o in over)
+        return "along the overlap" if past else "from its signal"
 
     def _way(self, lock: Name) -> str:
         """Between which neighbours a section is locked, and for which routes that may be."""

@@ -1,0 +1,191 @@
+"""An overlap that leads past the next signal: shared with what leads on along it, and with nothing else; each of those
+who hold a section holds it for itself (R4)."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from interlock.audit import audit
+from interlock.checker import specification
+from interlock.checker.check import agree
+from interlock.emit.python.runtime import runtime_py
+from interlock.logic.lower import lower
+from interlock.proof.engines.limits import Limits
+from interlock.proof.prover import prove
+from interlock.proof.system.transition import System
+from interlock.proof.witnesses.availability import availability
+from tests.layouts import grown
+from tests.written import told
+
+PATH = Path("tests/layouts_for_tests/overlap_past_signals.yaml")
+TEXT = PATH.read_text("utf-8")
+BOTH_WAYS = Path("tests/layouts_for_tests/overlap_past_both_ways.yaml").read_text("utf-8")
+# trains come in between 2 and 3 from another line, are called on and shunted past 3, and go two ways behind 4
+MIXED = """interlock: 1
+name: mixed
+profile: uk
+principles: {line_speed_kmh: 60, overlap_m: 180, restart_delay_s: 199}
+boundaries:
+  W: {trains: in, approach: wa 800}
+  SIDE: {trains: in, approach: sa 800}
+  EAST: {trains: out}
+  NORTH: {trains: out}
+tracks:
+  line: [W, a 400, b 60]
+  side: [SIDE, s 400]
+  mid: [c 60]
+  on: [e 100, f 300, EAST]
+  off: [h 300, NORTH]
+points:
+  Q: {section: q, toe: mid.start, normal: line.end, reverse: side.end}
+  P: {section: p, toe: mid.end, normal: on.start, reverse: off.start}
+signals:
+  1: {from: W, into: a}
+  2: {from: a, into: b}
+  M0: {from: SIDE, into: s}
+  M: {from: s, into: q}
+  3: {from: q, into: c, kind: combined, call_on: yes}
+  4: {from: c, into: p}
+  5: {from: e, into: f}
+overlaps:
+  2: {length: 130}
+"""
+
+
+def hostile(text: str) -> dict[str, set[str]]:
+    """For each route those that are hostile to it; the audit finds no others."""
+    found = grown(text)
+    assert found is not None and not found[2].has_errors, found and found[2].diagnostics
+    layout, table, _ = found
+    assert list(audit(layout, table)) == []
+    return {str(r.id): {str(x) for x in r.locking.hostile.routes} for r in table.routes}
+
+
+def runtime(text: str) -> SimpleNamespace:
+    """The emitted controller, every section clear and released after the restart, no route set."""
+    found = grown(text)
+    assert found is not None
+    names: dict[str, Any] = {}
+    exec(compile(runtime_py(lower(found[0], found[1]), []), "runtime.py", "exec"), names)
+    controller = names["Controller"]()
+    controller.state |= {n: False for n in controller.state if n.startswith(("K_", "U_"))}
+    inputs = dict.fromkeys((n for n in names["INPUTS"] if n.startswith(("CLR_", "VALID", "DN_"))), 1)
+    inputs |= dict.fromkeys((n for n in names["INPUTS"] if n.startswith("BLK_")), 0)
+    r = SimpleNamespace(controller=controller, inputs=inputs, ask=names["Controller"].request, out={})
+    r.scan = lambda n=1, **x: [r.out.update(controller.scan(inputs | x, 500)) for _ in range(n)]
+    r.scan(8)
+    return r
+
+
+def put(r: SimpleNamespace, *routes: str) -> None:
+    for route in routes:
+        r.scan(**r.ask(route))
+        r.scan(3)
+
+
+def occupied(r: SimpleNamespace, *sections: str) -> None:
+    r.inputs |= {n: int(n[4:] not in sections) for n in r.inputs if n.startswith("CLR_")}
+    r.scan(8)
+
+
+LINE = ["1-2", "2-3", "3-4", "4-5", "5-6", "6-EAST"]
+
+
+@pytest.mark.parametrize(
+    "routes", [LINE, LINE[::-1], [LINE[k] for k in (2, 0, 4, 1, 5, 3)]], ids=["near", "far", "any"]
+)
+def test_a_train_runs_through_at_clear_and_so_does_the_next(routes: list[str]) -> None:
+    """In whatever order its routes are set; behind it everything is free again."""
+    r = runtime(TEXT)
+    over = ["wa", "a", "b", "c", "d", "e", "f", "g"]
+    signal = dict(zip("abcdfg", range(1, 7), strict=True))
+    for _ in range(2):
+        occupied(r, "wa")
+        put(r, *routes)
+        assert [r.out[f"YP_{g}"] for g in (1, 2, 3, 4, 5, 6)] == [1] * 6 and r.out["YD_2R"] == 1
+        for k, (here, ahead) in enumerate(pairwise(over), 1):
+            assert all(r.out[f"YS_{signal[s]}"] == 0 for s in over[k:] if s in signal), here
+            occupied(r, here, ahead)
+            occupied(r, ahead)
+        occupied(r)
+        assert not any(r.out[f"YL_{s}"] for s in over[1:])
+
+
+def test_each_holds_the_shared_track_for_itself() -> None:
+    r = runtime(TEXT)
+    held = ("V_2_1", "V_3_1")
+    occupied(r, "wa")
+    put(r, "1-2", "2-3")
+    assert all(r.controller.state[v] for v in held)
+    r.scan(CAN_2=1)
+    r.scan(400)  # until no train can be on its way to 2
+    assert [r.controller.state[v] for v in held] == [True, False] and r.out["YL_c"] == 1
+    put(r, "2-3")
+    occupied(r, "wa", "a")
+    occupied(r, "a")
+    occupied(r, "a", "b")
+    occupied(r, "b")
+    assert all(r.controller.state[v] for v in held)  # the train stands in the overlap of 2
+    put(r, "3-4", "1-2")
+    assert r.controller.state["A_R4"] and not r.controller.state["A_R1"]  # nobody follows it
+    occupied(r, "b", "c")
+    occupied(r, "c")
+    assert all(r.controller.state[v] for v in held)
+    put(r, "4-5")
+    occupied(r, "c", "d")
+    occupied(r, "d")
+    assert [r.controller.state[v] for v in held] == [False, True] and not r.out["YL_b"]
+
+
+def test_a_point_under_two_overlaps_stays_while_one_is_held() -> None:
+    r = runtime(TEXT)
+    occupied(r, "b")
+    r.controller.state |= {"L_b_1": True, "F_b": True, "U_b": True, "B_R2": False}
+    r.controller.state |= {"V_3_1": True, "VF_3": True, "CN_P": True, "V_4_1": True, "VF_4": True}
+    r.scan(8)
+    assert [r.controller.state[v] for v in ("V_3_1", "V_4_1")] == [True, False]
+    r.scan(20, MR_P=1)
+    assert r.controller.state["CN_P"] and not r.controller.state["CR_P"]
+    put(r, "4-SOUTH")
+    assert not r.controller.state["A_R7"]
+
+
+def test_only_what_leads_on_along_it_is_set_beside_it() -> None:
+    h = hostile(TEXT)
+    assert h["1-2"] == set()
+    assert h["2-3"] == {"2-3.o2", "3-4.o2", "4-SOUTH"} and h["3-4.o2"] == {"3-4", "2-3", "4-5"}
+    both = hostile(BOTH_WAYS)
+    assert {"Y1-Y2", "Y2-Y3", "Y3-Y4", "Y4-W"} <= both["X1-X2"]
+    assert both["X1-X2"].isdisjoint({"X2-X3", "X3-X4", "X4-EAST"}) and "Y1-Y2" in both["X2-X3"]
+    mixed = hostile(MIXED)
+    assert mixed["1-2"].isdisjoint({"2-3", "2-3.o2", "3-4", "4-5", "4-NORTH"})
+    assert {"M0-M", "M-3", "M-3.o2", "3-4.c", "3-4.s"} <= mixed["1-2"]
+    assert {"2-3", "3-4.c"} <= mixed["M0-M"] and mixed["M0-M"].isdisjoint({"M-3", "3-4"})
+
+
+def test_what_swings_and_what_passes_an_identifier_light_stay_apart() -> None:
+    longer = TEXT.replace("b 120", "b 240").replace("distants:", "overlaps:\n  2: {length: 300}\ndistants:")
+    assert hostile(longer)["1-2"] == set()
+    swing = hostile(longer.replace("distants:", "  3: {length: 180, swing: yes}\ndistants:"))
+    assert swing["1-2"] == {"2-3", "2-3.o2"} and {"3-4", "4-5"} <= swing["2-3"]
+    light = TEXT.replace("3: {from: b, into: c}", "3: {from: b, into: c, identifier: yes}")
+    passed = hostile(light.replace("distants:", "overlaps:\n  3: {length: 60}\ndistants:"))
+    past = {r for r in passed if r.startswith("2-3-")}
+    assert past and past <= passed["1-2"] and passed["1-2"].isdisjoint({"2-3", "3-4", "3-4.o2"})
+
+
+@pytest.mark.parametrize("text", [TEXT, BOTH_WAYS, MIXED], ids=["line", "both ways", "mixed"])
+def test_it_is_proved_asked_for_by_the_second_checker_and_every_pair_is_driven(text: str) -> None:
+    found = grown(text)
+    assert found is not None
+    controller = lower(found[0], found[1])
+    system = System(found[0], controller)
+    result = prove(system, Limits(search_s=0))
+    assert result.proved and not result.dropped
+    assert agree(*told(text), specification.shipped()).left == ()
+    assert availability(system.loop, found[1]).shown
