@@ -76,6 +76,7 @@ NO_THEOREM = {
                 "elsewhere",
                 "forgotten",
                 "points",
+                "sharing",
                 "swinging",
                 "texts",
                 "ways",
