@@ -22,6 +22,10 @@ from tests.layouts import SHIPPED, built, grown
 
 TEXTS = {
     **{name: Path(f"layouts/{name}.yaml").read_text(encoding="utf-8") for name in SHIPPED},
+    **{
+        name: Path(f"tests/layouts_for_tests/{name}.yaml").read_text(encoding="utf-8")
+        for name in ("overlap_past_signals", "overlap_past_both_ways", "overlaps_join")
+    },
     "yard": yard(9),
     "line": line(3),
     **{f"seed {n}": grow(n) for n in range(40)},

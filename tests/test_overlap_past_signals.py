@@ -14,8 +14,11 @@ from interlock.audit import audit
 from interlock.checker import specification
 from interlock.checker.check import agree
 from interlock.emit.python.runtime import runtime_py
+from interlock.logic.expr import conj, neg, var
 from interlock.logic.lower import lower
+from interlock.proof.claims import Claim
 from interlock.proof.engines.limits import Limits
+from interlock.proof.induction.search import search
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
 from interlock.proof.witnesses.availability import availability
@@ -189,3 +192,23 @@ def test_it_is_proved_asked_for_by_the_second_checker_and_every_pair_is_driven(t
     assert result.proved and not result.dropped
     assert agree(*told(text), specification.shipped()).left == ()
     assert availability(system.loop, found[1]).shown
+
+
+@pytest.mark.parametrize(
+    "holds",
+    [
+        ("overruns.X2.a|b@line.0.a", "A_R4", "S_R4"),
+        ("overruns.X2.b|c@line.1.b", "A_R4"),
+        ("over.X2.b", "V_X2_1", "V_X3_1", "B_R3"),
+        ("over.X2.c", "V_X2_1", "V_X3_1"),
+    ],
+    ids=["a route onward is open", "on into that route", "both overlaps are held", "it stands in both"],
+)
+def test_the_world_of_the_proof_has_a_train_that_overruns_into_a_shared_overlap(holds: tuple[str, ...]) -> None:
+    found = grown(BOTH_WAYS)
+    assert found is not None
+    controller = lower(found[0], found[1])
+    numbers = {r.id: r.number for r in controller.symbols.routes}
+    assert (numbers["X2-X3"], numbers["X3-X4"]) == (2, 3)
+    never = Claim("scenario", "here", neg(conj(var(name) for name in holds)))
+    assert search(System(found[0], controller), [never], 16, 300) is not None

@@ -178,6 +178,7 @@ class _Users:
         self._layout = layout
         self._lying: dict[SectionId, dict[tuple[SignalId, Ways], None]] = {}
         """By section the overlaps that lie over it."""
+        self._of_overlap: dict[tuple[SignalId, Ways], int] = {}
         by: dict[object, int] = {}
         for i, p in enumerate(paths):
             uses: list[object] = [("from", p.entry)]
@@ -212,8 +213,13 @@ class _Users:
 
     def of_overlap(self, p: Path, locks: Mapping[TraversalKey, TraversalRow]) -> int:
         """Those that are hostile to the overlap of a route."""
-        found, own = 0, _held_beyond(p)
-        shared = shared_from(self._layout, *own) if p.overlap else {}
+        own = _held_beyond(p)
+        if own not in self._of_overlap:
+            self._of_overlap[own] = self._hostile_to(p, own, locks) if p.overlap else 0
+        return self._of_overlap[own]
+
+    def _hostile_to(self, p: Path, own: tuple[SignalId, Ways], locks: Mapping[TraversalKey, TraversalRow]) -> int:
+        found, shared = 0, shared_from(self._layout, *own)
         for t in p.overlap:
             from_ = self._any(*(("train from", g) for g, ways in shared.items() if t.key in ways))
             onward = from_ & self._any(("path", t.key))

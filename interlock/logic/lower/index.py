@@ -191,10 +191,20 @@ class OverlapIndex:
         own = option[0], self.ways[option]
         return [o for o in self.over(section) if not may_meet(self._layout, own, (o[0], self.ways[o]))]
 
-    def led_over_from(self, option: tuple[SignalId, int], way: TraversalKey) -> tuple[SignalId, ...]:
-        """The signals from which train routes may lead over a way while an overlap alternative is held there (R4)."""
-        shared = shared_from(self._layout, option[0], self.ways[option])
-        return tuple(g for g, ways in shared.items() if way in ways)
+    @cached_property
+    def led_over(self) -> Mapping[tuple[SignalId, TraversalKey], list[tuple[SignalId, int]]]:
+        """By signal and way the overlap alternatives that may be held where a train route from there leads over it."""
+        found: dict[tuple[SignalId, TraversalKey], list[tuple[SignalId, int]]] = {}
+        for option, ways in self.ways.items():
+            for g, shared in shared_from(self._layout, option[0], ways).items():
+                for way in shared:
+                    found.setdefault((g, way), []).append(option)
+        return found
+
+    @cached_property
+    def led_over_past(self) -> frozenset[TraversalKey]:
+        """The ways of overlaps over which train routes from another signal than the overlap's own may lead."""
+        return frozenset(way for (g, way), those in self.led_over.items() if any(o[0] != g for o in those))
 
     def along(self, rear: SectionId, node: NodeId, section: SectionId) -> list[tuple[SignalId, int]]:
         """The overlap alternatives that lie over a joint, from one section on into the next."""

@@ -135,7 +135,7 @@ def _overlap_terms(d: Draft, option: tuple[SignalId, int], key: TraversalKey) ->
     """The overlap's way is free, or lies over the route that is already set onward from the signal, or from one past
     which the overlap leads, and with the overlap of such a one (R4)."""
     s, g = key[0], option[0]
-    onward = disj(var(names.ACTIVE(r.number)) for r in d.routes.over.get(key, ()) if _leads_on(d, r, option, key))
+    onward = disj(var(names.ACTIVE(r.number)) for r in d.routes.over.get(key, ()) if option in _held_under(d, r, key))
     free = [neg(var(names.RESTART_LOCK(s))), *(neg(d.overlaps.held(o)) for o in d.overlaps.apart_from(option, s))]
     for t in d.sections.locks_of[s]:
         lock = neg(d.sections.lock(*t.key))
@@ -144,10 +144,10 @@ def _overlap_terms(d: Draft, option: tuple[SignalId, int], key: TraversalKey) ->
     return [Term(conj(free), "overlap free", f"{s} free as overlap of {g}"), clear, *not_blocked(s), *available(d, key)]
 
 
-def _leads_on(d: Draft, r: RouteRow, option: tuple[SignalId, int], key: TraversalKey) -> bool:
-    """A train route leads over a way of an overlap that may be held meanwhile: nobody knows what stands in an overlap
-    that a call-on would run over."""
-    return r.kind is RouteKind.MAIN and r.entry in d.overlaps.led_over_from(option, key)
+def _held_under(d: Draft, r: RouteRow, key: TraversalKey) -> list[tuple[SignalId, int]]:
+    """The overlaps that may be held where a route leads over a way: under train routes alone, as nobody knows what
+    stands in an overlap that a call-on would run over."""
+    return d.overlaps.led_over.get((r.entry, key), []) if r.kind is RouteKind.MAIN else []
 
 
 def detection(d: Draft) -> None:
@@ -187,7 +187,7 @@ def _lying(key: TraversalKey, kind: str) -> list[Term]:
 def free_terms(d: Draft, r: RouteRow, key: TraversalKey) -> list[Term]:
     """A way is free for a route; a train may run over the overlap of its own entry signal, or of one before (R4)."""
     s = key[0]
-    own = [o for o in d.overlaps.over(s) if _leads_on(d, r, o, key)]
+    own = _held_under(d, r, key)
     clear = s in r.clear.section_ids
     if not own and not clear:
         free = var(names.FREE(s))

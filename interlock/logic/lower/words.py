@@ -180,9 +180,7 @@ class _Writer:
     def _onward(self, lock: Name) -> str:
         """Which routes may lie where an overlap is asked for: those from its signal, or from others on its way, too."""
         way = SectionId(str(lock.at[0])), int(lock.at[1])
-        over = (o for o in self.d.overlaps.over(way[0]) if way in self.d.overlaps.ways[o])
-        past = any(len(self.d.overlaps.led_over_from(o, way)) > 1 for o in over)
-        return "along the overlap" if past else "from its signal"
+        return "along the overlap" if way in self.d.overlaps.led_over_past else "from its signal"
 
     def _way(self, lock: Name) -> str:
         """Between which neighbours a section is locked, and for which routes that may be."""
