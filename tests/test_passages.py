@@ -6,10 +6,13 @@ keeps, routes that are declared hostile.  All others: `python -m tests.campaigns
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from interlock.app.dispatch import dispatch
 from tests.campaigns.passages import tried
+from tests.test_dispatch_command import CLOSE
 
 
 @pytest.mark.parametrize(
@@ -28,9 +31,19 @@ def test_every_plan_holds_on_the_controller_and_no_train_stands_for_ever(path: s
     assert found.wrong == [] and found.stuck == [] and found.troubles == set()
 
 
-def test_who_is_followed_closely_keeps_its_overlap_and_is_caught() -> None:
-    """Train 1 needs the overlap of its next route, which its own overlap covers; train 2 stands right behind it."""
-    found = dispatch("layouts/slip_junction.yaml", ["1:UM2>G", "2:UM2>UM"])
+def test_who_is_followed_closely_keeps_its_overlap_and_is_caught(tmp_path: Path) -> None:
+    """Train 1 needs the overlap of its next route, over which its own overlap lies otherwise; train 2 stands right
+    behind it."""
+    layout = tmp_path / "close.yaml"
+    layout.write_text(CLOSE, "utf-8")
+    found = dispatch(str(layout), ["1:W>E", "2:W>A"])
     assert found.answer is not None and str(found.answer.verdict) == "NONE" and found.caught == ("1", "2")
-    found = dispatch("layouts/slip_junction.yaml", ["1:UM2>UM", "2:UM2>G"])
+    found = dispatch(str(layout), ["1:W>E"])
+    assert found.replayed is not None and found.replayed.wrong is None
+
+
+@pytest.mark.parametrize("orders", [["1:UM2>G", "2:UM2>UM"], ["1:UM2>UM", "2:UM2>G"]])
+def test_who_runs_on_along_its_overlap_is_followed_closely(orders: list[str]) -> None:
+    """The overlap of S2J to G leads past G3, whose own lies along it."""
+    found = dispatch("layouts/slip_junction.yaml", orders)
     assert found.replayed is not None and found.replayed.wrong is None
