@@ -22,7 +22,9 @@ from interlock.model.elements import MachineId, Position
 from interlock.model.layout import Layout
 from interlock.proof.engines.limits import Limits
 from interlock.proof.prover import prove
+from interlock.proof.system.loop import closed_loop
 from interlock.proof.system.transition import System
+from interlock.proof.witnesses.availability import availability
 from interlock.table.national import national_sheets
 from interlock.table.rows import InterlockingTable
 from tests.layouts import built, grown
@@ -175,6 +177,12 @@ def test_the_form_for_railml_tells_it_too() -> None:
 WRONG = {
     "an air lock of one door": (TEXT.replace("air door 2, air_lock: north", "air door 2, air_lock: nort"), "IL3048"),
     "a door that is none": (TEXT.replace("air door 2, air_lock", "air door 2, kind: device, air_lock"), "IL3048"),
+    "an overlap over both doors": (TEXT.replace("Y1: {length: 60}", "Y1: {length: 210}"), "IL4022"),
+    "a demand of the other door open": (
+        f"{TEXT}demand:\n  - {{point: D1, lies: reverse, routes: {{from: Y0}}, reason: air}}\n",
+        "IL4022",
+    ),
+    "a train that waits under the other door": (TEXT.replace("over: [a]", "over: [a, lock]"), "IL4022"),
     "no signal between the doors": (
         "\n".join(x for x in TEXT.splitlines() if not x.startswith(("  X2", "  Y2"))),
         "IL4022",
@@ -202,3 +210,17 @@ def test_a_third_door_is_kept_apart_from_both_others() -> None:
     result = prove(System(layout, lower(layout, table)), Limits(search_s=0))
     assert result.proved
     assert sum(c.id == "P-AIR-LOCK" for c in result.claims) == 1
+
+
+def test_every_route_is_used_beside_the_others() -> None:
+    """No other door of its lock stands open when a route is asked for: it would be refused until that is shut."""
+    layout, table, its = built("../tests/layouts_for_tests/air_lock_doors")
+    assert availability(closed_loop(layout, its), table).shown
+
+
+def test_a_demand_of_a_door_of_the_way_itself_is_held_as_the_second_checker_asks() -> None:
+    text = f"{TEXT}demand:\n  - {{point: D1, lies: reverse, routes: {{from: X1}}, reason: a long train}}\n"
+    _, table = derived(text)
+    roles = [(p.machine, p.role) for p in table.route["X1-X2"].locking.points]
+    assert roles == [("D1", "device"), ("D2", "added"), ("D1", "added")]
+    assert agree(*told(text), specification.shipped()).left == ()

@@ -66,25 +66,25 @@ def derive_barred(layout: Layout, paths: Sequence[Path], sink: Sink) -> Barred:
 def with_added(layout: Layout, paths: Sequence[Path], derived: Demands, sink: Sink) -> Demands:
     """The demands of all routes with those that the author adds."""
     found = {r: list(demands) for r, demands in derived.items()}
-    _of_air_locks(layout, paths, found, sink)
+    _of_air_locks(layout, paths, found)
     for i, d in enumerate(layout.declared.demanded):
         if not isinstance(d, Demanded) or d.air_lock:
             continue
         those, idle = chosen(d.routes, paths), []
         for p in those:
-            lies = {x.machine: x for x in found[p.id]}.get(d.machine)
-            if lies is None and not _against_key(layout, d):
+            lies = {x.role: x for x in found[p.id] if x.machine == d.machine}
+            added, other = lies.get(Role.ADDED), next((x for x in lies.values() if x.position is not d.position), None)
+            if other is not None or (not lies and _against_key(layout, d)):
+                _contradicts(layout, d, p, other, i, sink)
+            elif added is not None:
+                found[p.id][found[p.id].index(added)] = _cell(d, p, added)
+                idle += [p] if d.hold <= (added.hold or 0) else []
+            elif Role.PATH not in lies:  # flanks, overlaps and devices are let go sooner than what the author adds
                 found[p.id].append(_cell(d, p))
-            elif lies is None or lies.position is not d.position:
-                _contradicts(layout, d, p, lies, i, sink)
-            elif d.hold <= (lies.hold or 0):
-                idle.append(p)
-                if lies.role is Role.ADDED:
-                    found[p.id][found[p.id].index(lies)] = _cell(d, p, lies)
-            elif lies.role is Role.ADDED:
-                found[p.id][found[p.id].index(lies)] = _cell(d, p, lies)
+            elif d.hold:
+                _never_longer(d, p, lies[Role.PATH], i, sink)
             else:
-                _never_longer(d, p, lies, i, sink)
+                idle.append(p)
         if not those:
             text = f"no route demands {d.machine} {d.position} ({d.reason})"
             fix = f"`routes` chooses them by `from`, `to`, `via` and `kind`: correct it{_led(d.routes, paths)}"
@@ -93,26 +93,39 @@ def with_added(layout: Layout, paths: Sequence[Path], derived: Demands, sink: Si
             those_ids = ", ".join(p.id for p in idle)
             text = f"the demand of {d.machine} {d.position} adds nothing: it lies so for {those_ids} anyway"
             sink.add("IL4012", text, None, "remove it", about=Element("demand", i))
+    _check_air_locks(layout, paths, found, sink)
     return {r: tuple(demands) for r, demands in found.items()}
 
 
-def _of_air_locks(
-    layout: Layout, paths: Sequence[Path], found: Mapping[RouteId, list[PointDemand]], sink: Sink
-) -> None:
-    """A route over a door of an air lock demands the others shut (R13); none, with its overlap, leads over two."""
-    told: set[tuple[RouteId, str]] = set()
+def _of_air_locks(layout: Layout, paths: Sequence[Path], found: Mapping[RouteId, list[PointDemand]]) -> None:
+    """A route over a door of an air lock demands the others shut (R13)."""
     for d in of_points(layout.declared.demanded):
         for p in chosen(d.routes, paths) if d.air_lock else ():
-            lies = {x.machine: x.position for x in found[p.id]}
-            if d.machine not in lies:
+            if d.machine not in {x.machine for x in found[p.id]}:
                 found[p.id].append(_cell(d, p))
-            elif lies[d.machine] is not d.position and (p.id, d.air_lock) not in told:
-                told.add((p.id, d.air_lock))
-                open_ = [m for m in lies if _air_lock(layout, m) == d.air_lock and lies[m] is not d.position]
-                text = f"{p.id}, with its overlap, leads over {' and '.join(open_)}: of the doors of air lock "
+
+
+def _check_air_locks(
+    layout: Layout, paths: Sequence[Path], found: Mapping[RouteId, list[PointDemand]], sink: Sink
+) -> None:
+    """Report routes that need two doors of an air lock open: over both of them, by their overlap or by what the author
+    adds, too; or over one while their train waits under another."""
+    doors = [d for d in layout.signalling.devices if d.air_lock]
+    for p in paths if doors else ():
+        rear = {e.section for e in layout.track.edges_at[p.entry_node]} - {p.ways[0].section}
+        needs = [x.machine for x in found[p.id] if x.position is Position.REVERSE]
+        for lock in sorted({_air_lock(layout, m) for m in needs} - {""}):
+            open_ = sorted({m for m in needs if _air_lock(layout, m) == lock})
+            under = [d.id for d in doors if d.air_lock == lock and rear & {*d.over} and d.id not in open_]
+            only = f"of the doors of air lock {lock} only one may be open"
+            about = Element("signals", p.entry)
+            if len(open_) > 1:
                 fix = "end it at a signal between the doors, shorten its overlap, or exclude it: `exclude:`"
-                about = Element("interlocks", d.machine)
-                sink.add("IL4022", f"{text}{d.air_lock} only one may be open", None, fix, about=about)
+                sink.add("IL4022", f"{p.id} needs {' and '.join(open_)} open: {only}", None, fix, about=about)
+            elif under:
+                waits = f"its train waits in {', '.join(sorted(rear))} under {under[0]}"
+                fix = f"give the part under {under[0]} a section of its own, and let trains wait beyond it"
+                sink.add("IL4022", f"{p.id} needs {open_[0]} open while {waits}: {only}", None, fix, about=about)
 
 
 def _air_lock(layout: Layout, m: MachineId) -> str:
@@ -180,7 +193,7 @@ def _contradicts(layout: Layout, d: Demanded, p: Path, lies: PointDemand | None,
 
 def _never_longer(d: Demanded, p: Path, lies: PointDemand, i: int, sink: Sink) -> None:
     text = f"{d.machine} {d.position} cannot be held {d.hold:g} s longer for {p.id}: it lies so there anyway"
-    fix = "remove `hold`, or choose fewer routes: what a path, its flanks or its overlap lock goes with their sections"
+    fix = "remove `hold`, or choose fewer routes: a point of the path goes with its section"
     sink.add(
         "IL4011",
         f"{text}, and is let go with what asks for it: {lies.because.text}",

@@ -173,7 +173,7 @@ COLUMNS: tuple[Column, ...] = (
     Column("flank_points", "Flank points", "防护道岔", "Flankenschutzweichen", _points(Role.FLANK, Role.ADDED)),
     Column(
         "devices",
-        "Closed for trains",
+        "Secured for trains",
         "道口及外部联锁",
         "Bahnübergänge und Riegel",
         lambda r: [(p.machine, p.because) for p in r.locking.points if p.role is Role.DEVICE],

@@ -144,7 +144,8 @@ def _rear_terms(d: Draft, r: RouteRow) -> list[Term]:
     for device in d.layout.signalling.devices:
         if rear in device.over:
             closed = d.machines.detected(device.id, Position.REVERSE)
-            out.append(Term(disj((released, closed)), "rear device closed", f"{device.id} over {rear} is closed"))
+            lies = d.layout.machines.word(device.id, Position.REVERSE)
+            out.append(Term(disj((released, closed)), "rear device closed", f"{device.id} over {rear} is {lies}"))
     beyond = {d.topo.beyond(rear, node) for node in d.topo.ends[rear] if node != r.path.entry_node}
     for other in sorted({*(s for s in beyond if s is not None), *d.sections.foul_of.get(rear, ())}):
         alone = disj((released, neg(var(names.RESTART_LOCK(other))), d.sections.clear(other)))

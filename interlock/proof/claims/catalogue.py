@@ -136,9 +136,9 @@ CLAIMS: dict[str, str] = {
     "P-BLOCKED": "A point, a section of which is blocked, is commanded to move only by hand, and driven only as long "
     "as it is moved by hand, or until it has turned where an overlap swings: whoever works there is not to have it "
     "move for a route.",
-    "P-AIR-LOCK": "Of the doors of an air lock never more than one is commanded open, and one is commanded open only "
-    "in a scan in which all others are reported shut.  (The command is the controller's own bit; P-DRIVEN ties the "
-    "drives to it.)",
+    "P-AIR-LOCK": "Of the doors of an air lock never more than one is commanded open, and one begins to be commanded "
+    "open only in a scan in which all others are reported shut.  (The command is the controller's own bit; P-DRIVEN "
+    "ties the drives to it.)",
     "P-DRIVEN": "A machine is driven to where it is commanded, and never both ways: at once, or where machines start "
     "one after the other, when its turn has come; but not while its drive is kept off for a blocked section; nor is it "
     "commanded both ways.",

@@ -14,6 +14,7 @@ from interlock.dataclass import dataclass
 from interlock.logic import names
 from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import NodeId, Position, RouteId, SectionId
+from interlock.model.machines import other_doors
 from interlock.proof.system.loop import ClosedLoop
 from interlock.proof.witnesses import opening
 from interlock.proof.witnesses.routes import (
@@ -217,10 +218,13 @@ def opens_alone(railway: ClosedLoop, r: RouteSymbols, moved: int, lane: Lane) ->
 
 
 def turned(railway: ClosedLoop, r: RouteSymbols, standing: dict[str, int]) -> dict[str, int]:
-    """Every machine of a route the other way, but for those on which its train stands."""
+    """Every machine of a route the other way, but for those on which its train stands, and for other doors of an air
+    lock: the route is refused until they are shut (R13)."""
+    machines = railway.layout.machines
     return {
         name: value
         for m, x in opening.demanded(railway.controller.symbols, r)
+        if x is Position.REVERSE or not other_doors(machines, m)
         for name, value in ((names.LIES(m, x), 0), (names.LIES(m, x.other), 1))
         if name not in standing
     }
