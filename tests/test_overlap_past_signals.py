@@ -212,3 +212,46 @@ def test_the_world_of_the_proof_has_a_train_that_overruns_into_a_shared_overlap(
     assert (numbers["X2-X3"], numbers["X3-X4"]) == (2, 3)
     never = Claim("scenario", "here", neg(conj(var(name) for name in holds)))
     assert search(System(found[0], controller), [never], 16, 300) is not None
+
+
+TERMINUS = """interlock: 1
+name: terminus
+profile: uk
+principles: {line_speed_kmh: 60, overlap_m: 180, restart_delay_s: 199}
+boundaries:
+  W: {approach: wa 800}
+buffers: [B]
+tracks:
+  line: [W, a 400, b 120, c 300, B]
+signals:
+  X1: {from: W, into: a}
+  X2: {from: a, into: b}
+  X3: {from: b, into: c}
+  Y3: {from: c, into: b}
+  Y4: {from: b, into: a}
+"""
+
+
+LONGER = TERMINUS.replace("c 300, B]", "c 300, d 300, B]").replace("  Y3:", "  Y2: {from: d, into: c}\n  Y3:")
+
+
+@pytest.mark.parametrize(
+    ("text", "warned"),
+    [
+        (TERMINUS, True),
+        (f"{TERMINUS}overlaps: {{X2: {{length: 120}}}}\n", False),
+        (
+            TERMINUS.replace("c 300, B]", "c 300, d 300, B]").replace(
+                "Y3: {from: c", "Y2: {from: d, into: c}\n  Y3: {from: c"
+            ),
+            False,
+        ),
+    ],
+    ids=["locked in", "shorter", "beyond it"],
+)
+def test_a_train_that_runs_on_to_the_end_of_its_track_within_the_overlap_is_kept_in(text: str, warned: bool) -> None:
+    """It stands in the overlap of a signal that it has passed: held while it is occupied, and over the way back."""
+    found = grown(text)
+    assert found is not None and not found[2].has_errors
+    told = [d for d in found[2].diagnostics if d.code == "IL7014"]
+    assert bool(told) is warned and all("no route back can be set" in d.message for d in told)
