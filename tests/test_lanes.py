@@ -1,0 +1,357 @@
+"""Vehicles that run away over inclined lanes, and rings behind them (R5): what protects from them, what does not."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from interlock.audit import audit
+from interlock.checker.check import agree
+from interlock.checker.reading import loaded
+from interlock.checker.specification import shipped
+from interlock.diag import Sink
+from interlock.frontend import load_text
+from interlock.logic.lower import lower
+from interlock.model.elements import RouteId
+from interlock.proof.engines.limits import Limits
+from interlock.proof.induction.verdict import Verdict
+from interlock.proof.prover import prove
+from interlock.proof.system.transition import System
+from interlock.verify import Rejected
+from tests.layouts import grown
+from tests.test_flank import without_flank
+from tests.written import told as written
+
+
+@pytest.mark.parametrize("lane", ["level", "inclined"])
+@pytest.mark.parametrize("end", ["trains: out", "a buffer"])
+def test_what_ends_behind_an_inclined_lane_protects_from_nothing(lane: str, end: str) -> None:
+    """Wagons run back over the lane: a boundary where no train comes in was taken for protection, and so was the end of
+    the track; derivation, audit and claims alike."""
+    text = """
+interlock: 1
+name: down
+boundaries:
+  W: {approach: wa 600}
+  E: {approach: ea 600}
+  D: {approach: da 300, trains: out}
+tracks:
+  west: [W, q1 200]
+  east: [q4 200, E]
+  incl: [i1 300, D]
+points:
+  1: {section: q2, toe: west.end, normal: east.start, reverse: incl.start}
+sections:
+  i1: {lane: LANE}
+signals:
+  A: {from: W, into: q1}
+  AA: {from: q1, into: q2}
+  B: {from: E, into: q4}
+  BB: {from: q4, into: q2}
+"""
+    if end == "a buffer":
+        text = text.replace("  D: {approach: da 300, trains: out}\n", "").replace("tracks:", "buffers: [D]\ntracks:")
+    made = grown(text.replace("LANE", "level"))
+    assert made is not None and not made[2].has_errors
+    layout, table, _ = made
+    assert audit(layout, table) == () and prove(System(layout, lower(layout, table))).proved
+    if lane == "inclined":
+        steep, _ = load_text("down.yaml", text.replace("LANE", "inclined"), Sink())
+        assert steep is not None and {f.column for f in audit(steep, table)} == {"flank"}
+        found = prove(System(steep, lower(steep, table)), Limits(search_depth=0))
+        assert {"T-FLANK", "S-FLANK"} <= {c.id for c in found.claims if c.verdict is not Verdict.PROVED}
+        again = grown(text.replace("LANE", "inclined"))
+        assert again is None or "IL4001" in {d.code for d in again[2].diagnostics}
+
+
+LOOP_AT_A_LANE = """
+interlock: 1
+name: loop
+profile: mine
+boundaries:
+  W: {approach: wa 200}
+  E: {approach: ea 200}
+tracks:
+  in: [W, q1 100, P.toe]
+  out: [P.normal, r1 100, E]
+  neck: [P.reverse, k 60, Q.toe]
+  loop: [Q.normal, l1 200, l2 200, Q.reverse]
+points:
+  P: {section: tp}
+  Q: {section: tq}
+sections:
+  l1: {lane: inclined}
+signals:
+  D: {from: W, into: q1}
+  D2: {from: q1, into: tp}
+  S: {from: E, into: r1}
+  S2: {from: r1, into: tp}
+  M: {from: l1, into: l2}
+  X: {from: l2, into: tq}
+  O: {from: tp, into: q1}
+"""
+"""A balloon loop at a mine, run one way round; trains wait in it on an inclined lane, before M."""
+AT_THE_LOOP = "loop: [Q.normal, l1 200"
+
+RING_WITH_A_LANE = """
+interlock: 1
+name: ring
+principles: {line_speed_kmh: 20, restart_delay_s: 300}
+boundaries: {W: {approach: wa 200, trains: in}}
+buffers: [N]
+tracks:
+  in: [W, q1 100, J.reverse]
+  s5: [J.toe, g5 60, P.toe]
+  n: [P.reverse, gn 100, N]
+  loop: [P.normal, g6 100, J.normal]
+points:
+  J: {section: tj}
+  P: {section: tp}
+sections: {g6: {lane: inclined}}
+signals:
+  D: {from: W, into: q1}
+  D2: {from: q1, into: tj}
+  E: {from: g6, into: tj}
+exclude:
+  - {from: E, to: E, reason: own train}
+"""
+AT_THE_RING = "loop: [P.normal, g6 100"
+
+BELOW_A_SIGNAL = """
+interlock: 1
+name: below
+principles: {line_speed_kmh: 20, restart_delay_s: 300}
+boundaries:
+  W: {approach: wa 200}
+  U: {approach: ua 200}
+buffers: [N]
+tracks:
+  in: [W, q1 100, P.toe]
+  n: [P.reverse, gn 100, N]
+  up: [P.normal, g6 100, g7 100, U]
+points:
+  P: {section: tp}
+sections: {g6: {lane: inclined}}
+signals:
+  D: {from: W, into: q1}
+  D2: {from: q1, into: tp}
+  N1: {from: gn, into: tp}
+  O: {from: tp, into: q1}
+  E: {from: g6, into: g7}
+  H: {from: g7, into: g6}
+  V: {from: U, into: g7}
+"""
+"""Trains wait on an inclined lane between P and H."""
+BELOW = "up: [P.normal, g6 100"
+
+BELOW_ONE_WAY = (
+    BELOW_A_SIGNAL.replace("  U: {approach: ua 200}\n", "  U: {approach: ua 200, trains: out}\n")
+    .replace("{lane: inclined}}", "{lane: inclined}, g7: {one_way: forward}}")
+    .replace("  H: {from: g7, into: g6}\n  V: {from: U, into: g7}\n", "")
+)
+"""Beyond the lane trains run one way only."""
+
+BELOW_POINTS = (
+    BELOW_A_SIGNAL.replace("g7 100, U]", "T.normal]\n  on: [T.toe, g7 100, U]\n  side: [T.reverse, g8 100, B8]")
+    .replace("buffers: [N]", "buffers: [N, B8]")
+    .replace("  P: {section: tp}", "  P: {section: tp}\n  T: {section: tt}")
+    .replace(
+        "  E: {from: g6, into: g7}\n  H: {from: g7, into: g6}\n",
+        "  E: {from: g6, into: tt}\n  H: {from: g7, into: tt}\n",
+    )
+)
+"""Beyond the lane points can be turned away."""
+
+
+def with_derailer(text: str, at: str) -> str:
+    """A derailer between a point and the inclined lane beside it."""
+    (leg, lane) = at.split("[")[1].split(", ")
+    track = at.split(":")[0]
+    text = text.replace(at, f"{track}: [{lane}")
+    return text.replace("signals:", f"derailers: {{D9: {{section: t9, inner: {leg}, outer: {track}.start}}}}\nsignals:")
+
+
+def with_trap(text: str, at: str) -> str:
+    """A point that leads into a trap there, for whatever comes from the lane."""
+    (leg, lane) = at.split("[")[1].split(", ")
+    track = at.split(":")[0]
+    text = text.replace(at, f"{track}: [{lane}").replace("tracks:", "traps: [SAND]\ntracks:\n  sand: [sa 30, SAND]")
+    return text.replace(
+        "points:\n", f"points:\n  T9: {{section: t9, toe: {track}.start, normal: sand.start, reverse: {leg}}}\n"
+    )
+
+
+def with_signal(text: str, at: str) -> str:
+    """A stop board between them, for whatever comes from the lane."""
+    point, lane = at.split("[")[1].split(".")[0].lower(), at.split(", ")[1].split()[0]
+    return text.replace("signals:\n", f"signals:\n  R9: {{from: {lane}, into: t{point}, kind: board}}\n")
+
+
+AT_LANES = {
+    "balloon loop": (LOOP_AT_A_LANE, AT_THE_LOOP, ["P.reverse", "Q.normal"], "l1"),
+    "ring": (RING_WITH_A_LANE, AT_THE_RING, ["P.normal"], "g6"),
+    "signal": (BELOW_A_SIGNAL, BELOW, ["P.normal"], "g6"),
+    "one way": (BELOW_ONE_WAY, BELOW, ["P.normal"], "g6"),
+    "points": (BELOW_POINTS, BELOW, ["P.normal"], "g6"),
+}
+
+
+@pytest.mark.parametrize("beyond", AT_LANES)
+def test_what_is_beyond_an_inclined_lane_does_not_hold_what_stands_on_it(beyond: str) -> None:
+    """A ring, a signal, one way, points that turn away: what stands on the lane runs back over the points before it.
+    Derivation, audit, claims and second checker took each of them for protection."""
+    text, _, places, lane = AT_LANES[beyond]
+    flat = text.replace("lane: inclined", "lane: level")
+    level = grown(flat)
+    assert level is not None and not level[2].has_errors, level and level[2].diagnostics
+    steep = grown(text)
+    assert steep is not None
+    found = {d.message.split(" from ")[1].split(";")[0]: d.fix for d in steep[2].diagnostics if d.code == "IL4001"}
+    assert sorted(found) == places
+    for name, fix in found.items():
+        assert fix.endswith(f"or a derailer on each way that leads to {name}, before the inclined lane {lane}"), fix
+        assert fix.startswith("add a signal or stop board, 1")
+    layout, table = steep[0], level[1]
+    assert {f.column for f in audit(layout, table)} == {"flank"}
+    result = prove(System(layout, lower(layout, table)), Limits(search_depth=0))
+    assert {"T-FLANK", "S-FLANK"} <= {c.id for c in result.claims if c.verdict is not Verdict.PROVED}
+    assert agree(*written(text), shipped()).left == ()
+    with pytest.raises(Rejected, match=r"[TS]-FLANK"):
+        agree(loaded(text), *written(flat)[1:], shipped())
+
+
+@pytest.mark.parametrize("mend", [with_derailer, with_trap, with_signal])
+@pytest.mark.parametrize("beyond", AT_LANES)
+def test_what_stands_between_points_and_an_inclined_lane_protects(beyond: str, mend: Callable[[str, str], str]) -> None:
+    """A derailer, a point before a trap, or a signal; the second checker agrees."""
+    text, at, _, _ = AT_LANES[beyond]
+    made = grown(mend(text, at))
+    assert made is not None and not made[2].has_errors, made and made[2].diagnostics
+    assert audit(made[0], made[1]) == ()
+    assert prove(System(made[0], lower(made[0], made[1])), Limits(search_depth=0)).proved
+    assert agree(*written(mend(text, at)), shipped()).left == ()
+
+
+def test_points_in_the_section_of_an_inclined_lane_keep_vehicles_out_of_it() -> None:
+    """The other end of a crossover between inclined lanes: what is on its section is on its other leg (R5)."""
+    text = """
+interlock: 1
+name: crossover
+profile: mine
+boundaries: {A: {approach: aa 300}, B: {approach: ba 300}, C: {approach: ca 300}, D: {approach: da 300}}
+tracks: {a: [A, a1 100], b: [b1 100, B], c: [C, c1 100], d: [d1 100, D]}
+points:
+  K: {machine: M, section: t1, toe: a.end, normal: b.start}
+  L: {machine: M, section: t2, toe: d.start, normal: c.end, reverse: K.reverse}
+sections: {t1: {lane: inclined}, t2: {lane: inclined}}
+signals:
+  SA: {from: A, into: a1}
+  XA: {from: a1, into: t1}
+  SB: {from: B, into: b1}
+  XB: {from: b1, into: t1}
+  SC: {from: C, into: c1}
+  XC: {from: c1, into: t2}
+  SD: {from: D, into: d1}
+  XD: {from: d1, into: t2}
+"""
+    made = grown(text)
+    assert made is not None and not made[2].has_errors and audit(made[0], made[1]) == ()
+    assert prove(System(made[0], lower(made[0], made[1])), Limits(search_depth=0)).proved
+    assert agree(*written(text), shipped()).left == ()
+    apart = grown(text.replace("machine: M, ", ""))
+    assert apart is not None and not apart[2].has_errors
+    weak = without_flank(apart[1], {"K", "L"})
+    assert {f.column for f in audit(apart[0], weak)} == {"flank"}
+    result = prove(System(apart[0], lower(apart[0], weak)), Limits(search_depth=0))
+    assert {"T-FLANK", "S-FLANK"} <= {c.id for c in result.claims if c.verdict is not Verdict.PROVED}
+
+
+def test_an_inclined_lane_that_ends_in_a_trap_holds_nothing() -> None:
+    """Nobody is called into a trap: a catch siding may rise."""
+    text = BELOW_A_SIGNAL.replace("buffers: [N]", "traps: [N]").replace("{g6: {lane", "{gn: {lane")
+    text = text.replace("  N1: {from: gn, into: tp}\n", "")
+    made = grown(text)
+    assert made is not None and not made[2].has_errors, made and made[2].diagnostics
+    assert audit(made[0], made[1]) == ()
+    assert {
+        str(p) for r in made[1].routes for c in r.locking.flank if c.requester == "P.reverse" for p in c.providers
+    } == {"N"}
+    assert prove(System(made[0], lower(made[0], made[1])), Limits(search_depth=0)).proved
+    assert agree(*written(text), shipped()).left == ()
+
+
+def test_a_ring_behind_a_derailer_protects_from_nothing() -> None:
+    """The derailer stands there since nobody trusts what is left behind it to stay; it was not laid."""
+    text = with_derailer(RING_WITH_A_LANE.replace("lane: inclined", "lane: level"), AT_THE_RING)
+    made = grown(text)
+    assert made is not None and not made[2].has_errors and audit(made[0], made[1]) == ()
+    table = made[1]
+    laid = {(str(p.machine), str(p.position)) for p in table.route[RouteId("D2-N")].locking.points}
+    assert laid == {("J", "R"), ("P", "R"), ("D9", "N")}
+    assert prove(System(made[0], lower(made[0], table)), Limits(search_depth=0)).proved
+    assert agree(*written(text), shipped()).left == ()
+    weak = without_flank(table, {"D9"})
+    assert "a vehicle can reach P.N" in {f.text for f in audit(made[0], weak)}
+    result = prove(System(made[0], lower(made[0], weak)), Limits(search_depth=0))
+    assert {"T-FLANK", "S-FLANK"} <= {c.id for c in result.claims if c.verdict is not Verdict.PROVED}
+
+
+@pytest.mark.parametrize(
+    ("text", "at", "places"),
+    [(LOOP_AT_A_LANE, AT_THE_LOOP, ["P.reverse", "Q.normal"]), (RING_WITH_A_LANE, AT_THE_RING, ["P.normal"])],
+    ids=["balloon loop", "ring"],
+)
+def test_a_ring_into_which_vehicles_are_brought_is_told_of_where_only_it_protects(
+    text: str, at: str, places: list[str]
+) -> None:
+    """As the end of a track is: nothing comes from beyond, but trains stand in it."""
+    text = text.replace("lane: inclined", "lane: level")
+    for mended, told_of in ((text, places), (with_signal(text, at), [])):
+        made = grown(mended)
+        assert made is not None and not made[2].has_errors
+        spoken = [d.message for d in made[2].diagnostics if d.code == "IL4017"]
+        ring = "and nothing but the ring in which the track closes protects "
+        assert [m.split(ring)[1] for m in spoken if ring in m] == [f"{p} from them" for p in told_of], spoken
+
+
+CROSSOVER_IS_A_LANE = """
+interlock: 1
+name: scissors
+profile: mine
+boundaries: {A: {approach: aa 300}, B: {approach: ba 300}, C: {approach: ca 300}, D: {approach: da 300}}
+tracks: {c: [c1 60]}
+points:
+  1A: {section: T1, toe: A, normal: 2B.normal}
+  2B: {machine: 2, section: T1, toe: B}
+  2A: {machine: 2, section: T2, toe: C, normal: 1B.normal}
+  1B: {section: T2, toe: D, reverse: c.end}
+crossings:
+  X: {arms: [{section: T3, ends: [1A.reverse, c.start]}, {section: T4, ends: [2A.reverse, 2B.reverse]}]}
+sections: {c1: {lane: inclined}}
+signals:
+  SA: {from: A, into: T1}
+  SB: {from: B, into: T1}
+  SC: {from: C, into: T2}
+  SD: {from: D, into: T2}
+"""
+
+
+def test_a_crossover_of_a_scissors_that_is_an_inclined_lane_is_kept_off_at_both_ends() -> None:
+    """Its points lie normal all the same; but what stands between them and the diamond runs away."""
+    bare = grown(CROSSOVER_IS_A_LANE)
+    assert bare is not None
+    named = {d.message.split(" from ")[1].split(";")[0]: d.fix for d in bare[2].diagnostics if d.code == "IL4001"}
+    assert sorted(named) == ["1A.reverse", "1B.reverse", "X.1b"]
+    for name, fix in named.items():
+        assert fix.endswith(f"or a derailer on each way that leads to {name}, before the inclined lane c1"), fix
+    derailers = (
+        "derailers:\n  D8: {section: T8, outer: c.start}\n  D9: {section: T9, inner: 1B.reverse, outer: c.end}\n"
+    )
+    kept = CROSSOVER_IS_A_LANE.replace("1A.reverse, c.start", "1A.reverse, D8.inner").replace(", reverse: c.end", "")
+    for text in (CROSSOVER_IS_A_LANE.replace("inclined", "level"), kept.replace("signals:", derailers + "signals:")):
+        made = grown(text)
+        assert made is not None and not made[2].has_errors, made and made[2].diagnostics
+        assert audit(made[0], made[1]) == ()
+        assert prove(System(made[0], lower(made[0], made[1])), Limits(search_depth=0)).proved
+        assert agree(*written(text), shipped()).left == ()
