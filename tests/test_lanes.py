@@ -233,8 +233,8 @@ def test_what_stands_between_points_and_an_inclined_lane_protects(beyond: str, m
     assert agree(*written(mend(text, at)), shipped()).left == ()
 
 
-def test_points_in_the_section_of_an_inclined_lane_keep_vehicles_out_of_it() -> None:
-    """The other end of a crossover between inclined lanes: what is on its section is on its other leg (R5)."""
+def test_points_in_the_section_of_an_inclined_lane_do_not_keep_it_empty() -> None:
+    """The other end of a crossover between inclined lanes: after a restart a vehicle may stand on its leg (R5)."""
     text = """
 interlock: 1
 name: crossover
@@ -255,16 +255,14 @@ signals:
   SD: {from: D, into: d1}
   XD: {from: d1, into: t2}
 """
-    made = grown(text)
-    assert made is not None and not made[2].has_errors and audit(made[0], made[1]) == ()
-    assert prove(System(made[0], lower(made[0], made[1])), Limits(search_depth=0)).proved
-    assert agree(*written(text), shipped()).left == ()
-    apart = grown(text.replace("machine: M, ", ""))
-    assert apart is not None and not apart[2].has_errors
-    weak = without_flank(apart[1], {"K", "L"})
-    assert {f.column for f in audit(apart[0], weak)} == {"flank"}
-    result = prove(System(apart[0], lower(apart[0], weak)), Limits(search_depth=0))
+    steep, level = grown(text), grown(text.replace("inclined", "level"))
+    assert steep is not None and "IL4001" in {d.code for d in steep[2].diagnostics}
+    assert level is not None and not level[2].has_errors and audit(level[0], level[1]) == ()
+    assert {f.column for f in audit(steep[0], level[1])} == {"flank"}
+    result = prove(System(steep[0], lower(steep[0], level[1])), Limits(search_depth=0))
     assert {"T-FLANK", "S-FLANK"} <= {c.id for c in result.claims if c.verdict is not Verdict.PROVED}
+    with pytest.raises(Rejected, match="FLANK"):
+        agree(loaded(text), *written(text.replace("inclined", "level"))[1:], shipped())
 
 
 def test_an_inclined_lane_that_ends_in_a_trap_holds_nothing() -> None:

@@ -86,7 +86,7 @@ def _walk(
 ) -> Walk:
     """The walk back from a place with points lying so, up to signals, or to some signals only.  Outside is the end of a
     track, a ring, or a boundary where no train comes in, if a vehicle comes from there over a derailer or an inclined
-    lane (`spur`); and such a lane itself, unless it ends in a trap or points in its own section keep everything there.
+    lane (`spur`); and such a lane itself, however points lie in it, unless it ends in a trap.
     """
     frozen = dict(lying)
     todo = [(Move(place.edge, place.node), False, frozenset({place.node}))]
@@ -112,7 +112,7 @@ def _walk(
             for before, faced in steps_to(layout, here):
                 if faced is not None:
                     met[faced[0]] = None
-                if faced is None or frozen.get(*faced) is faced[1]:
+                if faced is None or lane or frozen.get(*faced) is faced[1]:
                     outside = outside or (lane and layout.track.section_of(before.edge) != e.section)
                     kept = faced is not None and layout.pointwork.point_at[rear].derailer
                     todo.append((before, spur or kept, path | {rear}))

@@ -220,7 +220,7 @@ class Protection(Added):
         return every((rolls, no(self._turned_away(e, far))))
 
     def _empty(self, e: Edge, node: str, seen: frozenset[str]) -> Formula:
-        """Nothing can be on an inclined lane: it ends in a trap, or points in its own section keep it out."""
+        """Nothing can be on an inclined lane: it ends in a trap."""
         far = e.far(node)
         if far in seen or far in self.r.drawn.boundaries or far in self._stops:
             return FALSE
@@ -229,7 +229,7 @@ class Protection(Added):
         out = [
             self._empty(b, far, seen | {far}) if b.section == e.section else FALSE for b in self.r.drawn.onward(far, e)
         ]
-        return some((self._turned_away(e, far), every(out)))
+        return every(out)
 
     @cached_property
     def _stops(self) -> frozenset[str]:

@@ -6,7 +6,7 @@ From there the search goes outward until something keeps vehicles away:
     toe of another point    both legs must be protected (AND)
     signal at stop          if it stands clear of the fouling point; otherwise the search goes on
     buffer, outgoing boundary, one-way track    nothing can come
-    inclined lane           vehicles run away over it: nothing beyond protects, but points in its own section, or a trap
+    inclined lane           vehicles run away over it: nothing beyond protects, nor points within; but a trap
 Nothing-can-come is preferred, but to the end of a track, where vehicles may stand, a point that is turned away before
 it; then a point turned away or a signal, as the principle `flank_by` says; a diamond prefers points.  The partner of a
 scissors crossover lies normal, whatever else there is (防护道岔): nothing else is offered there.  Which of the sets is
@@ -191,8 +191,8 @@ def _outward(
                 yield tuple(dict.fromkeys(left + right))
         return
     turned: tuple[Provider, ...] | None = (Provider(ProviderKind.POINT, point.machine, position.other),)
-    by_hand = point.machine in layout.machines.by_hand  # a key locks a hand-worked point in normal only
-    if (by_hand and position.other is Position.REVERSE) or not allowed(point.machine, position.other):
+    keyed = point.machine in layout.machines.by_hand and position.other is Position.REVERSE  # locked in normal only
+    if lane is not None or keyed or not allowed(point.machine, position.other):
         turned = None
     beyond = _outward(layout, r, allowed, point.toe, far, gone, seen, spur or point.derailer, lane)
     first = next(beyond, None)

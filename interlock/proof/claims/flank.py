@@ -48,17 +48,13 @@ def exposed(f: Facts, beyond: Beyond) -> Expr:
 
 
 def _kept(lane: Beyond) -> Expr:
-    """Whether nothing stands on an inclined lane, nor comes over it: points of its very section turn away whatever
-    could come, from wherever; or it ends in a trap."""
+    """Whether nothing stands on an inclined lane, nor comes over it: it ends in a trap.  Points that turn away do not
+    keep it empty: after a restart a vehicle may stand on the leg beyond which they lie."""
     if not lane.lane:
         return TRUE
     if lane.closed or lane.signal is not None or lane.boundary is not None:
         return FALSE
-    inside = conj(_kept(x) if x.section == lane.section else FALSE for x in lane.onward)
-    if lane.trailed is None:
-        return inside
-    machine, position = lane.trailed
-    return disj((lies(machine, position.other), inside))
+    return conj(_kept(x) if x.section == lane.section else FALSE for x in lane.onward)
 
 
 def flank(f: Facts) -> Iterator[tuple[str, str, Expr]]:
