@@ -183,7 +183,7 @@ const PAST_MS = 20000, COUNTS = {g: 2, s: 5, b: 4}; // where a value counts down
 const stands = keys => JSON.stringify([rest.sys?.power, rest.sys?.valid, ...keys.map(k => state[k]?.filter((_, i) => i !== COUNTS[k[0]]))]);
 let told = null;
 function past() {
-  if (told?.title === "Not sent" && !talk.old) return quiet();
+  if (told?.title === "Not sent" && talk.last > told.at) return quiet(); // news have come since
   if (!told || (performance.now() - told.at < PAST_MS && stands(told.keys) === told.then)) return;
   told = null;
   $("said").classList.add("past");
