@@ -830,7 +830,7 @@ def test_what_was_asked_and_what_is_said_of_it(chromium: Any, tmp_path: Path) ->
         page.evaluate("document.getElementById('stop').click()")
         page.wait_for_selector("#said:has-text('nothing was sent')")
         page.wait_for_timeout(300)
-        assert "nothing was sent" in page.inner_text("#said"), "until news come again, however lately the last ones came"
+        assert "nothing was sent" in page.inner_text("#said"), "until news come again"
         assert page.evaluate(f"sent.slice({count}).filter(m => m.do)") == []
         page.evaluate("window.away = false")
         fresh(page)
