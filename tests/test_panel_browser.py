@@ -857,14 +857,22 @@ def test_what_was_asked_and_what_is_said_of_it(chromium: Any, tmp_path: Path) ->
         page.evaluate("tell({c: {'s:s3': [0, [], 0, 0, 0, null, 0, 0], 's:s9': [0, [], 0, 0, 0, null, 0, 0]}})")
         desk.power = False
         is_(page, "#power", "bad")
-        click(page, "#signal-XB .reach")
-        click(page, "#buffer-XC1 .reach")
-        page.wait_for_selector("#said:not(.past):has-text('the controller has no power')")
+        said = page.locator("#said:not(.past):has-text('the controller has no power')")
+        for turn in range(200):  # asked again where nothing was sent, or what was said is past already: a busy computer
+            if said.count():
+                break
+            if turn % 40 == 0:
+                page.keyboard.press("Escape")
+                click(page, "#signal-XB .reach")
+                click(page, "#buffer-XC1 .reach")
+            page.wait_for_timeout(100)
+        assert said.count() == 1, page.inner_text("#said")
         desk.power = True
         page.wait_for_selector("#said.past")
         page.fill("#typed", "  ")
         page.press("#typed", "Enter")
-        assert desk.broken == "" and wrong == []
+        away = [w for w in wrong if "/nowhere" in w]  # one for each time it tried to come back meanwhile
+        assert desk.broken == "" and away == wrong
 
 
 def test_the_ends_of_a_machine_are_names_of_it(chromium: Any) -> None:
