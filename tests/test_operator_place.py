@@ -239,8 +239,9 @@ def test_whatever_can_be_wrong_after_a_scan_is_listed_and_nothing_else(name: str
     state |= dict.fromkeys(controller.symbols.cancellation.cancelling.values(), False)
     outputs = {str(o.name): True for o in controller.outputs}
     lost = (f"{LATE_CYCLE}: 1200 ms since the last one", *(f"{s}: does not answer" for s in cabinets.stations))
-    for _ in range(2):
-        closed = watch.after(Cycle({}, outputs, True, lost, Memory(state, {})), 600_000)
+    both = {str(n): 1 for (m, _), n in controller.symbols.machines.detected.items() if m in layout.machines.device}
+    for _ in range(2):  # a crossing that is reported closed, and open as well
+        closed = watch.after(Cycle(both, outputs, True, lost, Memory(state, {})), 600_000)
     assert not closed  # told once, and standing since
     found = {**watch.causes, **watch.past}
     assert set(found) == {p.key for p in watch.possible} - OF_THE_DESK
@@ -314,6 +315,30 @@ def test_without_a_panel_alarms_are_said_and_reach_the_registers(ready: Ready) -
     assert stand == [key] and told == [{"alarm": text, "stands": True}]
     typed.ask(None, 100)
     assert list(typed.after(Cycle(lies, {}, True, ()))) == [] and told[1:] == [{"alarm": text, "stands": False}]
+
+
+def test_a_road_that_waits_for_minutes_is_an_alarm() -> None:
+    """However long a train stays within its route, the crossing stays closed; nobody was told that a road waits."""
+    layout, _, controller = built("crossing_line")
+    m = next(iter(layout.machines.device))
+    watch = Watch(layout, controller, allocate(layout, controller))
+    closed = {str(controller.symbols.machines.detected[m, Position.REVERSE]): 1}
+
+    def stands(minutes: float, inputs: dict[str, int], valid: bool = True, **state: bool) -> bool:
+        watch.after(Cycle(inputs, {}, valid, (), Memory(state, {})), round(minutes * 60_000))
+        return f"closed {m}" in watch.causes
+
+    assert not stands(9, {}) and not stands(9, {}), "open"
+    assert not stands(1, closed) and not stands(4.9, closed) and stands(0.2, closed)
+    assert watch.causes[f"closed {m}"] == (
+        f"level crossing {m} has been closed to its road for more than 5 minutes",
+        (f"m:{m}",),
+    )
+    assert not stands(0.1, {}), "the road is free"
+    command = {str(controller.symbols.machines.command[m, Position.REVERSE]): True}
+    assert not stands(1, {}, **command) and not stands(4, {}, valid=False), "time runs on while inputs are lost"
+    assert stands(1.1, {}, **command), "commanded closed, whatever is reported: a road with a red light waits as well"
+    assert not stands(9, {}) and not stands(9, {}, valid=False)
 
 
 def test_a_port_that_is_taken_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -14,7 +14,7 @@ from interlock.logic.cabinet import Allocation
 from interlock.logic.controller import Controller
 from interlock.logic.names import Name
 from interlock.logic.symbols import RouteSymbols, Symbols
-from interlock.model.elements import MachineId, Position, SectionId, SignalId
+from interlock.model.elements import DeviceKind, MachineId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
 from interlock.model.times import supervision_s, whole_ms
@@ -24,6 +24,11 @@ Causes = dict[str, tuple[str, tuple[str, ...]]]
 
 SETTLES_MS = 1000
 """Milliseconds after a start in which heartbeats are not yet missed."""
+
+CLOSED_LONG_S = 300
+"""Seconds for which a level crossing is closed to its road before that is an alarm (our choice): people who wait longer
+at an open line walk or drive round barriers, and what keeps it closed, a train that waits within a route, is for the
+operator to find."""
 
 START, HAZARD, RECORD, TRAIN, LOST, CYCLE, FALLEN = "start", "hazard", "record", "train", "lost", "cycle", "fallen"
 """Keys, or what they begin with."""
@@ -91,6 +96,19 @@ def _of_machine(layout: Layout, y: Symbols, m: MachineId) -> Iterator[Possible]:
             f"trailed {m}", f"ALARM_TRAILED_{portable(m)}", text, at, lambda c: bool(c.memory.state.get(trailed))
         )
     yield Possible(f"idle {m}", f"ALARM_IDLE_{portable(m)}", _idle(layout, m), at)
+    if _is_crossing(layout, m):
+        yield Possible(f"closed {m}", f"ALARM_CLOSED_{portable(m)}", _closed_long(layout, m), at)
+
+
+def _is_crossing(layout: Layout, m: MachineId) -> bool:
+    """Whether people at a road wait while it is closed."""
+    device = layout.machines.device.get(m)
+    return device is not None and device.kind is DeviceKind.LEVEL_CROSSING
+
+
+def _closed_long(layout: Layout, m: MachineId) -> str:
+    """What is said of a level crossing whose road waits."""
+    return f"{layout.machines.named(m)} has been closed to its road for more than {CLOSED_LONG_S // 60} minutes"
 
 
 def _idle(layout: Layout, m: MachineId) -> str:
@@ -139,6 +157,7 @@ class Watch:
         self._start = next(p for p in self.possible if p.key == START)
         self._restart = to_release(layout, controller.symbols)
         self._idle = Idle(layout, controller.symbols)
+        self._closed_long = ClosedLong(layout, controller.symbols)
         self._fallen: dict[SignalId, Fallen] = {}
         self._before: Mapping[str, bool] = {}
         self._read: Mapping[str, int] = {}
@@ -160,10 +179,11 @@ class Watch:
         fallen = list(self._closed(cycle))
         state = cycle.memory.state
         self._idle.after(cycle, dt_ms)
+        self._closed_long.after(cycle, dt_ms)
         self._ran_ms += dt_ms
         self.settled = self._ran_ms > SETTLES_MS
         if self.settled:
-            self.causes = self._lost(cycle) | self._idle.causes
+            self.causes = self._lost(cycle) | self._idle.causes | self._closed_long.causes
             self.causes |= {p.key: (p.text, p.at) for p in self.possible if p.is_so is not None and p.is_so(cycle)}
         self.past = {f"{FALLEN} {g}": (x.text, x.at) for g, x in self._fallen.items()}
         if any(state.get(n) for n in self._restart.values()):
@@ -234,3 +254,31 @@ class Idle:
             self._lost_ms[m] = lost_ms = self._lost_ms.get(m, -dt_ms) + dt_ms
             if lost_ms >= allowed_ms:
                 self.causes[f"idle {m}"] = (text, (f"m:{m}",))
+
+
+class ClosedLong:
+    """Level crossings that have been commanded or reported closed for longer than `CLOSED_LONG_S`."""
+
+    def __init__(self, layout: Layout, symbols: Symbols) -> None:
+        y, closed = symbols.machines, Position.REVERSE
+        self._crossings = [
+            (m, _closed_long(layout, m), y.detected.get((m, closed)), y.command.get((m, closed)))
+            for m in layout.machines
+            if _is_crossing(layout, m)
+        ]
+        self._closed_ms: dict[MachineId, int] = {}
+        self.causes: Causes = {}
+        """By key: roads that wait for longer."""
+
+    def after(self, cycle: Cycle, dt_ms: int) -> None:
+        """A cycle has ended, `dt_ms` milliseconds after the one before.  While inputs are lost, time runs on for a
+        crossing that was closed."""
+        self.causes = {}
+        for m, text, detected, command in self._crossings:
+            closed = bool(cycle.memory.state.get(command or "") or cycle.inputs.get(detected or ""))
+            if not closed and (cycle.valid or m not in self._closed_ms):
+                self._closed_ms.pop(m, None)
+                continue
+            self._closed_ms[m] = closed_ms = self._closed_ms.get(m, -dt_ms) + dt_ms
+            if closed_ms >= CLOSED_LONG_S * 1000:
+                self.causes[f"closed {m}"] = (text, (f"m:{m}",))
