@@ -46,6 +46,8 @@ JSON = (
     ("pin", "{}/pinned.yaml", "--release", "nothing"),
     ("pin", "{}/bad.yaml"),
     ("prove", "{}/l.yaml"),
+    ("commission", "{}/l.yaml", "-o", "{}/t.csv"),
+    ("commission", "{}/bad.yaml", "-o", "{}/t.csv"),
     ("certify", "{}/l.yaml", "--outputs", "{}/g", "-o", "{}/p", "--check"),
     ("certify", "{}/bad.yaml", "--outputs", "{}/g", "-o", "{}/p"),
     ("verify", "{}/p/fig2_2"),

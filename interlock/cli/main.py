@@ -37,6 +37,7 @@ VERBS = {
     "pin": "Record the channel allocation of a layout's cabinets, so that addresses stay.",
     "prove": "Prove every safety claim for every possible train movement.",
     "availability": "Run every two compatible routes together, and show that neither hinders the other.",
+    "commission": "Write the tests for commissioning, each tried on the emitted runtime.",
     "certify": "Write the proof as files that can be checked independently.",
     "verify": "Check certificates, with code that shares nothing with the prover.",
     "run": "Run the proved runtime, on Modbus TCP or with a panel in the browser.",

@@ -62,6 +62,7 @@ COMMANDS: tuple[tuple[int, str], ...] = (
     (0, "compile s.yaml --dialect codesys --check"),
     (0, "compile s.yaml"),
     (1, "prove wrong_waiver.yaml"),
+    (0, "commission s.yaml --route X2-X3"),
     (0, "certify s.yaml"),
     (0, "verify proofs/starter"),
     (0, "verify s.yaml proofs/starter"),

@@ -1,0 +1,62 @@
+"""A book of tests as a page for printing, and as a table."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections import Counter
+from collections.abc import Sequence
+from itertools import groupby
+
+from jinja2 import Environment, PackageLoader, select_autoescape
+
+from interlock.commissioning.step import Sheet, Step
+from interlock.model.layout import Layout
+
+HEADINGS = ("No.", "Sheet", "About", "Do", "What has to come", "Rule", "On the bench", "Seen", "By", "Date")
+
+TITLES = {
+    Sheet.WIRES: "Correspondence: each wire",
+    Sheet.START: "Switching on",
+    Sheet.ROUTES: "Routes: each row of the interlocking table",
+    Sheet.TIMES: "Delays, by a stopwatch",
+}
+
+
+def book_csv(steps: Sequence[Step]) -> str:
+    """One row for each test, with room for what was seen, by whom and when."""
+    out = io.StringIO()
+    write = csv.writer(out, lineterminator="\n")
+    write.writerow(HEADINGS)
+    write.writerows((s.number, s.sheet, s.of, s.do, s.expect, s.rule, s.bench, "", "", "") for s in steps)
+    return out.getvalue()
+
+
+def book_html(layout: Layout, steps: Sequence[Step], version: str, of: str = "") -> str:
+    """Sheets of A4 to be signed.  `version`: of this program; `of`: which tests these are, where they are not all."""
+    env = Environment(
+        loader=PackageLoader("interlock.commissioning", "."),
+        autoescape=select_autoescape(("j2",)),
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    sheets = [(TITLES[k], _groups(list(those))) for k, those in groupby(steps, lambda s: s.sheet)]
+    return env.get_template("book.html.j2").render(
+        title=layout.printed.title or layout.name,
+        name=layout.name,
+        digest=layout.digest,
+        program=f"interlock {version}",
+        sheets=sheets,
+        of=of,
+        count=len(steps),
+        by_sheet=[(TITLES[k], n) for k, n in Counter(s.sheet for s in steps).items()],
+        tried=sum(s.tried for s in steps),
+        failed=[s for s in steps if s.came],
+    )
+
+
+def _groups(steps: Sequence[Step]) -> list[tuple[str, list[Step]]]:
+    """Tests of a sheet, by the route that they are about; the others have one table."""
+    if steps[0].sheet is not Sheet.ROUTES:
+        return [("", list(steps))]
+    return [(route, list(those)) for route, those in groupby(steps, lambda s: s.of)]
