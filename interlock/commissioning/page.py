@@ -18,6 +18,7 @@ HEADINGS = ("No.", "Sheet", "About", "Do", "What has to come", "Rule", "On the b
 TITLES = {
     Sheet.WIRES: "Correspondence: each wire",
     Sheet.START: "Switching on",
+    Sheet.MACHINES: "Machines, while nothing is set",
     Sheet.ROUTES: "Routes: each row of the interlocking table",
     Sheet.TIMES: "Delays, by a stopwatch",
 }

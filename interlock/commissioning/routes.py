@@ -10,14 +10,11 @@ from collections.abc import Iterator
 from interlock.commissioning.bench import FEW, SCAN_MS, Bench, Moment, occupied
 from interlock.commissioning.needs import Need, needs, to_open
 from interlock.commissioning.row import Row
-from interlock.commissioning.step import Sheet, Step
+from interlock.commissioning.step import SLACK_S, Sheet, Step
 from interlock.diag.called import called
 from interlock.logic.names import Name
 from interlock.model.elements import MachineId, SectionId
 from interlock.table.rows import InterlockingTable, RouteRow
-
-SLACK_S = 2
-"""Seconds before and after the end of a delay at which a tester looks (our choice)."""
 
 
 class RouteTests:

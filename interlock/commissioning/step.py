@@ -6,12 +6,16 @@ from enum import StrEnum
 
 from interlock.dataclass import dataclass
 
+SLACK_S = 2
+"""Seconds before and after the end of a delay at which a tester looks (our choice)."""
+
 
 class Sheet(StrEnum):
     """The parts of a book."""
 
     WIRES = "wires"
     START = "start"
+    MACHINES = "machines"
     ROUTES = "routes"
     TIMES = "times"
 

@@ -1,0 +1,53 @@
+"""Tests of point machines, derailers, level crossings and other devices, one after the other, while nothing is set."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from interlock.commissioning.bench import FEW, Bench, Moment, occupied, undetected
+from interlock.commissioning.step import SLACK_S, Sheet, Step
+from interlock.diag.called import called
+from interlock.logic.names import Name
+from interlock.model.elements import MachineId, Position
+from interlock.model.times import supervision_s
+
+
+def machines(bench: Bench, rest: Moment) -> Iterator[Step]:
+    """Each by hand to its other position; not under a vehicle; and the alarm where it does not arrive.  A key that an
+    attendant turns is tried with the routes alone."""
+    for m in bench.layout.machines:
+        by_hand = bench.symbols.machines.by_hand.get((m, Position.REVERSE))
+        if by_hand is not None:
+            yield from _one(bench, rest, m, by_hand)
+
+
+def _one(bench: Bench, rest: Moment, m: MachineId, by_hand: Name) -> Iterator[Step]:
+    all_, y = bench.layout.machines, bench.symbols
+    order, named = all_.to_move(m, Position.REVERSE), all_.named(m)
+    there, asked = f"{named} {all_.word(m, Position.REVERSE)}", {str(by_hand): 1}
+    bench.back(rest)
+    bench.scans(FEW, asked)
+    came = [] if bench.lies[m] is Position.REVERSE else ["nothing moves"]
+    yield _step(m, f"{order} by hand", f"{there}, detected", came)
+    if m not in all_.device:  # what a road crosses may always be closed to it
+        for s in all_.sections[m]:
+            if inputs := occupied(y, s):
+                bench.back(rest)
+                bench.inputs |= inputs
+                bench.scans(FEW, asked)
+                came = [] if bench.lies[m] is Position.NORMAL else [there]
+                yield _step(m, f"{called('section', s)} reported occupied: try to {order}", "nothing moves", came)
+    alarm = y.indication.get(f"late {m}")
+    if alarm is not None:
+        seconds, lost = supervision_s(bench.layout, m), undetected(y, m)
+        bench.back(rest)
+        bench.scan(asked | lost)
+        bench.wait(max(0.0, seconds - SLACK_S), asked | lost)
+        came = ["the alarm comes too early"] if bench.on(alarm) else []
+        bench.wait(2 * SLACK_S, asked | lost)
+        came += [] if bench.on(alarm) else ["no alarm"]
+        yield _step(m, f"{order} by hand, and keep it from arriving", f"an alarm after {seconds:g} s ({alarm})", came)
+
+
+def _step(m: MachineId, do: str, expect: str, came: list[str]) -> Step:
+    return Step(Sheet.MACHINES, str(m), do, expect, "R10", True, "; ".join(came))
