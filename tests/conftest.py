@@ -13,8 +13,11 @@ import pytest
 
 from interlock.app.run import Ready
 from interlock.panel.desk import Desk
+from tests import panels
 from tests.browsers import browser
-from tests.panels import panel, proved, quick
+from tests.field import two_substations
+from tests.pages import Server, serving_process
+from tests.panels import QUICK, proved, quick, unproved
 
 TOP = Path(__file__).resolve().parent.parent
 LEFT = pytest.StashKey[int]()
@@ -85,6 +88,13 @@ def chromium() -> Iterator[Any]:
         yield found
 
 
+@pytest.fixture
+def server(tmp_path: Path) -> Iterator[Server]:
+    """The panel of Heishan as a process, with short delays."""
+    with serving_process(quick(tmp_path)) as one:
+        yield one
+
+
 @pytest.fixture(scope="module")
 def ready(tmp_path_factory: pytest.TempPathFactory) -> Ready:
     """Heishan with short delays, proved, for the tests of the panel."""
@@ -93,9 +103,26 @@ def ready(tmp_path_factory: pytest.TempPathFactory) -> Ready:
 
 @pytest.fixture(scope="module")
 def at_work(ready: Ready) -> Iterator[tuple[Desk, Any]]:
-    """A panel that several tests use; each leaves it without routes, trains and faults."""
-    with panel(ready) as (desk, browser):
-        with browser() as b:
-            b.ask("speed", times=10)
-            b.released()
-        yield desk, browser
+    """A panel of Heishan that the tests of a module use."""
+    with panels.at_work(ready) as found:
+        yield found
+
+
+@pytest.fixture(scope="module")
+def lab() -> Iterator[tuple[Desk, Any]]:
+    """The same of the laboratory of flank protection."""
+    with panels.at_work(panels.flank_lab()) as found:
+        yield found
+
+
+@pytest.fixture(scope="module")
+def single_line() -> Iterator[tuple[Desk, Any]]:
+    """The same of a passing loop with call-on signals and a direction token."""
+    with panels.at_work(unproved(Path("layouts/passing_loop.yaml").read_text("utf-8") + QUICK)) as found:
+        yield found
+
+
+@pytest.fixture(scope="module")
+def mine(tmp_path_factory: pytest.TempPathFactory) -> Ready:
+    """mine11 with two substations, proved, for the tests of the field."""
+    return two_substations(tmp_path_factory.mktemp("field"))

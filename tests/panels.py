@@ -29,6 +29,17 @@ principles: {restart_delay_s: 0.8, release_delay_s: 0.3, line_speed_kmh: 20000, 
              reaction_s: 0.01, output_delay_s: 0.01, approach_release_s: 2}
 """  # trains that stop so soon that the delays may be short
 
+AUTOMATIC = f"""
+interlock: 1
+name: automatic
+boundaries: {{W: {{approach: wa 600}}, E: {{approach: ea 600, trains: out}}}}
+tracks: {{line: [W, q1 300, q2 300, E]}}
+signals: {{A: {{from: W, into: q1}}}}
+automatic: [{{from: A, to: E}}]
+{QUICK}
+"""
+"""A route that may work automatically, on a line without points."""
+
 
 def quick(folder: Path, name: str = "heishan", more: str = "") -> Path:
     """A shipped layout with short delays, as a file."""
@@ -101,6 +112,24 @@ def panel(ready: Ready, access: Access | None = None, **more: Any) -> Iterator[t
 
         yield desk, browser
     assert desk.broken == ""
+
+
+@contextmanager
+def at_work(ready: Ready) -> Iterator[tuple[Desk, Callable[..., Any]]]:
+    """A panel whose time runs ten times as fast, after its restart: several tests use it, and each leaves it without
+    routes, trains and faults."""
+    with panel(ready) as (desk, browser):
+        with browser() as b:
+            b.ask("speed", times=10)
+            b.released()
+        yield desk, browser
+
+
+def flank_lab() -> Ready:
+    """Flank protection, an overlap with two alternatives, a level crossing, proof of lamps."""
+    text = Path("layouts/flank_lab.yaml").read_text("utf-8")
+    own = next(line for line in text.splitlines() if line.startswith("principles:"))
+    return unproved(text.replace(own, QUICK.replace("{", "{lamp_proof: yes, ")))
 
 
 def large(tracks: int = 124) -> Ready:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import signal
 import socket
+import subprocess
+import sys
 import threading
 from pathlib import Path
 from random import Random
@@ -24,7 +26,7 @@ from interlock.panel.desk import Desk
 from interlock.panel.operating import Person
 from interlock.panel.server import FILES, Access, application, listening, serve
 from tests.layouts import SHIPPED
-from tests.panels import every_command, panel, unproved
+from tests.panels import every_command, panel, quick, unproved
 
 
 def test_tokens_origins_and_rubbish(ready: Ready) -> None:
@@ -181,3 +183,15 @@ def test_every_shipped_layout_has_its_panel(name: str) -> None:
     for r in desk.browsers.still["routes"]:
         kind, where = r["exit"]
         assert f'id="{kind}-{escape(where)}"' in plan, r
+
+
+def test_nothing_is_said_with_a_traceback(tmp_path: Path) -> None:
+    path = quick(tmp_path)
+    with socket.socket() as s:
+        s.bind(("127.0.0.1", 0))
+        s.listen()
+        command = [sys.executable, "-m", "interlock", "run", str(path), "--panel", "--port"]
+        done = subprocess.run(
+            [*command, str(s.getsockname()[1])], env={**os.environ, "PYTHONPATH": "."}, capture_output=True, text=True
+        )
+    assert done.returncode == 2 and "Traceback" not in done.stderr and "cannot listen" in done.stderr

@@ -394,29 +394,22 @@ def test_the_report_opens_a_route_by_its_link(
 
 @pytest.mark.external
 def test_the_panel_takes_names_with_spaces(chromium: Any, tmp_path: Path) -> None:
+    from tests.pages import closing_pages, is_, opened, press, serving_process, typed
     from tests.panels import QUICK
-    from tests.test_panel_browser import Server, closing_pages, is_, opened, press
 
     text = SPACES.read_text("utf-8").replace("principles: {shunt_release_s: 60}", QUICK.strip())
     (tmp_path / "spaces.yaml").write_text(text, "utf-8")
-    server = Server(tmp_path / "spaces.yaml")
-    with closing_pages(chromium) as b:
+    with serving_process(tmp_path / "spaces.yaml") as server, closing_pages(chromium) as b:
         page, wrong = opened(b, server.url)
         press(page, "Release all clear sections")
         page.wait_for_selector("#restart", state="hidden")
-
-        def typed(line: str) -> None:
-            page.fill("#typed", line)
-            page.press("#typed", "Enter")
-
-        typed("Signal 11 P Strecke O")
+        typed(page, "Signal 11 P Strecke O")
         is_(page, "[id='signal-Signal\u00a011\u00a0P']", "clear")
-        typed("Lok 7:Strecke W>Gleis 1")
+        typed(page, "Lok 7:Strecke W>Gleis 1")
         page.wait_for_selector("#rest:has-text('Lok 7 is under way')")
-        typed("Signal 99")
+        typed(page, "Signal 99")
         page.wait_for_selector("#said:has-text('nothing on the plan is called Signal 99')")
         assert wrong == []
-    server.end()
 
 
 @pytest.mark.external

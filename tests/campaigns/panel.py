@@ -25,7 +25,7 @@ from websockets.sync.client import ClientConnection
 
 from tests.browsers import browser
 from tests.campaigns.origin import processor
-from tests.test_panel_browser import changes
+from tests.pages import changes
 
 LAYOUT = Path("layouts/heishan.yaml").resolve()
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from tests.browsers import browser
-from tests.test_panel_browser import Server, click, opened, press
+from tests.pages import Server, click, opened, press
 
 SHORT = "\nprinciples: {restart_delay_s: 228}\n"
 

@@ -31,12 +31,13 @@ from typing import Any
 
 from websockets.sync.client import ClientConnection, connect
 
+from interlock.app.run import prepare
 from interlock.panel.journal import page
 from interlock.record.log import Recorded, read_file
 from tests.campaigns.origin import processor
 from tests.campaigns.panel import LAYOUT, Client, Server
+from tests.field import TWO, Station
 from tests.substation import FROZEN, LATE
-from tests.test_field import TWO, Station, prepare
 
 LOSSES = ("field", "panel", "record")
 EVERY_MIN = 12

@@ -11,22 +11,23 @@ from pathlib import Path
 
 import pytest
 
-from tests.test_field import TWO, Station, ready
-
-__all__ = ["ready"]  # the fixture: mine11 with two substations
+from interlock.app.run import Ready
+from tests.field import TWO, Station
 
 
 @pytest.fixture
-def stations(ready) -> Iterator[tuple[Station, Station]]:  # type: ignore[no-untyped-def]
+def stations(mine: Ready) -> Iterator[tuple[Station, Station]]:
     """The substations, as processes."""
-    west, east = Station(ready, "west"), Station(ready, "east")
+    west, east = Station(mine, "west"), Station(mine, "east")
     yield west, east
     west.kill()
     east.kill()
 
 
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM, None])
-def test_a_run_that_ends_leaves_no_proceed_on_the_wire(stations, tmp_path: Path, how: signal.Signals | None) -> None:  # type: ignore[no-untyped-def]
+def test_a_run_that_ends_leaves_no_proceed_on_the_wire(
+    stations: tuple[Station, Station], tmp_path: Path, how: signal.Signals | None
+) -> None:
     west, east = stations
     path = tmp_path / "mine.yaml"
     path.write_text(Path("layouts/mine11.yaml").read_text("utf-8") + TWO, "utf-8")

@@ -1,0 +1,198 @@
+"""The panel's alarms: what is wrong, what has closed a signal, and what is said while inputs are lost."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from interlock.app.reasons import Moment
+from interlock.app.run import Ready
+from interlock.panel.desk import Desk
+from tests.panels import all_released, kinds, panel
+
+
+def test_faults_are_alarms_until_they_are_gone_and_seen(at_work: tuple[Desk, Any]) -> None:
+    _, browser = at_work
+    with browser(name="Cleo") as b:
+        b.ask("acknowledge")
+        b.ask("set", route="XI9-XC5")
+        b.until(lambda: b.state["g:XI9"][0] == "clear")
+        b.events.clear()
+        b.ask("fail", kind="machine", name="P4", on=True)
+        b.until(lambda: b.state["g:XI9"][0] == "stop" and kinds(b.events, "alarm"))
+        alarm = next(e for e in b.events if e["kind"] == "alarm")
+        assert alarm["text"] == "signal XI9 has returned to stop"
+        assert ["P4 is not detected reverse", ["m:P4"]] in alarm["reasons"]
+        why = b.ask("why", route="XI9-XC5")["why"]
+        assert why[-1][0] == "it has closed once, and opens only when it is asked for again"
+        b.ask("fail", kind="machine", name="P4", on=False)
+        b.until(lambda: b.state["m:P4"][0] == "R")
+        b.ask("set", route="XI9-XC5")
+        b.until(lambda: "its signal is asked for again" in b.events[-1]["text"])
+        assert ["points P4 were trailed: look at them, and confirm it", ["m:P4"]] in b.events[-1]["reasons"]
+        assert b.ask("looked", machine="P4")["ok"]
+        b.until(lambda: not b.state["m:P4"][4])
+        b.ask("set", route="XI9-XC5")
+        b.until(lambda: b.state["g:XI9"][0] == "clear")
+        b.ask("cancel", signal="XI9")
+        b.until(lambda: not b.state["s:s9"][1])
+        b.until(lambda: b.rest["alarms"])
+        b.ask("acknowledge")
+        b.until(lambda: not b.rest["alarms"])
+        assert [e["who"] for e in b.events if e["kind"] == "acknowledged"] in (["Cleo"], ["Cleo", "Cleo"])
+
+
+def test_a_signal_that_closes_says_what_has_closed_it(at_work: tuple[Desk, Any]) -> None:
+    """Not that a delay runs: what it waits for is what has just ended it."""
+    _, browser = at_work
+    with browser() as b:
+        b.ask("set", route="XI9-XC5")
+        b.until(lambda: b.state["g:XI9"][0] == "clear")
+        b.events.clear()
+        b.ask("fail", kind="section", name="s11_xc5", on=True)
+        b.until(lambda: kinds(b.events, "alarm"))
+        closed = next(e for e in b.events if e["kind"] == "alarm")
+        b.ask("fail", kind="section", name="s11_xc5", on=False)
+        b.ask("cancel", signal="XI9")
+        b.until(lambda: b.state["s:s11_xc5"][0] == 0 and not b.state["s:s9"][1])
+        b.ask("acknowledge")
+        assert closed["text"] == "signal XI9 has returned to stop"
+        assert closed["reasons"] == [["section s11_xc5 is occupied", ["s:s11_xc5"]]]
+
+
+def test_of_a_crossing_and_of_an_overlap_that_swings_it_is_said_what_is_wrong_with_them(lab: tuple[Desk, Any]) -> None:
+    """A crossing was `not detected reverse`; of the overlap the alternative that nobody holds was told as well."""
+    _, browser = lab
+    with browser() as b:
+        b.ask("set", route="N2-F")
+        b.until(lambda: b.state["g:N2"][0] == "caution")
+        assert b.state["o:F.1"] == [1]
+        said = {
+            "LC1": ["level crossing LC1 is not proved closed", ["m:LC1"]],
+            "6": ["the overlap of F: 6 is not detected normal", ["m:6"]],
+        }
+        for m, why in said.items():
+            b.events.clear()
+            b.ask("fail", kind="machine", name=m, on=True)
+            b.until(lambda: "signal N2 has returned to stop" in kinds(b.events, "alarm"))
+            alarm = next(e for e in b.events if e["text"] == "signal N2 has returned to stop")
+            assert alarm["reasons"] == [why]
+            b.ask("fail", kind="machine", name=m, on=False)
+            b.until(lambda m=m: b.state[f"m:{m}"][0])  # type: ignore[misc]
+            if b.state[f"m:{m}"][4]:
+                b.ask("looked", machine=m)
+                b.until(lambda m=m: not b.state[f"m:{m}"][4])  # type: ignore[misc]
+            b.ask("set", route="N2-F")
+            b.until(lambda: b.state["g:N2"][0] == "caution")
+        b.ask("cancel", signal="N2")
+        b.until(lambda: b.state["g:N2"][3] is None and not b.state["s:g4"][1] and b.state["o:F.1"] == [0])
+        b.ask("acknowledge")
+
+
+def test_points_that_nobody_has_commanded_are_supervised_too(ready: Ready) -> None:
+    """After a restart nothing is commanded, and the controller supervises what it commands: what loses its detection
+    then would be told of only when a route over it is refused."""
+    with panel(ready) as (desk, browser), browser() as b:
+        published: list[set[str]] = []
+        desk.publish = lambda cycle, alarms: published.append(set(alarms))
+        b.ask("speed", times=10)
+        b.until(lambda: b.rest["sys"]["valid"])
+        assert b.state["m:P4"][:2] == ["N", ""]  # never commanded
+        b.ask("fail", kind="machine", name="P4", on=True)
+        b.until(lambda: b.state["m:P4"][0] == "")
+        assert not b.state["m:P4"][3] and not b.rest["alarms"][1:]  # not before the supervision time, 13 s
+        b.until(lambda: b.state["m:P4"][3] and b.rest["alarms"][1:])
+        assert b.rest["alarms"][1][1:3] == ["P4 is not detected, and was not commanded", ["m:P4"]]
+        b.ask("fail", kind="machine", name="P4", on=False)
+        b.until(lambda: b.state["m:P4"][0] == "N" and not b.rest["alarms"][1][4])
+        assert not b.state["m:P4"][3]
+        assert {"start"} in published and {"start", "idle P4"} in published and "idle P4" not in published[-1]
+
+
+def test_a_lost_substation_is_an_alarm_and_closes_everything(at_work: tuple[Desk, Any]) -> None:
+    _, browser = at_work
+    with browser() as b:
+        b.ask("set", route="XB-XI7")
+        b.until(lambda: b.state["g:XB"][0] == "clear")
+        b.events.clear()
+        b.ask("fail", kind="station", name="main", on=True)
+        b.until(lambda: not b.rest["sys"]["valid"] and b.state["g:XB"][0] == "stop" and kinds(b.events, "alarm"))
+        assert "inputs are not valid: a substation is lost" in json.dumps(b.events)
+        assert kinds(b.events, "refusal") == []
+        assert not b.ask("set", route="XL1-XT3")["ok"]
+        b.ask("fail", kind="station", name="main", on=False)
+        b.until(lambda: b.rest["sys"]["valid"])
+        b.ask("cancel", signal="XB")
+        b.until(lambda: b.state["g:XB"][3] is None)
+        if any(b.state[f"s:{s}"][1] for s in ("s2", "s3", "s6")):
+            b.ask("release all")
+            b.until(lambda: not any(b.state[f"s:{s}"][1] for s in ("s2", "s3", "s6")))
+
+
+def test_a_train_that_is_called_on_passes_its_signal_without_an_alarm(single_line: tuple[Desk, Any]) -> None:
+    """`signal S has returned to stop: section IIAG is occupied`; of what else closes it there is an alarm."""
+    desk, browser = single_line
+    fallen = "signal S has returned to stop"
+    with browser() as b:
+        b.ask("acknowledge")
+        b.events.clear()
+        b.ask("set", route="S-S1.c")
+        b.until(lambda: b.state["g:S"][0] == "call")
+        b.ask("bring", boundary="E", train="A", metres=40)
+        b.until(lambda: b.state["g:S"][0] == "stop")
+        b.until(lambda: b.state["s:IG"][0] == 1 and b.state["s:2DG"][0] == 0 and b.rest["trains"][0][1] != [])
+        assert fallen not in kinds(b.events, "alarm") and "fallen S" not in desk._watch.past
+        b.ask("take away", train="A")
+        b.until(lambda: b.state["s:IG"][0] == 0)
+        all_released(b, "S")
+        for what, name in (("section", "IIAG"), ("machine", "2")):  # nobody comes; points that are lost
+            b.ask("set", route="S-S1.c")
+            b.until(lambda: b.state["g:S"][0] == "call")
+            b.events.clear()
+            b.ask("fail", kind=what, name=name, on=True)
+            b.until(lambda: fallen in kinds(b.events, "alarm"))
+            assert b.state["g:S"][0] == "stop" and "fallen S" in desk._watch.past
+            b.ask("fail", kind=what, name=name, on=False)
+            b.until(lambda: b.state["m:2"][0] and not b.state["s:IIAG"][0])
+            if b.state["m:2"][4]:
+                b.ask("looked", machine="2")
+                b.until(lambda: not b.state["m:2"][4])
+            all_released(b, "S")
+        b.ask("acknowledge")
+
+
+def test_of_what_lost_inputs_would_tell_nothing_is_said_but_that_they_are_lost(lab: tuple[Desk, Any]) -> None:
+    """Stop lamps were out, and conditions did not hold: of neither was anything known."""
+    desk, browser = lab
+    with browser() as b:
+        b.ask("acknowledge")
+        b.ask("set", route="N2-F")
+        b.until(lambda: b.state["g:N2"][0] == "caution")
+        assert b.state["g:N8"][4] == 0
+        b.events.clear()
+        stations = b.rest["still"]["stations"]
+        for n in stations:
+            b.ask("fail", kind="station", name=n, on=True)
+        b.until(lambda: not b.rest["sys"]["valid"] and b.state["g:N2"][0] == "stop" and kinds(b.events, "alarm"))
+        lost = ["inputs are not valid: a substation is lost", []]
+        alarm = next(e for e in b.events if e["text"] == "signal N2 has returned to stop")
+        assert alarm["reasons"] == [lost]
+        why = b.ask("why", route="N2-F")["why"]
+        stale = (
+            "section w2: inputs were lost, or a train was called on; cancel the route, or release the section by hand"
+        )
+        again = ["it has closed once, and opens only when it is asked for again", []]
+        assert why == [lost, [stale, ["s:w2"]], again]
+        assert [b.state[f"g:{g}"][4] for g in ("N2", "N8", "S1", "F")] == [None] * 4
+        moment = Moment(desk._last.inputs, desk._last.memory, 0)
+        number = desk.operating.buttons.routes["S1-N8"].number
+        told = desk.operating.reasons.of_request(number, moment, desk._last.words()[number])
+        assert [r.text for r in told] == lost[:1]
+        for n in stations:
+            b.ask("fail", kind="station", name=n, on=False)
+        b.until(lambda: b.rest["sys"]["valid"])
+        assert b.state["g:N8"][4] == 0
+        b.ask("cancel", signal="N2")
+        b.until(lambda: b.state["g:N2"][3] is None)
+        b.until(lambda: not any(b.state[f"s:{s}"][1] for s in ("w2", "g4")) or b.ask("release all"))
+        b.until(lambda: not any(b.state[f"s:{s}"][1] for s in ("w2", "g4")) and b.state["o:F.1"] == [0])

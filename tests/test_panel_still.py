@@ -1,0 +1,176 @@
+"""Nothing on the panel's page moves under the mouse, or says something else while it is clicked."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from interlock.panel.operating import Person
+from tests.pages import (
+    asked,
+    between,
+    closing_pages,
+    fresh,
+    is_,
+    opened,
+    over,
+    press,
+    serving,
+    worked,
+)
+from tests.panels import quick, unproved
+
+pytestmark = pytest.mark.external
+
+
+BUTTONS = """() => {
+    window.all = new Map();
+    for (const b of document.querySelectorAll("button, #plan [data-key]")) {
+        const r = b.getBoundingClientRect();
+        if (b.checkVisibility({visibilityProperty: true})) window.all.set(b, [r.x, r.y, r.width, r.height]);
+    }
+    return window.all.size;
+}"""
+"""Keeps where every button stands, and every element of the plan that can be clicked."""
+
+
+MOVED = """() => [...window.all].flatMap(([b, [x, y, w, h]]) => {
+    const r = b.getBoundingClientRect(), told = b.textContent.slice(0, 40) || b.id;
+    const free = e => e.closest("aside [data-moved]") && !e.closest("aside > section").matches(":hover");
+    const there = document.elementFromPoint(x + w / 2, y + h / 2)?.closest("button");
+    if (!b.isConnected || !b.checkVisibility({visibilityProperty: true}))
+        return there && !free(there) ? [`${told} is over, there is now ${there.textContent}`] : [];
+    const same = b.matches("#plan *") ? true : r.width === w && r.height === h;
+    if (free(b)) return [];
+    return r.x === x && r.y === y && same ? [] : [`${told} moved by ${r.x - x}, ${r.y - y}, ${r.width - w}`];
+})"""
+"""What does not stand where it stood, or has another button in its place.  In boxes at the side in which the mouse is
+not rows may move: they take no click then for a moment."""
+
+
+@pytest.mark.parametrize(
+    ("at", "size"),
+    [
+        ("#acts button:text-is('Block')", (1500, 900)),
+        ("#alarms button", (1000, 700)),
+        ("#trains button", (390, 800)),
+        ("#rest button", (1280, 720)),
+    ],
+)
+def test_nothing_moves_under_the_mouse(chromium: Any, tmp_path: Path, at: str, size: tuple[int, int]) -> None:
+    """Alarms come and go, trains come, inputs and power are lost: whatever can be clicked stays where it is."""
+    with worked(chromium, quick(tmp_path)) as (desk, page):
+        f = desk.field
+        assert f is not None
+        page.set_viewport_size({"width": size[0], "height": size[1]})
+        between(desk, lambda: f.stock.stand("s2", desk.browsers.still["stands"]["s2"][0], 50.0, "stands"))
+        between(desk, lambda: desk._once("something happened"))
+        page.wait_for_selector("#trains li")
+        page.wait_for_selector("#alarms li:has-text('something happened')")
+        is_(page, "#section-s2 .track", "occupied")
+        page.locator("#section-s2").focus()
+        page.keyboard.press("Enter")
+        page.locator(at).first.scroll_into_view_if_needed()
+        over(page, at)
+        page.wait_for_selector("body:not(:has(.settling))")
+        assert page.evaluate(BUTTONS) > 20
+
+        def still(so: str) -> None:
+            page.wait_for_selector(so, state="attached")
+            page.wait_for_timeout(100)
+            assert page.evaluate(MOVED) == [], so
+            page.evaluate(BUTTONS)
+
+        count = page.locator("#alarms li").count()
+        long = "something happened whose telling takes more than one line of that box, as alarms of trains do"
+        between(desk, lambda: desk._once(long))
+        still(f"#alarms li:nth-child({count + 1})")
+        desk.ask(Person("another", True), {"do": "acknowledge"}, lambda _: None)
+        still("#unseen:not(.new)")
+        between(desk, lambda: f.stock.stand("s10_xc4", desk.browsers.still["stands"]["s10_xc4"][0], 50.0, "second"))
+        still("#trains li:nth-child(2)")
+        between(desk, lambda: f.stock.take_away("stands"))
+        still("#section-s2 .track:not(.occupied)")
+        between(desk, lambda: f.faults.fail("station", desk.browsers.still["stations"][0], True))
+        still("#inputs.bad")
+        still("#restart:not([hidden])")
+        desk.power = False
+        still("#power.bad")
+        desk.power = True
+        still("#power.good")
+
+
+def test_a_button_that_is_held_down_is_clicked_whatever_happens_meanwhile(chromium: Any, tmp_path: Path) -> None:
+    """A button that is drawn anew between the press and the release of the mouse would lose the click."""
+    with serving(unproved(quick(tmp_path).read_text("utf-8"))) as (desk, url):
+        assert desk.field is not None
+        with closing_pages(chromium) as b:
+            page, wrong = opened(b, url)
+            press(page, "Release all clear sections")
+            page.wait_for_selector("#restart", state="hidden")
+            page.locator("#section-s3").focus()
+            page.keyboard.press("Enter")
+            middle = page.locator("#acts button:text-is('Block')").bounding_box()
+            page.mouse.move(middle["x"] + middle["width"] / 2, middle["y"] + middle["height"] / 2)
+            faults = desk.field.faults
+
+            def hold() -> None:
+                between(desk, lambda: faults.fail("section", "s3", False))
+                is_(page, "#section-s3 .track", "occupied", False)
+                page.mouse.down()
+                between(desk, lambda: faults.fail("section", "s3", True))
+                is_(page, "#section-s3 .track", "occupied")
+                page.wait_for_timeout(200)
+                page.mouse.up()
+
+            asked(page, hold)
+            page.wait_for_selector("#section-s3 .track.blocked", state="attached")
+            page.wait_for_selector("#acts:has-text('occupied'):has-text('blocked'):has-text('Free it again')")
+            assert wrong == []
+
+
+WHEN = """([box, word, act]) => new Promise(done => new MutationObserver((_, o) => {
+    if (!document.querySelector(box).textContent.includes(word)) return;
+    o.disconnect();
+    const b = [...document.querySelectorAll(`${box} button`)].find(e => e.textContent.includes(word));
+    const r = b?.getBoundingClientRect();
+    if (act) document.body.dispatchEvent(new KeyboardEvent("keydown", {key: act, bubbles: true}));
+    window.hit = r && document.elementFromPoint(r.x + r.width / 2, r.y + r.height / 2) === b;
+}).observe(document.querySelector(box), {subtree: true, childList: true, characterData: true}) ?? done())"""
+"""In the moment in which a word appears in a box: presses a key, and keeps whether a click would hit that button."""
+
+
+def test_what_has_moved_or_says_something_else_takes_no_click_at_once(chromium: Any, tmp_path: Path) -> None:
+    """A signaller who clicks twice does not undo what he has done, nor acknowledge an alarm that came that moment."""
+    with worked(chromium, quick(tmp_path)) as (desk, page):
+        page.locator("#section-s3").focus()
+        page.keyboard.press("Enter")
+        page.evaluate(WHEN, ["#acts", "Free it again", ""])
+        press(page, "Block")
+        page.wait_for_selector("#section-s3 .track.blocked", state="attached")
+        page.wait_for_selector("#acts button:not(.settling):text-is('Free it again')")
+        assert page.evaluate("window.hit") is False
+        words = iter(("first", "second", "third", "fourth", "fifth", "sixth"))
+
+        def two_come() -> tuple[str, str]:
+            """The newest that somebody can have seen, and one that comes when all of them are acknowledged."""
+            seen, newest = next(words), next(words)
+            over(page, "h1")
+            between(desk, lambda: desk._once(seen))
+            page.wait_for_selector(f"#alarms li:has-text('{seen}')")
+            page.evaluate("new Promise(done => setTimeout(done, 700))")  # by the page's clock, as it counts itself
+            over(page, f"#alarms li:has-text('{seen}') button")
+            fresh(page)
+            page.evaluate(WHEN, ["#alarms", newest, "a"])  # it has just come: nobody can have seen it
+            between(desk, lambda: desk._once(newest))
+            page.wait_for_selector(f"#alarms li:has-text('{newest}')")
+            return seen, newest
+
+        seen, newest = asked(page, two_come)
+        page.wait_for_selector(f"#alarms li.over:has-text('{seen}')", state="attached")
+        page.wait_for_selector("#unseen:has-text('1 new')")
+        assert newest in page.inner_text("#alarms li:not(.over)")
+        over(page, "h1")  # the newest comes first when the mouse has left
+        page.wait_for_selector(f"#alarms li:first-child:has-text('{newest}')")
