@@ -49,6 +49,14 @@ def wrong(dialect: str, files: dict[str, str], book: bytes | None = None) -> tup
     return compare_delivery(controller, a, BY_NAME[dialect], files, tags_xlsx(layout, a) if book is None else book)
 
 
+OF_ANOTHER_TYPE = [
+    ("  REQ : INT := 0;", "  REQ : INT := FALSE;"),
+    ("  CAN_X1 : BOOL := FALSE;", "  CAN_X1 : BOOL := 0;"),
+    ("BLK_DP : BOOL := TRUE", "BLK_DP : BOOL := 1"),
+    ("  YX_R1 : INT := 0;", "  YX_R1 : INT := FALSE;"),
+    ("  YS_X1 : BOOL := TRUE;", "  YS_X1 : BOOL := 1;"),
+]
+"""A value at the start that is no value of the variable's type: one tool takes it, another does not."""
 XML = [
     ('address="%IX0.1"', 'address="%IX0.2"'),
     ('address="%IX0.1"', 'address="%MX0.1"'),
@@ -73,6 +81,14 @@ XML = [
     (
         'name="YX_R1"><type><INT/></type><initialValue><simpleValue value="0"/>',
         'name="YX_R1"><type><INT/></type><initialValue><simpleValue value="1"/>',
+    ),
+    (
+        'name="YX_R1"><type><INT/></type><initialValue><simpleValue value="0"/>',
+        'name="YX_R1"><type><INT/></type><initialValue><simpleValue value="FALSE"/>',
+    ),
+    (
+        'name="REL_DP"><type><BOOL/></type><initialValue><simpleValue value="FALSE"/>',
+        'name="REL_DP"><type><BOOL/></type><initialValue><simpleValue value="0"/>',
     ),
 ]
 CLASSIC = [
@@ -100,6 +116,7 @@ CLASSIC = [
     ('  "IL_fig2_2_S01"();', '  IL_fig2_2_D.OCC_DP := TRUE;\n  "IL_fig2_2_S01"();'),
     ("BLK_DP : BOOL := TRUE", "BLK_DP : BOOL := FALSE"),
     ("  REQ : INT := 0;", "  REQ : BOOL := FALSE;"),
+    *OF_ANOTHER_TYPE,
     ("  OCC_DP : BOOL;", "  OCC_DP : INT;"),
     ("VAR_TEMP\n  T_1 : BOOL;\n", "VAR_TEMP\n"),
     ("VAR_TEMP\n  T_1 : BOOL;\n", "VAR_TEMP\n  T_1 : BOOL;\n  T_1 : BOOL;\n"),
@@ -153,6 +170,7 @@ STL = [
     ("#TON_RT_DP.Q;", "#TON_RT_SA.Q;"),
     ("BLK_DP : BOOL := TRUE", "BLK_DP : BOOL := FALSE"),
     ("  REQ : INT := 0;", "  REQ : BOOL := FALSE;"),
+    *OF_ANOTHER_TYPE,
     ("  OCC_DP : BOOL;", "  OCC_DP : INT;"),
     ("VAR_TEMP\n  T_1 : BOOL;\n", "VAR_TEMP\n"),
     ("VAR_TEMP\n  T_1 : BOOL;\n", "VAR\n  T_1 : BOOL;\n"),
@@ -166,6 +184,8 @@ STL = [
         '      =     "IL_fig2_2_HMI".TC_P1;\n      =     "IL_fig2_2_HMI".BLK_DP;\n',
     ),
     ('      L     0;\n      T     "IL_fig2_2_HMI".REQ;\n', ""),
+    ('      L     0;\n      T     "IL_fig2_2_HMI".REQ;\n', '      =     "IL_fig2_2_HMI".REQ;\n'),
+    ('      =     "IL_fig2_2_HMI".TC_P1;\n', '      L     0;\n      T     "IL_fig2_2_HMI".TC_P1;\n'),
 ]
 
 
@@ -190,6 +210,7 @@ CHANGES = {
         ("<PouCall>", "<PouCall><Name>MAIN</Name>"),
         ("  YX_R1 : INT := 0;", "  YX_R1 : INT := 1;"),
         ("  REQ : INT := 0;", "  REQ : BOOL := FALSE;"),
+        *OF_ANOTHER_TYPE,
         ("  OCC_DP : BOOL;", "  OCC_DP : INT;"),
         ("  INP : IL_fig2_2_I;", "  INP : IL_fig2_2_D;"),
         ("  INP : IL_fig2_2_I; (* inputs *)", "  INP : IL_fig2_2_I := 1;"),
@@ -261,6 +282,8 @@ CHANGES = {
     "scl300": [
         ('  "IL_fig2_2_HMI".TC_P1 := FALSE;\n', ""),
         ('  "IL_fig2_2_HMI".REQ := 0;\n', '  "IL_fig2_2_HMI".REQ := 1;\n'),
+        ('  "IL_fig2_2_HMI".REQ := 0;\n', '  "IL_fig2_2_HMI".REQ := FALSE;\n'),
+        ('  "IL_fig2_2_HMI".TC_P1 := FALSE;\n', '  "IL_fig2_2_HMI".TC_P1 := 0;\n'),
         ('  "IL_fig2_2_HMI".REL_DP := FALSE;\n', '  "IL_fig2_2_HMI".BLK_DP := FALSE;\n'),
         *CLASSIC,
         ('"IL_fig2_2_HMI".RESTART := TRUE', '"IL_fig2_2_HMI".RESTART := FALSE'),

@@ -127,6 +127,11 @@ class Declaration:
     note: str = field(default="", compare=False)
     address: str = ""
 
+    @property
+    def begins_as_typed(self) -> bool:
+        """Whether the value with which it begins, where there is one, is a value of its type."""
+        return self.initial is None or type(self.initial) is {"BOOL": Bool, "INT": Int}.get(self.type)
+
 
 HEADLINE = 100
 """Characters of a block's note where it stands on one line."""

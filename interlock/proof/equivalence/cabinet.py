@@ -165,5 +165,6 @@ def _beginnings(controller: Controller, a: Allocation, program: Block, restart: 
             yield Difference(d.name, "begins with a value that nobody gave it, or is no bit")
         if d.name in wires:
             value = getattr(d.initial, "value", None)
-            if value is None or int(value) != start[d.name] or d.type != ("INT" if sizes[d.name] else "BOOL"):
+            typed = d.begins_as_typed and d.type == ("INT" if sizes[d.name] else "BOOL")
+            if value is None or int(value) != start[d.name] or not typed:
                 yield Difference(d.name, "does not begin with its restrictive value")

@@ -93,6 +93,8 @@ def _beginning(controller: Controller, unit: Unit, restart: bool) -> Iterator[Di
         for d in (*b.inputs, *b.outputs, *b.locals):
             if d.type in ("BOOL", "INT") and (d.type == "INT") != (d.name in numbers):
                 yield Difference(d.name, f"is of type {d.type}")
+            if not d.begins_as_typed:
+                yield Difference(d.name, f"is of type {d.type}, and begins with a value of another")
     used = {d.type.upper() for b in unit.blocks for d in (*b.locals, *b.handed)}
     for b in unit.blocks[:-1]:
         if b.name.upper() not in used:
