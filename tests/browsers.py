@@ -2,15 +2,31 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
 BROWSER = shutil.which("chromium") or shutil.which("chromium-browser")
 FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--disable-background-networking"]
 FLAGS += ["--disable-component-update", "--disable-sync", "--no-first-run"]
+
+
+def crowding() -> float:
+    """How many times as long a thread of this test may take as on a computer that does nothing else: it, and what else
+    wants a processor now, for each processor there is (Linux; what this process has started is not counted)."""
+    found: dict[int, tuple[str, int]] = {}
+    for stat in Path("/proc").glob("[0-9]*/stat"):
+        with suppress(OSError):  # it has ended
+            state, parent, *_ = stat.read_text("utf-8", "replace").rpartition(")")[2].split()
+            found[int(stat.parent.name)] = (state, int(parent))
+    own = {os.getpid()}
+    while more := {pid for pid, (_, parent) in found.items() if parent in own} - own:
+        own |= more
+    others = sum(state == "R" for pid, (state, _) in found.items() if pid not in own)
+    return max(1.0, (1 + others) / (os.cpu_count() or 1))
 
 
 @contextmanager

@@ -11,13 +11,14 @@ import sys
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
+from pathlib import Path
 
 import pytest
 
 from interlock.st.ast import Unit
 from interlock.st.meaning import Execution, Numbers
 from interlock.st.parser import parse_unit
-from interlock.st.program import joined, parted
+from interlock.st.program import io_task, joined, parted
 from interlock.st.structures import plain
 from tests.campaigns.foreign import IN_C, MOVEMENTS, CRow, Row, Verdict, still
 from tests.foreign.bundle import Bundle, bundle
@@ -93,6 +94,15 @@ def test_the_text_with_its_mapping_program_answers_as_was_recorded() -> None:
     assert changed(r.wiring, r.segments) > r.wiring.outputs // 2
     for x in (r, scrambled()):
         assert differences(x.wiring, x.segments, interpreted(made().source, x)) == []
+
+
+def test_a_layout_whose_name_is_shortened_for_the_plc_comes_whole(tmp_path: Path) -> None:
+    """Its texts were looked for under the layout's own name: the compiler got none, and made no configuration."""
+    path = tmp_path / "long.yaml"
+    path.write_text(Path("layouts/fig2_2.yaml").read_text("utf-8").replace("fig2_2", "overlap_past_signals"), "utf-8")
+    found, task = bundle(str(path)), "IL_overlap_p_q4zj_CONF"
+    assert f"CONFIGURATION {task}" in found.source and io_task(found.railway.controller).configuration == task
+    assert "FUNCTION_BLOCK IL_overlap_p_q4zj\n" in found.source and len(found.xml) == 2
 
 
 def test_a_recording_in_which_little_moves_goes_on_with_other_trains() -> None:

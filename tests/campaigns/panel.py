@@ -128,7 +128,7 @@ def main() -> None:
     given = parser.parse_args()
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
     with browser() as chromium:
-        took = changes(chromium)
+        took, _ = changes(chromium)
     text = (
         f"# The panel at work\n\n`python -m tests.campaigns.panel` at commit {commit}, {processor()}, "
         f"{os.cpu_count()} cores, Python {platform.python_version()}.\n\n"

@@ -9,6 +9,7 @@ from interlock.app.check import derive_file
 from interlock.app.prove import prove_derived
 from interlock.logic.cabinet import allocate
 from interlock.logic.lower import lower
+from interlock.model.portable import portable
 from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.verdict import quiet
 from tests.foreign.recording import Railway
@@ -40,11 +41,13 @@ def bundle(path: str) -> Bundle:
     routes: dict[str, tuple[int, ...]] = {}
     for r in table.routes:
         routes[str(r.entry)] = (*routes.get(str(r.entry), ()), r.number)
-    place = f"st/iec/{layout.name}"
+    place = f"st/iec/{portable(layout.name)}"  # as it is called in PLC text
+    telegram = texts.get(f"{place}_telegram.st")
+    parts = (texts[f"{place}.st"], *((telegram,) if telegram else ()), texts[f"{place}_io.st"])
     return Bundle(
         Path(path).stem,
         len(table.routes),
-        "\n".join(texts[f"{place}{part}.st"] for part in ("", "_telegram", "_io") if f"{place}{part}.st" in texts),
+        "\n".join(parts),
         {name: text for name, text in texts.items() if name.endswith(".xml")},
         Railway(layout, controller, allocate(layout, controller), texts["runtime.py"], routes, controller.words.routes),
     )
