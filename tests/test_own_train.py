@@ -116,6 +116,75 @@ def test_whatever_is_refused_so_no_run_drives_and_the_audit_sees_it() -> None:
     assert seen >= 19
 
 
+ZONE = """interlock: 1
+name: zone
+boundaries: {W: {approach: wa 600}, E: {trains: out}}
+tracks: {line: [W, q1 300, q2 300, q3 300, E]}
+signals:
+  A: {from: W, into: q1}
+  B: {from: q1, into: q2}
+zones: {Z: {sections: [q1, q3], trains: 1}}
+"""
+"""A train before B stands in the zone into which its route leads again."""
+
+
+@pytest.mark.parametrize(
+    ("text", "which", "why", "fix", "seen"),
+    [
+        (
+            RING,
+            "routes X-X, X-X.c",
+            "its train stands before X in ra, and ra must be free for its way",
+            "let the way end before ra, at a signal or board further back",
+            ["ra is taken by its own train"],
+        ),
+        (
+            ZONE,
+            "route B-E",
+            "zone Z has room for 1, and its train stands in it before B",
+            "raise the maximum of Z",
+            ["no room in Z"],
+        ),
+        (
+            grow(37),
+            "route X-B13",
+            "zone Z has room for 1, and its train comes in twice",
+            "raise the maximum of Z",
+            ["no room in Z"],
+        ),
+        (
+            grow(38),
+            "route G23-W",
+            "its train stands before G23 in s13, and machine M21, on which it stands, must lie R",
+            "divide s13 by a joint, so that the train stands clear",
+            ["its own train stands on points that it needs otherwise"],
+        ),
+        (
+            grow(119),
+            "routes G19-W12, G19-W12.c",
+            "its train stands before G19 in s5, and s5 must be free: s5 clear across the diamond D4",
+            "move the joint out of the fouling point",
+            ["its own train stands foul of it in s5", "its own train stands across its way"],
+        ),
+        (
+            grow(121),
+            "route G44-G35",
+            "its train stands before G44 in s11, and s11 must be free: the joint s7|s11 is foul of point P8",
+            "move the joint out of the fouling point",
+            ["its own train stands foul of it in s11"],
+        ),
+    ],
+    ids=["its way", "a zone in which it stands", "a zone twice", "points under it", "a diamond", "a foul joint"],
+)
+def test_what_is_said_of_each_cause_and_what_helps(text: str, which: str, why: str, fix: str, seen: list[str]) -> None:
+    layout, table, errors = made(text)
+    told = next(d for d in errors if d.message.startswith(f"{which} "))
+    assert told.message == f"{which} can never be set: {why}"
+    assert told.fix.partition(", or exclude ")[0] == fix
+    for route in which.partition(" ")[2].split(", "):
+        assert [f.text for f in audit(layout, table) if (f.route, f.column) == (route, "route")] == seen
+
+
 # --- a train that never comes ---------------------------------------------------------------------
 
 NEVER = Path("tests/diagnostics/IL4018.yaml").read_text("utf-8")
