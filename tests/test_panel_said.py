@@ -48,6 +48,7 @@ def test_what_was_asked_and_what_is_said_of_it(chromium: Any, tmp_path: Path) ->
         count = page.evaluate("window.mute = false, sent.length")
         page.evaluate("document.getElementById('stop').click()")
         page.wait_for_selector("#said:has-text('nothing was sent')")
+        assert page.evaluate("unsent") > 0, "by this the tests ask again"
         page.wait_for_timeout(300)
         assert "nothing was sent" in page.inner_text("#said"), "until news come again"
         assert page.evaluate(f"sent.slice({count}).filter(m => m.do)") == []
