@@ -49,7 +49,7 @@ def test_what_was_asked_and_what_is_said_of_it(chromium: Any, tmp_path: Path) ->
         page.evaluate("document.getElementById('stop').click()")
         page.wait_for_selector("#said:has-text('nothing was sent')")
         assert page.evaluate("unsent") > 0, "by this the tests ask again"
-        page.wait_for_timeout(300)
+        page.evaluate("new Promise(done => setTimeout(done, 300))")
         assert "nothing was sent" in page.inner_text("#said"), "until news come again"
         assert page.evaluate(f"sent.slice({count}).filter(m => m.do)") == []
         page.evaluate("window.away = false")
@@ -69,7 +69,7 @@ def test_what_was_asked_and_what_is_said_of_it(chromium: Any, tmp_path: Path) ->
         page.evaluate(f"e => ({event})(e)", {"kind": "refusal", "who": mine, "text": "XB-XC1: so", "reasons": why})
         waiting = [0, [], 0, 0, 0, 5, 0, 0, []]
         page.evaluate("v => tell({c: {'s:s3': v, 's:s9': [1, [], 0, 0, 0, null, 0, 0]}})", waiting)
-        page.wait_for_timeout(200)
+        page.evaluate("new Promise(done => setTimeout(done, 300))")  # by its own clock, which counts what is past
         assert page.locator("#said.past").count() == 0 and page.locator("#plan .shown").count() > 0
         page.evaluate("tell({c: {'s:s3': [1, [], 0, 0, 0, null, 0, 0]}})")
         page.wait_for_selector("#said.past")
