@@ -85,6 +85,7 @@ ON = {
     "overlap-flank-not-held": OVERLAP_FLANK,
     "overlap-beside": "../tests/layouts_for_tests/overlap_past_both_ways",
     "overlap-let-go": "../tests/layouts_for_tests/overlap_past_signals",
+    "overlap-under-train": "../tests/layouts_for_tests/overlap_past_signals",
     "overlap-free-of-one": "../tests/layouts_for_tests/overlap_past_signals",
     "overlap-inside": "../tests/layouts_for_tests/overlap_inside",
 }

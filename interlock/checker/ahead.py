@@ -45,8 +45,9 @@ class Ahead(Topology):
         those = (o.signal for o in self.overlaps if any(w.section == s for w in o.path.ways))
         return list(dict.fromkeys(those))
 
-    def w_sections_under(self, o: Overlap) -> list[str]:
-        return [w.section for w in o.path.ways]
+    def w_at_end(self, o: Overlap, w: Way) -> Formula:
+        """A way of an overlap is its last one, and none of its signal leads on from there."""
+        return fact(w == o.path.last and not self._leads(o.signal, w.section, w.exit))
 
     def w_ways_under(self, o: Overlap) -> tuple[Way, ...]:
         return o.path.ways

@@ -18,7 +18,7 @@ from interlock.diag.called import called
 from interlock.model.elements import NodeId, OverlapWay, SectionId, Signal, SignalId
 from interlock.model.layout import Layout
 from interlock.model.overlap import entry_speed, overlap_length, own_way, route_speed, two_ways, wanted_m
-from interlock.table.cells import ExitKind, RouteKind
+from interlock.table.cells import RouteKind
 from interlock.table.rows import VoyageRow
 
 
@@ -34,8 +34,8 @@ def check_through(
 def _check_overlaps(layout: Layout, paths: Sequence[Path], hostile: Conflicts, sink: Sink) -> None:
     """Signals whose overlap holds what lies past the next main signal, too, where routes to or from that one need it as
     overlap or as path (R4, R6): to which no route can be set together with one that leads on; or from which a train
-    runs on to the next signal, or to the end of the track, and stands there in that overlap, which is held while it is
-    occupied."""
+    runs on to the next signal and stands there in that overlap, which is held until it is wholly in the last section
+    of it, or has left it."""
     to: dict[SignalId, list[Path]] = {}
     on: dict[SignalId, list[Path]] = {}
     for p in paths:
@@ -49,16 +49,12 @@ def _check_overlaps(layout: Layout, paths: Sequence[Path], hostile: Conflicts, s
             continue
         barred = [hostile.bits(p.id) for p in those]
         both = [(b, q) for b in barred for q in on[g] if not b >> q.number - 1 & 1]
-        chains = [(q, r) for b, q in both for r in on.get(SignalId(q.exit), [q]) if r is q or not b >> r.number - 1 & 1]
-        kept = [r for _, r in chains if all(_kept_in(layout, paths, p, r) for p in those)]
-        if len(kept) < len(chains):
+        ahead = [(b, on.get(SignalId(q.exit), [])) for b, q in both]
+        if any(not rs or any(not b >> r.number - 1 & 1 for r in rs) for b, rs in ahead):
             continue
         beyond = min((x for _, x in past), key=lambda x: x.metres).signal
         why = f"no route onward from {g} can be set together with {' or '.join(p.id for p in those)}"
-        if kept:
-            ends = " or ".join(dict.fromkeys(r.exit for r in kept))
-            why = f"a train that runs on to {ends} stands in it there, where it is held, and no route back can be set"
-        elif both:
+        if both:
             ends = " or ".join(dict.fromkeys(q.exit for _, q in both))
             why = f"a train that runs on to {ends} stands in it there, where it is held, and no route onward can be set"
         sink.add(
@@ -69,16 +65,6 @@ def _check_overlaps(layout: Layout, paths: Sequence[Path], hostile: Conflicts, s
             f"where it may end before {beyond.id}: {_shorter(layout, g, past)}",
             about=Element("signals", g),
         )
-
-
-def _kept_in(layout: Layout, paths: Sequence[Path], p: Path, last: Path) -> bool:
-    """Whether a train that comes to the end of its track by a route stands there in the overlap of one before, over
-    which all routes back lead: it is held while it is occupied, and so for good."""
-    over, here = {t.section for t in p.overlap}, last.ways[-1].section
-    if last.exit_kind is not ExitKind.BUFFER or here not in over:
-        return False
-    back = [r for r in paths if here in {e.section for e in layout.track.edges_at[r.entry_node]} - {r.ways[0].section}]
-    return bool(back) and all(over & {t.section for t in r.ways} for r in back)
 
 
 @dataclass(frozen=True)

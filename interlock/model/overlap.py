@@ -56,6 +56,12 @@ def overlap_paths(layout: Layout, signal: SignalId) -> tuple[tuple[Traversal, ..
 Ways = tuple[Traversal, ...]
 
 
+def ends_at(paths: Iterable[Ways], section: SectionId, end: NodeId) -> bool:
+    """No alternative of an overlap leads on from a section over one of its ends: what has overrun the signal and stands
+    wholly in that section, heading there, runs no further."""
+    return all((t.section, t.exit) != (section, end) for ways in paths for t in ways[:-1])
+
+
 def inside_others(layout: Layout, signal: SignalId) -> list[tuple[Ways, Ways]]:
     """Alternatives, as long as they are stated, that lie wholly within a longer one of the same signal; and that one.
 
@@ -116,6 +122,15 @@ def entry_speed(layout: Layout, signal: SignalId, ways: Iterable[Traversal]) -> 
     """The highest speed (km/h) shown to a train for which an alternative of a signal's overlap is held; None: any."""
     own = own_way(layout, signal, ways)
     return dict(layout.overlaps.entry_speeds).get(signal) if own is None else own.entry
+
+
+def may_be_short(layout: Layout, signal: SignalId, ways: Sequence[Traversal]) -> bool:
+    """Whether an alternative may be told apart by its speed, whatever the lengths are: else none leads on where it
+    ends."""
+    if ways[-1].exit in layout.track.boundary_at or ways[-1].exit in layout.track.buffer_at:
+        return False
+    stated_apart = any(w.signal == signal for w in layout.overlaps.ways)
+    return stated_apart and entry_speed(layout, signal, ways) is not None
 
 
 def route_speed(layout: Layout, ways: Collection[Traversal], signal: str, overlap: Sequence[Traversal]) -> int | None:

@@ -47,8 +47,18 @@ MORE = {
     "tests/layouts_for_tests/clear_beyond.yaml": ("added-not-clear",),
     "tests/layouts_for_tests/called_on.yaml": ("added-to-called-on-forgotten",),
     "tests/layouts_for_tests/air_lock_doors.yaml": ("door-beside-open", "doors-at-once"),
-    "tests/layouts_for_tests/overlap_past_signals.yaml": ("overlap-beside", "overlap-let-go", "overlap-free-of-one"),
-    "tests/layouts_for_tests/overlap_past_both_ways.yaml": ("overlap-beside", "overlap-let-go", "overlap-free-of-one"),
+    "tests/layouts_for_tests/overlap_past_signals.yaml": (
+        "overlap-beside",
+        "overlap-let-go",
+        "overlap-under-train",
+        "overlap-free-of-one",
+    ),
+    "tests/layouts_for_tests/overlap_past_both_ways.yaml": (
+        "overlap-beside",
+        "overlap-let-go",
+        "overlap-under-train",
+        "overlap-free-of-one",
+    ),
     "tests/layouts_for_tests/held_apart.yaml": tuple(k.name for k in KINDS if k.name.startswith(("held-", "hold-"))),
     "tests/layouts_for_tests/added.yaml": ("declared-not-excluded", "added-point-not-detected", "added-let-go"),
 }

@@ -56,7 +56,8 @@ class Place:
     """Where a train stands between two routes: leg, what it passed of `via`, the route it came on, ways under it.
 
     under_way: routes by which it came that hold what the author has added to them (hostile routes, points).
-    inside: earlier routes by which it came, in whose overlaps it stands now: none is given up while it is occupied.
+    inside: earlier routes by which it came, in whose overlaps it stands now: none is given up before all of it
+        stands in the last section.
     """
 
     leg: int

@@ -13,8 +13,9 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from itertools import pairwise
 
 from interlock.dispatch.plan.errands import OUTSIDE, Place
-from interlock.model.elements import MachineId, Position, RouteId
+from interlock.model.elements import MachineId, Position, RouteId, SectionId
 from interlock.model.layout import Layout
+from interlock.model.overlap import may_be_short
 from interlock.model.shared_overlap import may_meet, shared_from
 from interlock.model.traversal import topology
 from interlock.table.cells import Role, RouteKind, TraversalKey
@@ -89,12 +90,20 @@ class Held:
         self, place: Place, chain: Sequence[RouteRow], turned: bool, under: Iterable[TraversalKey]
     ) -> frozenset[RouteId]:
         """The routes of a train's way from a place on, in whose overlaps it stands afterwards: unless the overlap was
-        given up before, since the next route does not go with it."""
+        given up before, since the next route does not go with it, or is, since all of it stands in the last section."""
         before = [] if place.route is None or turned else [self._table.route[place.route]]
         rows = [*before, *chain]
         kept = {a.id for a, b in pairwise(rows) if a.locking.overlap is not None and self.goes_with(a, b)}
         at = {s for s, _ in under}
-        return frozenset(x for x in kept | place.inside if any(s in at for s, _ in self._overlap(self._table.route[x])))
+        return frozenset(x for x in kept | place.inside if self._stands_in(self._table.route[x], at))
+
+    def _stands_in(self, r: RouteRow, at: Collection[SectionId]) -> bool:
+        """A train keeps the overlap of a route by standing in some sections."""
+        overlap = r.locking.overlap
+        if overlap is None or not any(s in at for s, _ in overlap.ways):
+            return False
+        lies = [self._topo.traversals[s][n - 1] for s, n in overlap.ways]
+        return at != {lies[-1].section} or may_be_short(self._layout, overlap.signal, lies)
 
     @staticmethod
     def _overlap(r: RouteRow) -> Sequence[TraversalKey]:

@@ -12,6 +12,7 @@ from interlock.logic.expr import Expr, conj, disj, neg, var
 from interlock.logic.lower import requests, sections, ways
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import SignalId
+from interlock.model.overlap import may_be_short
 from interlock.model.times import overlap_release_s
 
 
@@ -92,13 +93,25 @@ def _swings(d: Draft, g: SignalId, but: int | None = None) -> list[Expr]:
     return [var(ways.swing_wire(d, g, k)) for k in d.overlaps.swinging.get(g, ()) if k != but]
 
 
+def _empty(d: Draft, o: tuple[SignalId, int]) -> list[Expr]:
+    """Every section of an overlap is clear; or all but the last are, and that one stays locked, the same way, for the
+    train that has come into it: what is used is locked, and nothing else is set over what is held.  Where another
+    alternative leads on from there, what has overrun the signal may."""
+    *before, last = d.overlaps.ways[o]
+    clear = d.sections.clear(last[0])
+    lies = [d.topo.traversals[s][n - 1] for s, n in d.overlaps.ways[o]]
+    if any(r.train for r in d.routes.over.get(last, ())) and not may_be_short(d.layout, o[0], lies):
+        clear = disj((clear, var(names.USED(last[0]))))
+    return [*(d.sections.clear(s) for s, _ in before), clear]
+
+
 def keep(d: Draft) -> None:
     """Next values of the overlaps."""
-    for o, over in d.overlaps.ways.items():
+    note = "until it is not needed, and clear without a break, or its train stands locked in its last section"
+    for o in d.overlaps.ways:
         g, k = o
-        clear = conj(d.sections.clear(s) for s, _ in over)
         away = _swings(d, g, but=k)
-        stays = conj((neg(conj((var(names.OVERLAP_OVER(g)), clear))), *map(neg, away)))
+        stays = conj((neg(conj((var(names.OVERLAP_OVER(g)), *_empty(d, o)))), *map(neg, away)))
         to = [var(ways.swing_wire(d, g, k))] if k in d.overlaps.swinging.get(g, ()) else []
         d.kept(
             names.OVERLAP(g, k),
@@ -107,7 +120,7 @@ def keep(d: Draft) -> None:
             Join.ANY,
             (
                 Term(disj((var(names.OVERLAP_GRANTED(g, k)), *to)), "granted"),
-                Term(conj((d.overlaps.held(o), stays)), "held", "until it is not needed and clear without a break"),
+                Term(conj((d.overlaps.held(o), stays)), "held", note),
             ),
             f"overlap {g}",
         )

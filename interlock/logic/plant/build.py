@@ -35,6 +35,7 @@ from interlock.logic.plant.words import (
 from interlock.model.elements import Boundary, BoundaryKind, MachineId, NodeId, Position, SectionId, Signal, SignalId
 from interlock.model.layout import Layout
 from interlock.model.measured import Measured
+from interlock.model.overlap import ends_at
 from interlock.model.traversal import topology
 
 
@@ -346,7 +347,8 @@ class PlantBuilder:
             for h in self._overlapped[s]:
                 came_over = self.entries.overruns_in(h, s)
                 p.state[names.OVERRAN(h, s)] = f"what stands in {s} has overrun {h}"
-                p.next[names.OVERRAN(h, s)] = disj((conj((overran(h, s), neg(out))), came_over))
+                stays = conj((overran(h, s), neg(out), neg(self._joined(h, s))))
+                p.next[names.OVERRAN(h, s)] = disj((stays, came_over))
                 p.next[names.RESTS(s)] = disj((p.next[names.RESTS(s)], came_over))
                 p.initial.append(neg(overran(h, s)))
         p.gone[s] = out
@@ -362,6 +364,13 @@ class PlantBuilder:
                 )
             )
         self._ends(s, out, enter)
+
+    def _joined(self, h: SignalId, s: SectionId) -> Expr:
+        """Vehicles are shunted to what has overrun h, in a berth at the end of its overlap: signals call them all."""
+        if not self.standing.berth(s):
+            return FALSE
+        on = [self.standing.heading(s, j) for j in self.topo.ends[s] if not ends_at(self._overlaps[h], s, j)]
+        return conj((disj(self.entries.shunts_in(s, j) for j in self.topo.ends[s]), *map(neg, on)))
 
     def _ends(self, s: SectionId, out: Expr, enter: Mapping[NodeId, Expr]) -> None:
         """At which end a train has come into a section, and across which it stands; `out`: it leaves the section."""

@@ -9,6 +9,7 @@ from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, implies, neg, var
 from interlock.logic.plant import accepted, across, came, image, lamp, o, overran, rests, running, shunting
 from interlock.model.elements import MachineId, NodeId, Position, SectionId, SignalId
+from interlock.model.overlap import ends_at
 from interlock.model.shared_overlap import may_meet
 from interlock.proof.claims.kinds import Facts, Invariant
 
@@ -40,8 +41,7 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
         if len(f.locking.overlaps(s)) > 1:
             apart = _apart(f, s)
             out.append(Invariant("O-ONE", s, at_most_one(f.locking.overlaps(s)) if apart is None else apart))
-            if apart is not None:
-                out.append(Invariant("O-OVER-ONE", s, at_most_one(overran(g, s) for g in f.seen.overrun(s))))
+            out.append(Invariant("O-OVER-ONE", s, at_most_one(overran(g, s) for g in f.seen.overrun(s))))
         for g in f.seen.overrun(s):
             out.append(Invariant(f"O-BEEN:{g}", s, implies(conj((overran(g, s), f.locking.firm(s))), f.seen.been(s))))
             calls = [
@@ -57,7 +57,7 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
                 for sec, n in f.sym.overlaps.ways[opt]
                 if sec == s and opt[0] == g
             ]
-            there = conj((o(s), rests(s), disj(firmly)))
+            there = conj((o(s), rests(s), disj((*firmly, *_given_up(f, g, s)))))
             out.append(Invariant(f"O-OVER:{g}", s, implies(overran(g, s), there)))
     for g in f.layout.overlaps.length:
         out += _signal(f, g)
@@ -80,6 +80,14 @@ def _apart(f: Facts, s: SectionId) -> Expr | None:
         return None
     apart = (x for x in combinations(over, 2) if not may_meet(f.layout, of[x[0]], of[x[1]]))
     return conj(neg(conj((var(over[a]), var(over[b])))) for a, b in apart)
+
+
+def _given_up(f: Facts, g: SignalId, s: SectionId) -> Iterator[Expr]:
+    """What has overrun a signal stands in the last section of an overlap, which is given up: a route keeps it there."""
+    last = dict.fromkeys(ways[-1] for (h, _), ways in f.sym.overlaps.ways.items() if h == g)
+    for a, n in last:
+        if a == s and (a, n) in f.sym.routes.over and ends_at(f.track.overlap_paths(g), a, f.track.way(a, n)[1]):
+            yield conj((f.locking.lock(a, n), f.locking.firm(a), f.seen.been(a), f.seen.used(a), *_only_in(f, a, n)))
 
 
 def _inside(f: Facts, g: SignalId, s: SectionId) -> Iterator[tuple[str, Expr]]:

@@ -8,6 +8,7 @@ from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, implies, neg, var
 from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import NodeId, Position, SectionId
+from interlock.model.overlap import ends_at
 from interlock.model.places import Approach
 from interlock.proof.claims.kinds import Facts
 
@@ -59,9 +60,19 @@ def _ends(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         yield "L-CLEAR", f"{s} timed", implies(var(f.timers[timer].input), conj((var(f.sym.valid), f.seen.clear(s))))
     for (g, k), held in f.sym.overlaps.held.items():
         swings = [after(var(f.sym.overlaps.swings[g]))] if g in f.sym.overlaps.swings else []
-        over = [var(f.sym.sections.release_timer[s]) for s, _ in f.sym.overlaps.ways[g, k]]
+        ways, paths = f.sym.overlaps.ways[g, k], f.track.overlap_paths(g)
+        over = [var(f.sym.sections.release_timer[s]) for s, _ in ways]
+        if ends_at(paths, ways[-1][0], f.track.way(*ways[-1])[1]):
+            over[-1] = disj((over[-1], _stays_locked(f, ways[-1])))
         given_up = conj((var(held), neg(after(var(held)))))
         yield "L-CLEAR", f"overlap {k} of {g}", implies(given_up, disj((conj(over), *swings)))
+
+
+def _stays_locked(f: Facts, way: tuple[SectionId, int]) -> Expr:
+    """A section is not released: it stays firmly locked the same way for a train that has come into it."""
+    s, n = way
+    lock = f.locking.lock(s, n)
+    return conj((lock, f.seen.used(s), f.after(lock), f.after(f.locking.firm(s)), f.after(f.seen.used(s))))
 
 
 def _kept(f: Facts, s: SectionId, ended: Expr) -> Iterator[tuple[str, str, Expr]]:

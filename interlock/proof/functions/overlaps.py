@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, iff, implies, neg, var
 from interlock.model.elements import SectionId, SignalId
+from interlock.proof.functions.shared import Option
 from interlock.proof.functions.words import Words
 
 
@@ -17,8 +18,7 @@ def overlaps(w: Words) -> Iterator[tuple[str, str, Expr]]:
         before = w.topo.beyond(w.signals.first(g), node)
         assert before is not None
         needless = disj((neg(f.locking.locked_out(before, node)), var(sym.overlaps.timer[g])))
-        clear = conj(w.sections.long(s) for s, _ in sym.overlaps.ways[o])
-        over = conj((needless, clear))
+        over = conj((needless, *_left(w, o)))
         users = [w.signals.set_now(r) for r in sym.routes if r.path.overlap == o]
         held = var(name)
         if g not in sym.overlaps.swings:
@@ -28,6 +28,27 @@ def overlaps(w: Words) -> Iterator[tuple[str, str, Expr]]:
     yield from _swings(w)
     yield from _zones(w)
     yield from _tokens(w)
+
+
+def _left(w: Words, o: Option) -> Iterator[Expr]:
+    """Of each section of an overlap, that it keeps nothing: it is clear, or the last one, and firmly locked on along it
+    for a train that has come in; unless it may be a short one, for slow trains, inside a longer one."""
+    ways, route = w.sym.overlaps.ways[o], w.sym.routes.over
+    for s, n in ways:
+        end = (s, n) == ways[-1] and not _may_be_short(w, o) and any(not r.shunt for r in route.get((s, n), ()))
+        kept = conj((w.f.locking.lock(s, n), w.f.locking.firm(s), w.f.seen.used(s))) if end else FALSE
+        yield disj((w.sections.long(s), kept))
+
+
+def _may_be_short(w: Words, o: Option) -> bool:
+    """The track goes on where it ends, its signal has entries for some alternatives, and the one that holds of this one
+    states a speed."""
+    end = w.f.track.way(*w.sym.overlaps.ways[o][-1])[1]
+    if end in w.layout.track.boundary_at or end in w.layout.track.buffer_at:
+        return False
+    over, entries = {s for s, _ in w.sym.overlaps.ways[o]}, [x for x in w.layout.overlaps.ways if x.signal == o[0]]
+    of_all = dict(w.layout.overlaps.entry_speeds).get(o[0])
+    return bool(entries) and next((x.entry for x in entries if over >= {*x.over}), of_all) is not None
 
 
 def _swings(w: Words) -> Iterator[tuple[str, str, Expr]]:

@@ -1,4 +1,5 @@
-"""Weakenings of track that is held as overlap: shared with what must not lie there, or let go with the first holder."""
+"""Weakenings of track that is held as overlap: shared with what must not lie there, let go with the first holder, or
+under a train."""
 
 from __future__ import annotations
 
@@ -7,7 +8,7 @@ from itertools import combinations, permutations
 
 from interlock.logic import names
 from interlock.logic.controller import Controller
-from interlock.logic.expr import FALSE, Substitution, conj, disj, neg, var
+from interlock.logic.expr import FALSE, TRUE, Substitution, conj, disj, neg, var, variables
 from interlock.logic.lower import lower
 from interlock.model.elements import SectionId, SignalId
 from interlock.model.layout import Layout
@@ -52,6 +53,21 @@ def let_go_with_another(layout: Layout, table: InterlockingTable) -> Iterator[Mu
             put = Substitution({names.OVERLAP_OVER(a[0]): disj((var(names.OVERLAP_OVER(a[0])), over))})
             terms = disj(put(t.expr) for t in e.terms)
             yield f"{a[0]} {a[1]} with {b[0]} {b[1]}", with_values(c, True, {held: terms})
+
+
+def given_up_under_train(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """An overlap in whose last section a train stands is given up though no route onward keeps it there, or it is not
+    wholly in it."""
+    c = lower(layout, table)
+    for o, held in c.symbols.overlaps.held.items():
+        *before, last = c.symbols.overlaps.ways[o]
+        e = next(e for e in c.next if e.name == held)
+        used = names.USED(last[0])
+        if used not in variables(t.expr for t in e.terms):
+            continue
+        for what in (used, *(names.LONG_CLEAR(s) for s, _ in before)):
+            put = Substitution({what: TRUE})
+            yield f"{o[0]} {o[1]}: {what}", with_values(c, True, {held: disj(put(t.expr) for t in e.terms)})
 
 
 def free_of_one(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:

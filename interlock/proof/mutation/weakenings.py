@@ -494,6 +494,7 @@ KINDS: tuple[Kind, ...] = (
     Kind("swing-at-once", "a swung overlap counts before it lies", swung_at_once),
     Kind("overlap-beside", "an overlap is held beside one that lies otherwise", sharing.beside_another),
     Kind("overlap-let-go", "an overlap is given up with another over the same track", sharing.let_go_with_another),
+    Kind("overlap-under-train", "an overlap is given up under a train", sharing.given_up_under_train),
     Kind("overlap-free-of-one", "track that two overlaps hold is free when one is given up", sharing.free_of_one),
     Kind("overlap-taken", "a route is set over a section that is held as overlap", without("FREE", "no overlap")),
     Kind("proceed-on-lost-input", "proceed stays when inputs are lost", without("CO", "inputs valid")),
