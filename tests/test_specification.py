@@ -365,8 +365,15 @@ WEAKENED = {
     ),
     "an overlap goes at once": (
         "junction",
-        "over(release_timer(s))) or swung'(o)",
-        "over(release_timer(s))) or swung'(o) or valid",
+        "locked_overlap(o) and not locked_overlap'(o) -> swung'(o)",
+        "locked_overlap(o) and not locked_overlap'(o) -> swung'(o) or valid",
+    ),
+    "an overlap goes under a train": ("junction", "at_end(o, w) and stays_locked(w)", "at_end(o, w)"),
+    "an overlap goes under a train on its way": ("junction", "at_end(o, w) and stays_locked(w)", "stays_locked(w)"),
+    "an overlap goes under a train that nothing keeps": (
+        "junction",
+        "used(section(w)) and locked'(w) and firm'(",
+        "used(section(w)) and firm'(",
     ),
     "a train that stood does not part": (
         "mine11",
