@@ -353,3 +353,105 @@ def test_a_crossover_of_a_scissors_that_is_an_inclined_lane_is_kept_off_at_both_
         assert audit(made[0], made[1]) == ()
         assert prove(System(made[0], lower(made[0], made[1])), Limits(search_depth=0)).proved
         assert agree(*written(text), shipped()).left == ()
+
+
+BEYOND_AN_END = """interlock: 1
+name: beyond
+profile: mine
+boundaries:
+  W: {approach: wa 200, trains: in}
+  E: {trains: out}
+tracks:
+  line: [W, q1 100, q2 50, q3 60, i1 200, E]
+sections: {i1: {lane: inclined}}
+signals:
+  X1: {from: W, into: q1}
+  X2: {from: q1, into: q2}
+"""
+BOTH_WAYS = BEYOND_AN_END.replace(", trains: in", "").replace("{trains: out}", "{approach: ea 200}")
+BOTH_WAYS += "  S: {from: E, into: i1}\n"
+TURNED = """interlock: 1
+name: turned
+profile: mine
+boundaries:
+  W: {approach: wa 200, trains: in}
+  E: {trains: out}
+buffers: [N]
+tracks:
+  in: [W, q1 100]
+  up: [q3 60, i1 200, E]
+  side: [q4 100, N]
+points:
+  P: {section: q2, toe: up.start, normal: in.end, reverse: side.start}
+sections: {i1: {lane: inclined}}
+signals:
+  X1: {from: W, into: q1}
+  X2: {from: q1, into: q2}
+"""
+
+
+def head_on(text: str) -> list[str]:
+    """What is told of wagons that run into a train at the end of its route."""
+    found = grown(text)
+    assert found is not None and not found[2].has_errors, found and found[2].diagnostics
+    return [d.message for d in found[2].diagnostics if d.code == "IL7019"]
+
+
+def demanded(text: str, point: str, lies: str, to: str) -> str:
+    return f"{text}demand:\n  - {{point: {point}, lies: {lies}, routes: {{to: {to}}}, reason: runaways}}\n"
+
+
+DERAILER = BEYOND_AN_END.replace("q3 60, i1 200, E]", "q3 60]\n  on: [i1 200, E]").replace(
+    "sections:", "derailers:\n  D: {section: q5, inner: line.end, outer: on.start}\nsections:"
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        (BEYOND_AN_END, "over q2, q3 to X2"),
+        (BEYOND_AN_END.replace("q2 50, q3 60, ", "").replace("into: q2", "into: i1"), "at once to X2"),
+        (BEYOND_AN_END.replace("lane: inclined", "lane: level"), None),
+        (f"{BEYOND_AN_END}  O: {{from: q3, into: q2, kind: board}}\n", None),
+        (f"{BOTH_WAYS}  O: {{from: i1, into: q3}}\n", None),
+        (f"{BOTH_WAYS}  O: {{from: q2, into: q1}}\n", None),
+        (BEYOND_AN_END.replace("i1: {lane", "q3: {one_way: forward}, i1: {lane"), "over q2, q3 to X2"),
+        (TURNED, "over q2, q3 to X2"),
+        (demanded(TURNED, "P", "reverse", "X2"), None),
+        (demanded(TURNED, "P", "normal", "X2"), "over q2, q3 to X2"),
+        (DERAILER, "over q2, q3, q5 to X2"),
+        (demanded(DERAILER, "D", "normal", "X2"), None),
+        (f"{BEYOND_AN_END}overlaps: {{X2: {{length: 50}}}}\n", "over q3 to X2"),
+        (f"{BEYOND_AN_END}overlaps: {{X2: {{length: 300}}}}\n", None),
+    ],
+    ids=[
+        "from a lane",
+        "at once",
+        "level",
+        "a board",
+        "a signal on the lane",
+        "a signal at the end",
+        "one way",
+        "a point",
+        "turned away",
+        "turned to it",
+        "a derailer",
+        "laid on",
+        "an overlap before it",
+        "an overlap over it",
+    ],
+)
+def test_wagons_that_run_head_on_into_a_train_at_the_end_of_its_route(text: str, told: str | None) -> None:
+    """Protection is asked for beside a way; beyond its end a signal, or what the route turns away, keeps them off."""
+    found = head_on(text)
+    assert bool(found) is (told is not None), found
+    assert told is None or any(told in m for m in found)
+
+
+def test_no_wagons_run_from_a_lane_that_leads_to_a_trap_alone() -> None:
+    turned = "toe: up.start, normal: in.end, reverse: side.start"
+    text = TURNED.replace(turned, "toe: in.end, normal: side.start, reverse: up.start").replace(
+        "i1 200, E]", "i1 200, T]"
+    )
+    text = text.replace("q4 100, N]", "q4 100, E]").replace("buffers: [N]", "traps: [T]")
+    assert head_on(text) == []
