@@ -242,7 +242,9 @@ def trips(layout: Layout, g: Signal, shunt: bool) -> list[Trip]:
                 found.append(Trip(g.id, exit_, shunt, section if stands else None, moves, sections, positions_))
             continue
         for m, needs in options:
-            if any(m.edge == x.edge for x in moves):
+            beyond = layout.track.section_of(m.edge)
+            again = beyond != section and any(layout.track.section_of(x.edge) == beyond for x in moves)
+            if again or any(m.edge == x.edge for x in moves):
                 continue
             todo.append(((*moves, m), (*positions, needs) if needs else positions))
     return found

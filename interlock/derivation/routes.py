@@ -34,6 +34,7 @@ from interlock.model.elements import (
 )
 from interlock.model.layout import Layout
 from interlock.model.overlap import overlap_paths, told_apart
+from interlock.model.too_many import TooManyWays, from_signal, in_all, past_signals
 from interlock.model.traversal import Topology, Traversal, topology
 from interlock.table.cells import ExitKind, RouteKind
 
@@ -135,8 +136,24 @@ def obstacle(layout: Layout, ways: Ways, clear: Ways) -> str | None:
 
 
 def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
-    """Every route, ordered by signal, train before shunt, then exit, then rank of the alternative."""
+    """Every route, ordered by signal, train before shunt, then exit, then rank of the alternative; none where there are
+    too many (IL3049)."""
+    try:
+        return _listed(layout, sink)
+    except TooManyWays as beyond:
+        _tell_too_many(beyond, sink)
+        return ()
+
+
+def _tell_too_many(beyond: TooManyWays, sink: Sink) -> None:
+    about = Element(beyond.room, beyond.name)
+    sink.add("IL3049", beyond.text, None, beyond.fix, about=about, cause=beyond.room, note=beyond.text)
+
+
+def _listed(layout: Layout, sink: Sink) -> tuple[Path, ...]:
+    """Every route in order.  Raises TooManyWays."""
     topo = topology(layout)
+    every = in_all()
     found: list[_Found] = []
     ahead: list[_Found] = []  # to signals that can be passed, whether or not a route may end there
     led: list[_Found] = []  # those that are excluded too
@@ -151,7 +168,7 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
                 continue
             if not layout.signalling.opens(g.id, kind is RouteKind.SHUNT):
                 continue
-            for exit_kind, name, ways in _search(layout, topo, g, kind):
+            for exit_kind, name, ways in every.each(_bounded(layout, topo, g, kind, sink)):
                 berth = kind is RouteKind.SHUNT and len(ways) > 1 and ways[-1].section in topo.berths
                 why = name if exit_kind is None else obstacle(layout, ways, ways[:-1] if berth else ways)
                 if exit_kind is None or why is not None:
@@ -170,6 +187,8 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
         _tell_dropped(layout, g.id, dropped, reached, sink)
         if not reached and g.id not in layout.signalling.boards:
             _tell_none(g.id, dropped, sink)
+    if sink.has("IL3049"):
+        return ()
     past = _past(layout, found, ahead, fits, sink)
     found = [f for f in found if f.kind is not RouteKind.IDENTIFIER] + past
     _tell_idle(layout, fits, led, sink)
@@ -279,8 +298,10 @@ def _past(
     }
     last = [b for those in parts.values() for b in those]
     long: list[_Found] = []
+    every = past_signals()
     while last:
-        last = [x for b in last for a in ahead if a.exit == b.signal.id for x in _led_past(layout, a, b, fits, sink)]
+        pairs = every.each((a, b) for b in last for a in ahead if a.exit == b.signal.id)
+        last = [x for a, b in pairs for x in _led_past(layout, a, b, fits, sink)]
         long += [x for x in last if x.kind is RouteKind.MAIN]
         last = [x for x in last if x.kind is RouteKind.IDENTIFIER]
     used = {b: None for f in long for b in f.beyond_it}
@@ -364,12 +385,13 @@ def _numbered(layout: Layout, found: Sequence[_Found], sink: Sink) -> tuple[Path
                 path = Path(id_, 0, kind, g, at, f.exit, to, variant, f.ways, berth, overlap, option)
                 paths.append((f, path))
     single: dict[_Found, list[Path]] = {}
+    every = in_all()
     for f, p in paths:
         if f.kind is RouteKind.IDENTIFIER:
             single.setdefault(f, []).append(p)
-    every = _told_apart([x for f, p in paths for x in _led_on(p, f.beyond, single)], sink)
-    number = {p.id: n for n, p in enumerate(every, start=1)}
-    return tuple(_with_number(p, number) for p in every)
+    named = _told_apart([x for f, p in paths for x in every.each(_led_on(p, f.beyond, single))], sink)
+    number = {p.id: n for n, p in enumerate(named, start=1)}
+    return tuple(_with_number(p, number) for p in named)
 
 
 def _told_apart(paths: Sequence[Path], sink: Sink) -> list[Path]:
@@ -492,6 +514,16 @@ class _Effect:
         length = sum(t.length for t in f.ways)
         key = tuple(t.key for t in f.run)
         return (receiving, departing, trains, len(others) - trains, length, len(points), key)
+
+
+def _bounded(
+    layout: Layout, topo: Topology, g: Signal, kind: RouteKind, sink: Sink
+) -> Iterator[tuple[ExitKind | None, str, Ways]]:
+    """What is found from a signal, as long as it is not too much, which is told: IL3049."""
+    try:
+        yield from from_signal(g.id, kind is RouteKind.SHUNT).each(_search(layout, topo, g, kind))
+    except TooManyWays as beyond:
+        _tell_too_many(beyond, sink)
 
 
 def _search(layout: Layout, topo: Topology, g: Signal, kind: RouteKind) -> Iterator[tuple[ExitKind | None, str, Ways]]:

@@ -6,12 +6,12 @@ nothing of it.
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from itertools import groupby
+from heapq import heapify, heappop, heappush
+from itertools import groupby, islice
 
 from interlock.diag import Element, Sink
-from interlock.model.elements import Lane, SectionId, SignalId, Voyage
+from interlock.model.elements import Lane, RouteId, SectionId, SignalId, Voyage
 from interlock.model.layout import Layout
 from interlock.table.cells import Because, ExitKind, RouteKind, TraversalKey
 from interlock.table.rows import Meeting, RouteRow, TraversalRow, VoyageRow
@@ -32,7 +32,7 @@ def derive_voyages(layout: Layout, routes: tuple[RouteRow, ...], locks: Locks, s
         chain = _chain(v, routes)
         if chain is None:
             kind = "shunt" if v.shunt else "train"
-            reached = sorted({r.exit for c in _chains(v, routes) for r in c})
+            reached = sorted({c[-1].exit for c in _chains(v, routes, one_of_each=True)})
             hint = f"from {v.entry} the {kind} routes lead to {', '.join(reached) or 'nowhere'}"
             text = f"no chain of {kind} routes makes voyage {v.name} to {v.exit}"
             sink.add("IL2013", text, None, hint, about=Element("voyages", v.name))
@@ -52,38 +52,56 @@ def derive_voyages(layout: Layout, routes: tuple[RouteRow, ...], locks: Locks, s
     return tuple(rows)
 
 
-def _chains(v: Voyage, routes: Sequence[RouteRow]) -> Iterator[tuple[RouteRow, ...]]:
-    """Every chain of routes from the voyage's entry without a section twice, short ones first."""
+_MOST_CHAINS = 20_000  # looked at, before only one of those that end with one route is followed
+
+
+_Rank = tuple[int, float, tuple[int, ...]]
+
+
+def _rank(c: tuple[RouteRow, ...]) -> _Rank:
+    return sum(r.path.variant > 1 for r in c), sum(r.path.length for r in c), tuple(r.number for r in c)
+
+
+def _chains(v: Voyage, routes: Sequence[RouteRow], one_of_each: bool = False) -> Iterator[tuple[RouteRow, ...]]:
+    """Every chain of routes from the voyage's entry without a section twice: those with the fewest alternatives first,
+    of these the short ones, then by number.  one_of_each: of those that end with one route, over the same of the
+    sections that are wanted, only the first; they are few where all of them are more than can be listed."""
     kind = RouteKind.SHUNT if v.shunt else RouteKind.MAIN
     from_: dict[SignalId, list[RouteRow]] = {}
     for r in routes:
         if r.kind is kind and r.path.onward is None:  # past a signal a chain runs over routes that begin there
             from_.setdefault(r.entry, []).append(r)
-    todo: deque[tuple[RouteRow, ...]] = deque((r,) for r in from_.get(v.entry, ()))
-    budget = 20_000
-    while todo and budget:
-        budget -= 1
-        chain = todo.popleft()
+    todo: list[tuple[_Rank, tuple[RouteRow, ...]]] = [(_rank((r,)), (r,)) for r in from_.get(v.entry, ())]
+    heapify(todo)
+    seen: set[tuple[RouteId, frozenset[SectionId]]] = set()
+    while todo:
+        chain = heappop(todo)[1]
+        been = {s for r in chain for s in r.path.section_ids}
+        at = chain[-1].id, frozenset(been & set(v.via))
+        if one_of_each and at in seen:
+            continue
+        if one_of_each:
+            seen.add(at)
         yield chain
         if chain[-1].path.exit_kind is ExitKind.SIGNAL:
-            been = {s for r in chain for s in r.path.section_ids}
-            onward = from_.get(SignalId(chain[-1].exit), ())
-            todo.extend((*chain, r) for r in onward if been.isdisjoint(r.path.section_ids))
+            for r in from_.get(SignalId(chain[-1].exit), ()):
+                if been.isdisjoint(r.path.section_ids):
+                    longer: tuple[RouteRow, ...] = (*chain, r)
+                    heappush(todo, (_rank(longer), longer))
 
 
 def _chain(v: Voyage, routes: Sequence[RouteRow]) -> tuple[RouteRow, ...] | None:
     """The chain with the fewest alternatives, then the shortest, then the first by number."""
-    fits = [
-        c
-        for c in _chains(v, routes)
-        if v.exit in (c[-1].exit, c[-1].path.section_ids[-1])
-        and set(v.via) <= {s for r in c for s in r.path.section_ids}
-    ]
+    every = _chains(v, routes)
+    found = next((c for c in islice(every, _MOST_CHAINS) if _fits(v, c)), None)
+    if found is not None or next(every, None) is None:
+        return found
+    return next((c for c in _chains(v, routes, one_of_each=True) if _fits(v, c)), None)
 
-    def rank(c: tuple[RouteRow, ...]) -> tuple[int, float, tuple[int, ...]]:
-        return sum(r.path.variant > 1 for r in c), sum(r.path.length for r in c), tuple(r.number for r in c)
 
-    return min(fits, key=rank, default=None)
+def _fits(v: Voyage, c: tuple[RouteRow, ...]) -> bool:
+    ends = v.exit in (c[-1].exit, c[-1].path.section_ids[-1])
+    return ends and set(v.via) <= {s for r in c for s in r.path.section_ids}
 
 
 def _meetings(mine: Sequence[TraversalRow], other: str, theirs: Sequence[TraversalRow]) -> Iterator[Meeting]:

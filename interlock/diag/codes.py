@@ -105,6 +105,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3046": (_W, "a telegram with more bytes than its tag tells apart"),
     "IL3047": (_W, "point telegrams where machines start one after the other"),
     "IL3048": (_E, "an air lock of one door, or of what is no door"),
+    "IL3049": (_E, "more ways than can be listed"),
     "IL3043": (_W, "an overlap that takes off a derailer beyond its length"),
     "IL3041": (_W, "a boundary that is foul of a point or diamond"),
     "IL3021": (_I, "an inclined lane without a condition"),

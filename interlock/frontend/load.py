@@ -11,7 +11,7 @@ import os
 from dataclasses import replace
 
 from interlock.dataclass import dataclass
-from interlock.diag import Sink, Span
+from interlock.diag import Element, Sink, Span
 from interlock.frontend.added import named_kinds, resolve_barred, resolve_demanded, unlisted
 from interlock.frontend.cabinets import (
     resolve_addresses,
@@ -77,6 +77,7 @@ from interlock.model.elements import (
 from interlock.model.layout import Declared, Hardware, Layout, Printed
 from interlock.model.principles import KNOBS, PROFILES, Principles
 from interlock.model.signalling import Overlaps, Signalling
+from interlock.model.too_many import TooManyWays
 from interlock.model.track import Pointwork, Track
 
 MAX_BYTES = 4_000_000
@@ -330,9 +331,13 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
     placed = _Placed.of(ctx, principles, wiring, signals)
     if sink.has_errors:
         return None, source
-    layout = with_releases(ctx, _layout(ctx, principles, wiring, named, placed))
-    for check in CHECKS:
-        check(ctx, layout)
+    layout = _layout(ctx, principles, wiring, named, placed)
+    try:
+        layout = with_releases(ctx, layout)
+        for check in CHECKS:
+            check(ctx, layout)
+    except TooManyWays as beyond:
+        sink.add("IL3049", beyond.text, None, beyond.fix, about=Element(beyond.room, beyond.name))
     return (None if sink.has_errors else layout), source
 
 

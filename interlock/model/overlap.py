@@ -16,6 +16,7 @@ from math import ceil, isinf
 from interlock.model.elements import NodeId, OverlapWay, PointId, Position, SectionId, SignalId
 from interlock.model.layout import Layout, of_layout
 from interlock.model.times import stated
+from interlock.model.too_many import overlaps
 from interlock.model.traversal import Traversal, path_speed, topology
 
 
@@ -92,7 +93,8 @@ def told_apart(layout: Layout, signal: SignalId) -> dict[Ways, int]:
     """
     plain = _found(layout, signal) if layout.overlaps.length.get(signal, 0.0) > 0 else []
     found = {}
-    for a, longer in ((a, [b for x, b in inside_others(layout, signal) if x == a]) for a in plain):
+    inside = inside_others(layout, signal)
+    for a, longer in ((a, [b for x, b in inside if x == a]) for a in plain):
         kmh, others = entry_speed(layout, signal, a), [entry_speed(layout, signal, b) for b in longer]
         slowest = kmh is not None and longer and all(v is None or v > kmh for v in others)
         if kmh is not None and slowest and all(_apart_or_along(a, b) for b in plain) and not two_ways(layout, a):
@@ -177,6 +179,7 @@ def _search(layout: Layout, signal: SignalId, length: float, steps: Steps, apart
     topo = topology(layout)
     barred: set[str] = {x for h, x in layout.overlaps.bars if h == signal}
     found: list[tuple[Traversal, ...]] = []
+    counted = overlaps(signal)
     todo: list[tuple[tuple[Traversal, ...], float]] = [
         ((t,), t.length) for t in topo.through(layout.track.section_of(g.into), g.node)
     ]
@@ -184,14 +187,18 @@ def _search(layout: Layout, signal: SignalId, length: float, steps: Steps, apart
         ways, gone = todo.pop()
         last = ways[-1]
         if not barred.isdisjoint((last.section, *last.edges)):
+            counted.one()
             continue
         onward = topo.beyond(last.section, last.exit)
         enough = gone >= length or (isinf(length) and (last.exit, onward) in topo.main_into)
         if onward is None or (enough and ((last.section, last.exit, onward) not in steps or ways in apart)):
+            counted.one()
             found.append(ways)
             continue
-        if all(w.section != onward for w in ways):
-            todo.extend(((*ways, t), gone + t.length) for t in topo.through(onward, last.exit))
+        further = topo.through(onward, last.exit) if all(w.section != onward for w in ways) else ()
+        if not further:
+            counted.one()
+        todo.extend(((*ways, t), gone + t.length) for t in further)
     return found
 
 

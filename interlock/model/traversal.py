@@ -22,6 +22,7 @@ from interlock.model.elements import (
     Zone,
 )
 from interlock.model.layout import Layout, of_layout
+from interlock.model.too_many import through
 
 
 @dataclass(frozen=True)
@@ -134,6 +135,7 @@ class Topology:
         mine = set(self._edges_of[section])
         found: list[tuple[NodeId, NodeId, tuple[EdgeId, ...]]] = []
 
+        counted = {start: through(section) for start in self.ends[section]}
         todo = [
             (start, [e.id], start, frozenset({start}))
             for start in self.ends[section]
@@ -145,14 +147,19 @@ class Topology:
             edge = path[-1]
             e = layout.track.edge[edge]
             if e.one_way and e.a != node:
+                counted[start].one()
                 continue
             nxt = layout.track.far(edge, node)
             if nxt in layout.track.buffer_at and layout.track.buffer_at[nxt].kind is BufferKind.DERAIL:
+                counted[start].one()
                 continue  # off the rails: no way at all
+            onward = [x for x in onward_edges(layout, nxt, edge) if x in mine]
             if self._is_end(nxt):
+                counted[start].one()
                 found.append((start, nxt, tuple(path)))
-            elif nxt not in seen:
-                onward = (x for x in onward_edges(layout, nxt, edge) if x in mine)
+            elif nxt in seen or not onward:
+                counted[start].one()
+            else:
                 todo += [(nxt, [*path, x], start, seen | {nxt}) for x in onward]
         return [self._traversal(section, i, a, b, path) for i, (a, b, path) in enumerate(sorted(found), start=1)]
 

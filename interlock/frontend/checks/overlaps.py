@@ -24,6 +24,7 @@ from interlock.model.overlap import (
     two_ways,
     wanted_m,
 )
+from interlock.model.too_many import TooManyWays
 from interlock.model.traversal import Traversal, topology
 
 
@@ -226,7 +227,10 @@ def _to_have_both(layout: Layout, g: SignalId, short: tuple[Traversal, ...]) -> 
 def _bars(ctx: Context, layout: Layout, g: SignalId) -> None:
     for i, s in enumerate(ctx.file.overlaps[g].not_over):
         others = tuple(x for x in layout.overlaps.bars if x != (g, s))
-        free = overlap_paths(replace(layout, overlaps=replace(layout.overlaps, bars=others)), g)
+        try:
+            free = overlap_paths(replace(layout, overlaps=replace(layout.overlaps, bars=others)), g)
+        except TooManyWays:
+            continue  # with it there are no more than can be listed
         if not any(s in (t.section, *t.edges) for ways in free for t in ways):
             ctx.add(
                 "IL1014",
