@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -17,6 +18,7 @@ from interlock.cli.main import VERBS, cli
 from interlock.diag import Sink
 from interlock.diag.codes import CODES
 from interlock.frontend import load_text
+from interlock.frontend.published import language_keys
 from interlock.frontend.schema import LayoutFile
 from interlock.logic.plant import ASSUMPTIONS, OF_TIMERS
 from interlock.model.principles import KNOBS
@@ -174,10 +176,27 @@ def test_explain_knows_every_key_of_the_layout_with_an_example_that_can_be_read(
         "| `not_over` |" in run("explain", "overlaps").output
         and "## `overlaps.ways`" in run("explain", "overlaps").output
     )
-    assert "`legs` is a key of `points`, `crossings`" in run("explain", "legs").output
     assert "did you mean overlaps?" in run("explain", "overlap").output
     assert "document D" in run("explain", "rules").output
     assert "interlock explain language" in run("--help").output and "`interlock explain signals`" in STARTER
+
+
+def test_explain_knows_the_keys_inside_of_the_keys_of_the_layout() -> None:
+    """Each with its meaning wherever it stands, and with the rules and diagnostics that speak of it."""
+    done = run("explain", "air_lock")
+    assert done.exit_code == 0 and done.output.startswith("# air_lock, a key\n\n`air_lock` is a key of `interlocks`.\n")
+    assert "of its doors never more than one is open |\n" in done.output and "interlocks: {" in done.output
+    assert all(f"`interlock explain {code}`" in done.output for code in ("R13", "IL3048", "IL4022", "interlocks"))
+    assert run("explain", "Air_Lock").output == done.output
+    (body,) = json.loads(run("explain", "air_lock", "--format", "json").output)
+    assert body["kind"] == "key" and body["code"] == "air_lock" and body["page"] == done.output
+    legs = run("explain", "legs").output
+    assert "`legs` is a key of `points`, `crossings`" in legs and "## `crossings`" in legs and "explain IL3042" in legs
+    words = {w for part in language_keys().split("### ")[1:] for w in re.findall(r"^\| `(\w+)` \|", part, re.MULTILINE)}
+    assert len(words) > 60
+    for word in sorted(words):
+        page = explain(word)
+        assert page is not None and f"# {word}, a" in page, word
 
 
 def test_an_empty_cell_is_told() -> None:

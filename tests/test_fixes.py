@@ -187,3 +187,22 @@ def test_a_name_that_two_elements_bear_is_told_where_a_substation_names_it(tmp_p
     allow = "allow:\n  - {lint: IL7018, at: [P1], reason: both hang there}\n"
     assert not said(tmp_path, lists + allow, "IL7018") and bool(said(tmp_path, lists + allow, "IL2018")) != both
     assert not said(tmp_path, text.partition("substations:")[0], "IL7018"), "nothing is ambiguous there"
+
+
+@pytest.mark.parametrize(
+    ("wrong", "fix"),
+    [
+        ("{from: k11, into: k20}", "did you mean k2?"),
+        ("{from: k20, into: k11}", "did you mean k2?"),
+        ("{from: k19, into: x}", "k19 meets: k18, k21"),
+        ("{from: nowhere, into: k11}", "k11 meets: W, k2"),
+        ("{from: k20, into: k30}", "did you mean k2?"),
+    ],
+)
+def test_a_signal_into_no_section_is_told_those_that_meet_there(tmp_path: Path, wrong: str, fix: str) -> None:
+    """k21, as like k20 as k2 is, lies a kilometre off, where no signal from k11 leads; only where nothing is known of
+    the place, a name from anywhere may be meant."""
+    text = "interlock: 1\nname: line\nboundaries: {W: {approach: w0 900}, E: {approach: e0 900}}\ntracks:\n"
+    text += "  line: [W, k11 400, k2 400, k18 400, k19 400, k21 400, E]\nsignals:\n  X: {from: W, into: k11}\n"
+    (found,) = said(tmp_path, f"{text}  Y: {wrong}\n", "IL2004")[:1]
+    assert str(found.fix) == fix

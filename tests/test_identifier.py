@@ -461,3 +461,22 @@ def test_plan_lists_and_german_form_tell_of_it() -> None:
     past = [row for row in form.rows if "越过Y至Z" in map(str, row)]
     assert len(past) == 1 and "p2" in str(past[0]), "with what lies beyond, in one row"
     assert told_of["X/Z"] == "Y" and told_of["X/Y"] == "" and len(told_of) == 7
+
+
+@pytest.mark.parametrize(
+    ("chosen", "said"),
+    [
+        ("from: X, to: E", "from X routes lead to Q, Y, Z"),
+        ("to: Z, from: Q", "from Q routes lead to E"),
+        ("to: X, from: Y", "from Y routes lead to Z"),
+        ("to: Z, via: [q1]", "lead over p2, or over T1, p1, p2"),
+    ],
+)
+def test_an_exclusion_that_fits_nothing_is_told_where_routes_past_signals_lead(chosen: str, said: str) -> None:
+    sink = Sink()
+    text = TEXT + f"exclude:\n  - {{{chosen}, reason: none}}\n"
+    layout, _ = load_text("identifier.yaml", text, sink)
+    assert layout is not None
+    derive(layout, sink)
+    (found,) = [d for d in sink.diagnostics if d.code == "IL2012"]
+    assert said in str(found.fix)

@@ -174,3 +174,23 @@ signals:
 """
     assert called_twice(text) == ["the routes from A to B-C and from A-B to C would both be called A-B-C"]
     assert not called_twice(text.replace("  A: ", "  Y: "))
+
+
+@pytest.mark.parametrize(
+    ("text", "fix"),
+    [
+        ("routes:\n  a: {from: X2, to: X3, kind: main}\n", "known here: E"),
+        ("routes:\n  a: {from: X2, to: W, kind: shunt}\n", "known here: X3"),
+        ("routes:\n  a: {from: X2, to: W}\n", "known here: E, X3"),
+        ("routes:\n  a: {from: X2, to: W, kind: call-on}\n", "correct `from`: no call-on route begins at X2"),
+        ("automatic:\n  - {from: X2, to: X3}\n", "known here: E"),
+        ("automatic:\n  - {from: X3, to: E}\n", "correct `from`: no train route begins at X3"),
+        ("automatic:\n  - {from: X2, to: X3, via: [q4]}\n", "known here: E"),
+    ],
+)
+def test_ends_are_offered_of_the_kind_of_route_that_is_wanted(text: str, fix: str) -> None:
+    """At X3, a shunt signal, no train route ends, and none begins there."""
+    made = grown(YARD + text)
+    assert made is not None
+    (found,) = (d for d in made[2].diagnostics if d.code == "IL2007")
+    assert str(found.fix) == fix

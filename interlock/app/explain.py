@@ -64,7 +64,7 @@ def topic(code: str) -> Topic | None:
     wanted = code.lower()
     if re.fullmatch(r"r\d+\.\d+", wanted):
         wanted = wanted.split(".")[0]
-    return next((t for t in topics() if t.code.lower() == wanted), None)
+    return next((t for t in topics() if t.code.lower() == wanted), None) or _inner(wanted)
 
 
 def explain(code: str) -> str | None:
@@ -89,12 +89,40 @@ def _keys() -> dict[str, str]:
     return {n: str(x.description).partition(WITHOUT)[0] for n, x in LayoutFile.model_fields.items()}
 
 
-def key_of(word: str) -> str:
-    """Of which keys of a layout a word is a key, in a sentence; empty where it is none of theirs."""
-    tables = _tables()
-    found = [key for key in _keys() if any(f"| `{word}` |" in x for x in tables.get(key, ()))]
-    told = ", ".join(f"`{key}`" for key in found)
-    return f"`{word}` is a key of {told}: `interlock explain {found[0]}`" if found else ""
+def _rows(word: str) -> list[tuple[str, str, str]]:
+    """Where a word is a key of what stands in a key of the layout: that key, the heading of the table, its row."""
+    return [
+        (key, table.partition("\n")[0], row)
+        for key, tables in _tables().items()
+        for table in tables
+        for row in table.split("\n")
+        if row.lower().startswith(f"| `{word.lower()}` |")
+    ]
+
+
+def _inner(word: str) -> Topic | None:
+    """A key of what stands in keys of the layout, with what it means in the first of them."""
+    rows = _rows(word)
+    if not rows:
+        return None
+    cells = rows[0][2].strip("| ").split(" | ")
+    return Topic(cells[0].strip("`"), "key", cells[-1])
+
+
+def _inner_page(found: Topic) -> str:
+    """What a key means in each key of the layout in which it stands, and what else tells of it."""
+    rows = _rows(found.code)
+    keys = list(dict.fromkeys(key for key, _, _ in rows))
+    parts = [f"`{found.code}` is a key of {', '.join(f'`{key}`' for key in keys)}."]
+    for heading in dict.fromkeys(heading for _, heading, _ in rows):
+        table = "\n".join(["| key | value | without it | meaning |", "|---|---|---|---|"])
+        parts.append(f"## {heading}\n\n{table}\n" + "\n".join(dict.fromkeys(r for _, h, r in rows if h == heading)))
+    parts += [f"For instance `{key}: {entry}`." for key in keys if f"{found.code}:" in (entry := _example(key))]
+    told = re.compile(rf"`{found.code}\b")
+    others = [t.code for t in topics() if t.kind in ("rule", "diagnostic")]
+    more = [code for code in others if told.search(explain(code) or "")]
+    parts += [f"More: {', '.join(f'`interlock explain {code}`' for code in (*more, *keys))}."]
+    return "\n\n".join(parts) + "\n"
 
 
 def _tables() -> dict[str, list[str]]:
@@ -108,19 +136,25 @@ def _tables() -> dict[str, list[str]]:
 
 def _key_page(found: Topic) -> str:
     """What a key of a layout means, an example, and the tables of what stands in it."""
-    page = _docs("language.md").read_text("utf-8")
-    shown = re.search(rf"^\| `{found.code}` \| `(.+)` \|$", page, re.MULTILINE)
-    entry = shown[1] if shown else ""
-    if re.match(r"[^\[{:]+: ", entry):  # entries with names, which the table shows without braces
-        entry = f"{{{entry}}}"
+    entry = _example(found.code)
     parts = [f"{found.title[0].upper()}{found.title[1:]}.", f"For instance `{found.code}: {entry}`." if entry else ""]
     parts += [f"## {x}" for x in _tables().get(found.code, ())]
     return "\n\n".join([*(p for p in parts if p), "`interlock explain language` has the whole language."]) + "\n"
 
 
+def _example(key: str) -> str:
+    """The example of a key of the layout that the page of the language shows."""
+    page = _docs("language.md").read_text("utf-8")
+    shown = re.search(rf"^\| `{key}` \| `(.+)` \|$", page, re.MULTILINE)
+    entry = shown[1] if shown else ""
+    if re.match(r"[^\[{:]+: ", entry):  # entries with names, which the table shows without braces
+        entry = f"{{{entry}}}"
+    return entry
+
+
 def _page(found: Topic) -> str:
     if found.kind == "key":
-        return _key_page(found)
+        return _key_page(found) if found.code in LayoutFile.model_fields else _inner_page(found)
     if found.kind == "claim":
         return (
             f"{found.title}\n\n{LEVELS[found.code[0]]}, for every state that the controller and the trains can reach "

@@ -6,7 +6,7 @@ import sys
 
 import click
 
-from interlock.app.explain import explain, key_of, topic, topics
+from interlock.app.explain import explain, topic, topics
 from interlock.cli.common import FINDINGS, OK, failed, format_option, put_json
 from interlock.diag.suggest import did_you_mean
 
@@ -30,7 +30,7 @@ def command(code: str | None, form: str) -> None:
     one, page = topic(code), explain(code)
     if one is None or page is None:
         fix = did_you_mean(code, [t.code for t in topics()], "`interlock explain` lists all of them")
-        failed(f"there is no code {code}", form, code="IL5005", fix=key_of(code) or str(fix))
+        failed(f"there is no code {code}", form, code="IL5005", fix=str(fix))
         sys.exit(FINDINGS)
     if form == "json":
         put_json([{"code": one.code, "kind": one.kind, "severity": one.severity, "title": one.title, "page": page}])

@@ -11,7 +11,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import product
 
-from interlock.derivation.routes import Path, over_which, where_routes_lead
+from interlock.derivation.ends import over_which, where_routes_lead
+from interlock.derivation.routes import Path
 from interlock.diag import Element, Sink
 from interlock.model.elements import Choice, Demanded, MachineId, Position, RouteId, SectionId, of_points
 from interlock.model.layout import Layout

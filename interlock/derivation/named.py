@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from interlock.derivation.routes import Path, over_which
+from interlock.derivation.ends import over_which
+from interlock.derivation.routes import Path
 from interlock.derivation.voyages import priority
 from interlock.diag import Element, Sink
 from interlock.diag.suggest import did_you_mean
@@ -41,8 +42,9 @@ def derive_names(layout: Layout, paths: Sequence[Path], sink: Sink) -> dict[Rout
                 text += f"{other[1].exit}"
                 sink.add("IL2002", text, None, "give it another name: whoever sets a route means one", about=at)
         else:
-            kind = f"{stated[n.name].replace('main', 'train')} " if n.name in stated else ""
-            _none(n, paths, f"there is no {kind}route from {n.entry} to {n.exit} (named {n.name})", sink, at)
+            of_kind = [p for p in paths if n.name not in stated or p.kind is stated[n.name]]
+            kind = f"{stated[n.name].replace('main', 'train')} route" if n.name in stated else "route"
+            _none(n, of_kind, kind, f" (named {n.name})", sink, at)
     return out
 
 
@@ -63,7 +65,7 @@ def derive_automatic(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple
                 sink.add("IL1022", text, None, "remove one of them, or correct the one that means another", about=at)
             out.append(meant)
         else:
-            _none(n, paths, f"there is no train route from {n.entry} to {n.exit}", sink, at)
+            _none(n, [p for p in paths if p.kind is RouteKind.MAIN], "train route", "", sink, at)
     if layout.principles.priorities:
         out.sort(key=lambda p: priority(layout, {t.section for t in p.ways}, True))
     return tuple(dict.fromkeys(p.id for p in out))
@@ -111,11 +113,14 @@ def _telling(own: Sequence[SectionId], others: Sequence[set[SectionId]]) -> list
     return via
 
 
-def _none(n: NamedRoute, paths: Sequence[Path], text: str, sink: Sink, at: Element) -> None:
+def _none(n: NamedRoute, paths: Sequence[Path], kind: str, named: str, sink: Sink, at: Element) -> None:
+    """IL2007, with what routes of the kind that is wanted there are."""
+    text = f"there is no {kind} from {n.entry} to {n.exit}{named}"
     alike = [[t.section for t in p.run] for p in paths if _fits(replace(n, via=()), p)]
     if n.via and alike:
         fix = f"correct `via`: {over_which(alike)}"
         sink.add("IL2007", f"{text} over {' and '.join(n.via)}", None, fix, about=at)
         return
-    ends = sorted({_ends(p)[0] for p in paths if p.entry == n.entry})
-    sink.add("IL2007", text, None, did_you_mean(n.exit, ends), about=at)
+    ends = sorted({_ends(p)[0] for p in paths if p.entry == n.entry and p.kind is not RouteKind.IDENTIFIER})
+    none = "" if ends else f"correct `from`: no {kind} begins at {n.entry}"
+    sink.add("IL2007", text, None, did_you_mean(n.exit, ends, none), about=at)

@@ -12,10 +12,11 @@ A path that meets itself, or that needs one machine in two positions, cannot be 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from interlock.dataclass import dataclass
+from interlock.derivation.ends import over_which, where_routes_lead
 from interlock.diag import Element, Sink
 from interlock.diag.called import called
 from interlock.model.elements import (
@@ -189,9 +190,9 @@ def _listed(layout: Layout, sink: Sink) -> tuple[Path, ...]:
             _tell_none(g.id, dropped, sink)
     if sink.has("IL3049"):
         return ()
-    past = _past(layout, found, ahead, fits, sink)
+    past = _past(layout, found, ahead, fits, led, sink)
     found = [f for f in found if f.kind is not RouteKind.IDENTIFIER] + past
-    _tell_idle(layout, fits, led, sink)
+    _tell_idle(layout, fits, [f for f in led if f.kind is not RouteKind.IDENTIFIER], sink)
     return _numbered(layout, found, sink)
 
 
@@ -209,12 +210,6 @@ def _tell_idle(layout: Layout, fits: Sequence[int], led: Sequence[_Found], sink:
             ends = where_routes_lead(x.entry, x.exit, ((f.signal.id, f.end) for f in led))
             fix = f"remove it, or correct its ends{ends}"
         sink.add("IL2012", f"the exclusion ({x.reason}) fits no route", None, fix, about=Element("exclude", i))
-
-
-def over_which(ways: Iterable[Sequence[SectionId]]) -> str:
-    """Over which sections routes lead that fit but for these; the first three."""
-    told = list(dict.fromkeys(", ".join(dict.fromkeys(w)) for w in ways))
-    return "the routes between these ends lead over " + ", or over ".join(told[:3]) + (", ..." if told[3:] else "")
 
 
 def _tell_none(g: SignalId, dropped: Sequence[_Dropped], sink: Sink) -> None:
@@ -238,18 +233,6 @@ def _tell_none(g: SignalId, dropped: Sequence[_Dropped], sink: Sink) -> None:
     why = f": {'; '.join(whys)}" if whys else ""
     text = f"no route leads from {called('signal', g)}{why}"
     sink.add("IL4003", text, None, fix, about=Element("signals", g))
-
-
-def where_routes_lead(entry: str | None, exit_: str | None, led: Iterable[tuple[str, str]]) -> str:
-    """Of a choice of routes that fits none: where those from its signal lead, or from where those to its end come."""
-    led = list(led)
-    if entry is not None:
-        ends = ", ".join(sorted({there for here, there in led if here == entry}))
-        return f": from {entry} routes lead to {ends}" if ends else f": no route begins at {entry}"
-    if exit_ is not None:
-        starts = ", ".join(sorted({here for here, there in led if there == exit_}))
-        return f": to {exit_} routes lead from {starts}" if starts else f": no route ends at {exit_}"
-    return ""
 
 
 SHUNT_STAYS = "a shunting movement does not leave"
@@ -283,10 +266,10 @@ def _tell_dropped(layout: Layout, g: SignalId, dropped: Sequence[_Dropped], reac
 
 
 def _past(
-    layout: Layout, found: Sequence[_Found], ahead: Sequence[_Found], fits: list[int], sink: Sink
+    layout: Layout, found: Sequence[_Found], ahead: Sequence[_Found], fits: list[int], led: list[_Found], sink: Sink
 ) -> list[_Found]:
     """Train routes past signals that show their identifier lights, each the path to the first of them and a part that
-    leads on; and the parts that such routes have."""
+    leads on; and the parts that such routes have.  Of all of them, excluded or not, `led` is told."""
     for o in layout.overlaps.all:
         if o.swing and o.signal in layout.signalling.identifiers:
             text = f"the overlap of {o.signal} swings: no route can pass {o.signal} at identifier light"
@@ -301,7 +284,7 @@ def _past(
     every = past_signals()
     while last:
         pairs = every.each((a, b) for b in last for a in ahead if a.exit == b.signal.id)
-        last = [x for a, b in pairs for x in _led_past(layout, a, b, fits, sink)]
+        last = [x for a, b in pairs for x in _led_past(layout, a, b, fits, led, sink)]
         long += [x for x in last if x.kind is RouteKind.MAIN]
         last = [x for x in last if x.kind is RouteKind.IDENTIFIER]
     used = {b: None for f in long for b in f.beyond_it}
@@ -313,13 +296,15 @@ def _past(
     return [*used, *long]
 
 
-def _led_past(layout: Layout, a: _Found, b: _Found, fits: list[int], sink: Sink) -> Iterator[_Found]:
+def _led_past(layout: Layout, a: _Found, b: _Found, fits: list[int], led: list[_Found], sink: Sink) -> Iterator[_Found]:
     """A path to a signal with a part that leads on from there, unless it is excluded or cannot be run."""
     long = replace(a, beyond=b)
     barred = [i for i, x in enumerate(layout.declared.excluded) if _excludes(x, long)]
     for i in barred:
         fits[i] += 1
-    why = None if barred else _why_not_past(layout, a, b)
+    why = _why_not_past(layout, a, b)
+    if why is None:
+        led.append(long)
     if not barred and why is None:
         yield long
     elif not barred and a.kind is RouteKind.MAIN:  # what begins at the signal is the same for a part

@@ -58,8 +58,12 @@ def check_signal_names(ctx: Context, wiring: Wiring) -> None:
     unread = [m for m in meant if m not in wiring.sections and m not in ctx.file.boundaries]
     sections = (wiring.sections.keys() | meant) - ctx.file.boundaries.keys()
     known = sections | ctx.file.boundaries.keys()
+    beside = _neighbours(wiring, _edges_at(wiring))
     for name, spec in ctx.file.signals.items():
-        for key, value, names in (("from", spec.from_, known), ("into", spec.into, sections)):
+        for key, value, names, other in (
+            ("from", spec.from_, known, spec.into),
+            ("into", spec.into, sections, spec.from_),
+        ):
             if value not in names:
                 span = ctx.at("signals", name, key)
                 if any(length_behind(item, value) for item in unread):
@@ -69,7 +73,10 @@ def check_signal_names(ctx: Context, wiring: Wiring) -> None:
                     ctx.add("IL2004", f"{called('signal', name)}: {value} is the approach section, outside", span, hint)
                 else:
                     kind = "section or boundary" if key == "from" else "section"
-                    _unknown(ctx, kind, value, span, names, called("signal", name), of_a_signal=True)
+                    near = [n for n in beside.get(other, ()) if n in names]
+                    meets = f"{other} meets: {', '.join(near)}" if near else ""
+                    what = called("signal", name)
+                    _unknown(ctx, kind, value, span, near or names, what, of_a_signal=True, otherwise=meets)
 
 
 def _meant(ctx: Context, wiring: Wiring) -> set[str]:
@@ -98,6 +105,7 @@ def no_section(ctx: Context, wiring: Wiring, name: str, span: Span, what: str) -
 def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
     """Signals at their joints."""
     at = _edges_at(wiring)
+    meets = _neighbours(wiring, at)
     special = {p.node for p in wiring.points} | {c.node for c in wiring.crossings}
     leading: dict[str, list[tuple[NodeId, Edge]]] = {}
     for node, edges in sorted(at.items()):
@@ -119,7 +127,7 @@ def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
                 "IL3005",
                 f"{called('signal', name)} stands at no joint: {spec.from_} and {spec.into} do not meet{near}",
                 ctx.at("signals", name, "into"),
-                f"{spec.into} meets: " + ", ".join(_neighbours(wiring, at, spec.into)),
+                f"{spec.into} meets: " + ", ".join(meets.get(spec.into, ())),
             )
             continue
         if len(places) > 1:
@@ -229,15 +237,15 @@ def _near(wiring: Wiring, at: dict[NodeId, list[Edge]], node: NodeId, point: str
     return any(e.id in legs for e in at[node])
 
 
-def _neighbours(wiring: Wiring, at: dict[NodeId, list[Edge]], section: str) -> list[str]:
+def _neighbours(wiring: Wiring, at: dict[NodeId, list[Edge]]) -> dict[str, list[str]]:
+    """What every section and boundary meets: the sections beyond its ends, and boundaries."""
     boundaries = {b.node for b in wiring.boundaries}
-    found: set[str] = set()
+    found: dict[str, set[str]] = {}
     for node, edges in at.items():
-        if any(e.section == section for e in edges):
-            found |= {e.section for e in edges if e.section != section}
-            if node in boundaries:
-                found.add(node)
-    return sorted(found)
+        here = {e.section for e in edges} | ({node} & boundaries)
+        for name in here:
+            found.setdefault(name, set()).update(here - {name})
+    return {name: sorted(others) for name, others in found.items()}
 
 
 def resolve_conditions(ctx: Context, wiring: Wiring) -> tuple[Condition, ...]:
@@ -374,14 +382,22 @@ def _is_end(ctx: Context, wiring: Wiring, name: str) -> bool:
 
 
 def _unknown(
-    ctx: Context, kind: str, name: str, span: Span, known: Collection[str], what: str, *, of_a_signal: bool = False
+    ctx: Context,
+    kind: str,
+    name: str,
+    span: Span,
+    known: Collection[str],
+    what: str,
+    *,
+    of_a_signal: bool = False,
+    otherwise: str = "",
 ) -> None:
     """Report a name that `what` refers to and nothing of the kind bears; one that is misspelt everywhere is one
-    mistake."""
+    mistake.  `otherwise`: what to say where none of the known names is like it."""
     section = kind.startswith("section")
     message = f"{what}: there is no {kind} {name}" if what else f"there is no {kind} {name}"
     other = partial(for_a_section, ctx.file, of_a_signal=of_a_signal) if section else None
-    hint = did_you_mean(name, known, of_another_kind=other)
+    hint = did_you_mean(name, known, otherwise, of_another_kind=other)
     ctx.add("IL2004" if section else "IL2006", message, span, hint, cause=name, note=what)
 
 
