@@ -165,6 +165,7 @@ def words(text: str) -> frozenset[str]:
     found |= {"tracks end to end" for x in tracks if re.search(r"\.end$", str(x))}
     found |= {"identifier" for g in signals if "identifier" in g}
     found |= {"exclude: call-on" for x in body.get("exclude") or () if x.get("kind") == "call-on"}
+    found |= {"air_lock" for x in (body.get("interlocks") or {}).values() if "air_lock" in x}
     found |= {"hold" for x in body.get("demand") or () if "hold" in x}
     found |= {"listed: no" for x in (body.get("routes") or {}).values() if "listed" in x}
     found |= {"names with spaces" for g in body.get("signals") or {} if " " in g}
@@ -330,7 +331,7 @@ def without_idle(text: str, sink: Sink) -> str:
     return "".join(x for x in text.splitlines(keepends=True) if not x.startswith(dropped)) if dropped else text
 
 
-def called_off(seed: int, text: str, table: InterlockingTable) -> str:
+def called_off(seed: int, text: str, layout: Layout, table: InterlockingTable) -> str:
     """A text that excludes a call-on route alone."""
     rng = random.Random(f"called off {seed}")
     calling = [r for r in table.routes if r.kind is RouteKind.CALL_ON]
@@ -340,7 +341,7 @@ def called_off(seed: int, text: str, table: InterlockingTable) -> str:
     return with_part(text, ["exclude:", f"  - {{{chosen}, kind: call-on, reason: by chance}}"])
 
 
-def held_longer(seed: int, text: str, table: InterlockingTable) -> str:
+def held_longer(seed: int, text: str, layout: Layout, table: InterlockingTable) -> str:
     """A text some of whose demands of points are held longer."""
     rng = random.Random(f"held {seed}")
 
@@ -348,6 +349,49 @@ def held_longer(seed: int, text: str, table: InterlockingTable) -> str:
         return f"{found[1]}, hold: {rng.choice(HOLDS)}, reason" if rng.random() < 0.7 else found[0]
 
     return re.sub(r"(?m)^(  - \{point: .*), reason", some, text)
+
+
+def with_air_lock(seed: int, text: str, layout: Layout, table: InterlockingTable) -> str:
+    """A text with doors over two or three sections, those of one air lock; now and then with one of them held open, or
+    shut, for longer by some route that does not lead over them.  No route leads over two of them, or has its train
+    wait in the one while it needs the other."""
+    rng = random.Random(f"air lock {seed}")
+    if rng.random() < 0.4:
+        return text
+    needed = [
+        {
+            *r.path.section_ids,
+            *(s for s, _ in (r.locking.overlap.ways if r.locking.overlap else ())),
+            *(e.section for e in layout.track.edges_at[r.path.entry_node]),
+        }
+        for r in table.routes
+    ]
+    sections = sorted({s for r in table.routes for s in r.path.section_ids})
+    for _ in range(20):
+        chosen = rng.sample(sections, min(len(sections), rng.choice((2, 2, 2, 3))))
+        if len(chosen) > 1 and all(len(x & {*chosen}) < 2 for x in needed):
+            break
+    else:
+        return text
+    part = ["interlocks:", *(f"  AL{i}: {{over: [{s}], air_lock: lock}}" for i, s in enumerate(chosen))]
+    text = _with_more(text, part)
+    beside = [r for r in table.routes if r.kind is RouteKind.MAIN and not {*r.path.section_ids} & {*chosen}]
+    if beside and rng.random() < 0.3:
+        route, lies = routes_text(rng.choice(beside)), rng.choice(("normal", "reverse"))
+        held = f"  - {{point: AL0, lies: {lies}, routes: {{{route}}}, hold: {rng.choice(HOLDS)}, reason: by chance}}"
+        text = _with_more(text, ["demand:", held])
+    return text
+
+
+def _with_more(text: str, lines: list[str]) -> str:
+    """A text with more entries of a part that it may have already."""
+    head = f"\n{lines[0]}\n"
+    more = "\n".join(lines) + "\n"
+    return text.replace(head, f"\n{more}", 1) if head in text else text + more
+
+
+LAST = (called_off, held_longer, with_air_lock)
+"""What is chosen by the seed alone, so that what grew before stays as it was."""
 
 
 def spaced(text: str, sign: str) -> str:
@@ -393,8 +437,8 @@ def grow_all(seed: int) -> str:
         again = grown(more)
         if again is not None and not again[2].has_errors and again[1].routes:
             text, found = more, again
-    for part in (called_off, held_longer) if found is not None and not found[2].has_errors else ():
-        more = part(seed, text, found[1])
+    for part in LAST if found is not None and not found[2].has_errors else ():
+        more = part(seed, text, found[0], found[1])
         again = grown(more) if more != text else None
         if again is not None and not again[2].has_errors and again[1].routes:
             text = more

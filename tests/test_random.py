@@ -61,7 +61,7 @@ def test_derivation_audit_and_second_checker_agree_on_layouts_with_every_kind_of
         seen |= words(text)
     assert {"kind: board", "kind: limit", "stops_trains", "tracks end to end", "names of other scripts"} <= seen
     assert {"listed: no", "automatic", "demand", "hostile", "overlaps: entry_speed", "conditions", "health"} <= seen
-    assert {"identifier", "hold", "exclude: call-on"} <= seen
+    assert {"identifier", "hold", "exclude: call-on", "air_lock"} <= seen
 
 
 def test_what_the_derivation_calls_unprotected_the_audit_reaches_however_points_lie() -> None:
