@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -13,6 +14,7 @@ from interlock.checker import specification
 from interlock.checker.check import agree
 from interlock.derivation import derive
 from interlock.diag import Sink
+from interlock.emit.python.runtime import runtime_py
 from interlock.emit.tables.railml import railml_json
 from interlock.field.plc import Memory
 from interlock.frontend import load_text
@@ -224,3 +226,68 @@ def test_a_demand_of_a_door_of_the_way_itself_is_held_as_the_second_checker_asks
     roles = [(p.machine, p.role) for p in table.route["X1-X2"].locking.points]
     assert roles == [("D1", "device"), ("D2", "added"), ("D1", "added")]
     assert agree(*told(text), specification.shipped()).left == ()
+
+
+HELD_OPEN = """interlock: 1
+name: held_open
+profile: mine
+principles: {overlap_m: 0}
+boundaries: {W: {approach: w0 100}, E: {approach: e0 100}}
+tracks:
+  drift: [W, a 60, lock 90, b 60, d 100, E]
+interlocks:
+  D1: {over: [a], air_lock: north}
+  D2: {over: [b], air_lock: north}
+signals:
+  X1: {from: W, into: a}
+  X2: {from: lock, into: b}
+  Y0: {from: E, into: d}
+  Y1: {from: d, into: b}
+  Y2: {from: lock, into: a}
+demand:
+  - {point: D2, lies: reverse, routes: {from: Y0}, hold: 10, reason: the fan needs it}
+"""
+
+
+def test_a_door_that_another_route_holds_open_longer_is_counted_down() -> None:
+    """D1 opens when D2 is shut, and D2 is held open for ten seconds more: runtime and panel tell for how long."""
+    layout, table = derived(HELD_OPEN)
+    its = lower(layout, table)
+    names: dict[str, Any] = {}
+    exec(runtime_py(its, []), names)
+    runtime, number = names["Controller"](), {str(r.id): r.number for r in table.routes}
+    open_ = dict.fromkeys(DOORS, 0)
+    inputs = {n: int(n.startswith(("CLR_", "VALID"))) for n in names["INPUTS"]}
+
+    def scan(**pressed: int) -> None:
+        contacts = {f"D{x}_{d}": int(open_[d] == (2 if x == "R" else 0)) for x in "NR" for d in DOORS}
+        out = runtime.scan({**inputs, **contacts, **pressed}, 1000)
+        for d in DOORS:
+            if out[f"YR_{d}"] or out[f"YN_{d}"]:
+                open_[d] = min(2, open_[d] + 1) if out[f"YR_{d}"] else max(0, open_[d] - 1)
+
+    for _ in range(700):
+        scan()
+    scan(RELALL=1)
+    scan(RELALL=0, REQ=number["Y0-Y1"])
+    for _ in range(5):
+        scan()
+    assert open_ == {"D1": 0, "D2": 2}
+    why = "it needs: D2 shut before D1 opens"
+    assert runtime.why_not("X1-X2")[1] == why and runtime.countdown_ms("X1-X2") is None, "the route is set"
+    scan(CAN_Y0=1)
+    left = []
+    reasons = Reasons(layout, its)
+    for _ in range(200):
+        scan()
+        refused = runtime.why_not("X1-X2")
+        if refused is None:
+            break
+        assert refused[1] == why
+        left.append(runtime.countdown_ms("X1-X2"))
+        before = Memory(*runtime._last[:2])
+        told_ = reasons.of_request(number["X1-X2"], Moment(runtime._last[2], before, 1000), refused[0])
+        assert ("s to go" in told_[0].text) == (before.state["AH_R3"] and before.elapsed["AHT_R3"] is not None)
+    counted = [x for x in left if x is not None]
+    assert counted == [*range(10_000, -1, -1000)] and left[-1] is None, left
+    assert not any(left[: left.index(10_000)]), "nothing is counted yet"

@@ -116,13 +116,16 @@ class Reasons:
 
     def _to_go(self, code: int, moment: Moment) -> str:
         """For how long a route still holds what the author added to it; empty where that is not counted (yet)."""
-        timer = self._held_until.get(code)
-        ran = None if timer is None else moment.before.elapsed.get(timer)
-        if timer is None or ran is None:
-            return ""
-        step = self._steps[timer]
-        assert isinstance(step, Timer)
-        return f": {ceil(max(0, step.preset_ms - ran) / 1000)} s to go"
+        timers = [timer for held, timer in self._held_until.get(code, ()) if moment.before.state.get(held)]
+        left = []
+        for timer in timers:
+            ran = None if timer is None else moment.before.elapsed.get(timer)
+            if timer is None or ran is None:
+                return ""
+            step = self._steps[timer]
+            assert isinstance(step, Timer)
+            left.append(max(0, step.preset_ms - ran))
+        return f": {ceil(max(left) / 1000)} s to go" if left else ""
 
     def of_stop(self, number: int, moment: Moment) -> list[Reason]:
         """What a route that is set still waits for before its signal opens."""

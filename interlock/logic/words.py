@@ -21,7 +21,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from interlock.dataclass import dataclass
-from interlock.logic.expr import NOT, TRUE, VAR, Expr, conj, disj, neg, variables
+from interlock.logic.expr import TRUE, Expr, conj, disj, neg, variables
 from interlock.logic.names import HOLD_OVER, HOLDS_ADDED, WHY_NOT_CLEAR, Name
 
 UNKNOWN, FREE, SET, OPEN, CANCELLING = range(5)
@@ -75,14 +75,15 @@ class Word:
 @dataclass(frozen=True, slots=True)
 class Reason:
     """What a code says: the condition of a grant (None: nothing is refused, a machine is waited for), what is said
-    while it does not hold, the rule that asks for it, and the elements (`s:`, `m:`, `g:`, `c:`, `z:`, `b:` and the
-    name) that it is about."""
+    while it does not hold, the rule that asks for it, the elements (`s:`, `m:`, `g:`, `c:`, `z:`, `b:` and the name)
+    that it is about, and the routes by number for whose additions it may be that it does not hold."""
 
     code: int
     condition: Expr | None
     text: str
     rule: str
     at: tuple[str, ...] = ()
+    added: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -123,13 +124,16 @@ class Words:
         """What a code says."""
         return self.reasons[code].text if code in self.reasons else SAID.get(code, f"no word has the value {code}")
 
-    def let_go(self, timers: Iterable[Name]) -> dict[int, Name]:
-        """By the code of a refusal: the one of these timers at whose end the route that it names holds no longer what
-        the author has added to it."""
-        after = {str(HOLDS_ADDED(t.number)): t for t in timers if t.family is HOLD_OVER}
-        refusals = [(r.code, r.condition) for r in self.reasons.values() if r.condition is not None]
-        held = [(code, x.args[0]) for code, x in refusals if x.op is NOT and x.args[0].op is VAR]
-        return {code: after[x.name] for code, x in held if x.name in after}
+    def let_go(self, timers: Iterable[Name]) -> dict[int, tuple[tuple[Name, Name | None], ...]]:
+        """By the code of a refusal, for every route for whose additions it may be: what tells that it holds them, and
+        the one of these timers at whose end it holds them no longer; None where it lets go at once.  Only where one of
+        them has a timer."""
+        after = {t.number: t for t in timers if t.family is HOLD_OVER}
+        return {
+            r.code: tuple((HOLDS_ADDED(n), after.get(n)) for n in r.added)
+            for r in self.reasons.values()
+            if not after.keys().isdisjoint(r.added)
+        }
 
     def failing(self, name: Name, true: Callable[[Expr], bool]) -> list[int]:
         """Every code that a word could have by the cases that hold now, in order: the first is its value."""

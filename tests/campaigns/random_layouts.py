@@ -43,7 +43,8 @@ from tests.written import told
 EXPLAINED = """
 Layouts with every kind of element (`tests/grow_all.py`): points, diamonds, single and double slips, with one machine or
 two, derailers, traps, hand-worked points, level crossings and other interlocks, air locks, sidings without
-detection, tracks joined end to end; main, shunt and combined signals, call-on, stop boards, limit-of-shunt boards, shunt signals at which
+detection, tracks joined end to end; main, shunt and combined signals, call-on, stop boards, limit-of-shunt boards,
+shunt signals at which
 trains end, signals that are passed at identifier light, signals that close behind the first axle or the whole movement;
 overlaps of several lengths and entry
 speeds, successive, swinging; flank space, zones, conditions, detectors that report faults, blocks and direction tokens,

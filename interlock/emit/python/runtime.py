@@ -86,9 +86,14 @@ def cancelled_after(c: Controller) -> dict[int, str]:
     return {r.number: str(c.symbols.cancellation.approach_timer[r.entry]) for r in c.symbols.routes}
 
 
-def held_until(c: Controller) -> dict[int, str]:
-    """The timer at whose end what keeps a route out is let go, by the code of the refusal."""
-    return {code: str(timer) for code, timer in c.words.let_go(t.name for t in c.timers).items()}
+def held_until(c: Controller) -> dict[int, tuple[tuple[str, str | None], ...]]:
+    """By the code of a refusal what may tell that a route holds what keeps this one out, and the timer at whose end it
+    lets go; None where it does at once."""
+    found = c.words.let_go(t.name for t in c.timers)
+    return {
+        code: tuple((str(held), None if timer is None else str(timer)) for held, timer in those)
+        for code, those in found.items()
+    }
 
 
 def said(c: Controller) -> dict[int, tuple[str, str]]:
@@ -153,15 +158,18 @@ FIXED = f'''class Controller:
         return (code, *SAID[code]) if code > {REFUSED} else None
 
     def countdown_ms(self, route):
-        """How long it takes until the cancelled route is given up, or until another one holds no longer what keeps this
-        one out, as `why_not` tells it: None while neither is counted.
+        """How long it takes until the cancelled route is given up, or until no other one holds any longer what keeps
+        this one out, as `why_not` tells it: None while neither is counted.  A door that is held open shuts after that.
         """
         number = self.request(route)['REQ']
         code = self.words()[number]
-        timer = CANCELLED_AFTER[number] if code == {CANCELLING} else HELD_UNTIL.get(code)
-        if timer is None or self.elapsed[timer] is None:
+        if code == {CANCELLING}:
+            timers = [CANCELLED_AFTER[number]]
+        else:
+            timers = [timer for held, timer in HELD_UNTIL.get(code, ()) if self._last[0][held]]
+        if not timers or any(timer is None or self.elapsed[timer] is None for timer in timers):
             return None
-        return TIMERS[timer] - self.elapsed[timer]
+        return max(TIMERS[timer] - self.elapsed[timer] for timer in timers)
 
     def scan(self, inputs, dt_ms, say=False):
         """One scan, `dt_ms` milliseconds after the last; returns the outputs.
@@ -233,9 +241,10 @@ def _tables(c: Controller) -> list[str]:
         "CANCELLED_AFTER = {",
         *(f"    {number}: {timer!r}," for number, timer in cancelled_after(c).items()),
         "}",
-        "# code of a refusal: the timer that runs while another route holds longer what was added to it",
+        "# code of a refusal: what tells that another route holds what was added to it, and the timer that runs while",
+        "# it does so longer",
         "HELD_UNTIL = {",
-        *(f"    {code}: {timer!r}," for code, timer in held_until(c).items()),
+        *(f"    {code}: {those!r}," for code, those in held_until(c).items()),
         "}",
         "# code: what a word says by it, and the rule behind it",
         "SAID = {",

@@ -13,7 +13,7 @@ from itertools import chain
 from interlock.diag.called import called
 from interlock.logic import names, rules
 from interlock.logic.controller import Equation, Join, Term
-from interlock.logic.expr import AND, FALSE, NOT, OR, TRUE, VAR, Expr, conj, disj, neg, parts_of, var
+from interlock.logic.expr import AND, FALSE, NOT, OR, TRUE, VAR, Expr, conj, disj, neg, parts_of, var, variables
 from interlock.logic.lower import ways
 from interlock.logic.lower.draft import Draft
 from interlock.logic.names import Family, Name, computed
@@ -33,7 +33,8 @@ from interlock.logic.words import (
     Word,
     Words,
 )
-from interlock.model.elements import MachineId, SectionId
+from interlock.model.elements import MachineId, Position, SectionId
+from interlock.model.machines import other_doors
 from interlock.table.cells import RouteKind, authors_reason
 from interlock.table.rows import RouteRow
 
@@ -64,14 +65,24 @@ class _Writer:
 
     # --- conditions --------------------------------------------------------------------------------
 
-    def _code(self, condition: Expr, text: str, rule: str, at: tuple[str, ...], of: object = "") -> int:
-        """The number of a condition; `of`: for whom it is asked, where that is said with it."""
+    def _code(
+        self,
+        condition: Expr,
+        text: str,
+        rule: str,
+        at: tuple[str, ...],
+        of: object = "",
+        added: tuple[int, ...] = (),
+    ) -> int:
+        """The number of a condition; `of`: for whom it is asked, where that is said with it; `added`: the routes for
+        whose additions it may be that it does not hold."""
         found = self.codes.get((condition, of))
         if found is None:
             found = self.codes[condition, of] = min(REFUSED + 1 + len(self.codes), LAST)
             if found == LAST:
                 text, rule, at = "a condition that has no number of its own: see the equation of the grant", "", ()
-            self.reasons.setdefault(found, Reason(found, condition, text, rule, at))
+                added = ()
+            self.reasons.setdefault(found, Reason(found, condition, text, rule, at, added))
         return found
 
     def _name(self, x: Expr) -> Name:
@@ -103,10 +114,28 @@ class _Writer:
             return known
         said = self._text(x, t, held)
         if held is None:
-            return self._code(x, said, self._rule(x, t), self._at(x))
+            return self._code(x, said, self._rule(x, t), self._at(x), added=self._added(x, t))
         if x.op is VAR and self._name(x).family is names.LONG_CLEAR:
             said = f"{called('section', str(self._name(x).at[0]))} is occupied, or not clear for long enough"
-        return self._code(x, f"{self._cannot_move(held)}: {said}", rules.POINTS, (f"m:{held}", *self._at(x)), held)
+        at, added = (f"m:{held}", *self._at(x)), self._added(x, t)
+        return self._code(x, f"{self._cannot_move(held)}: {said}", rules.POINTS, at, held, added)
+
+    def _added(self, x: Expr, t: Term) -> tuple[int, ...]:
+        """The routes, by number, that may hold what the author added to them so that a condition does not hold: the one
+        that is named, or those that hold another door of the air lock open."""
+        of = [self.names.get(y, y) for y in variables([x])]
+        if x.op is NOT and of[0].family is names.HOLDS_ADDED:
+            return (of[0].number,)
+        if t.kind != "other doors shut":
+            return ()
+        doors = {
+            d
+            for n in of
+            if n.family is names.OTHERS_SHUT
+            for d in other_doors(self.d.layout.machines, MachineId(str(n.at[0])))
+        }
+        opened = [(r, p) for r in self.d.table.routes for p in r.locking.added if p.position is Position.REVERSE]
+        return tuple(dict.fromkeys(r.number for r, p in opened if p.machine in doors))
 
     def _word(self, name: Name, e: Equation, cases: Iterator[Case]) -> Name:
         """A word for a place, made once: which of its conditions does not hold; UNKNOWN while all do."""
