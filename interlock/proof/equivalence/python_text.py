@@ -65,7 +65,7 @@ _WORD = re.compile(r"^ {12}([A-Za-z_][A-Za-z0-9_]*) = self\._first\(([^#\n]*)\)(
 _TOLD = re.compile(r"^ {16}(0|[1-9][0-9]*): ([A-Za-z_][A-Za-z0-9_]*),$")
 _TIMED = re.compile(r"^self\._timer\('([A-Za-z_][A-Za-z0-9_]*)', ([A-Za-z_][A-Za-z0-9_]*), dt_ms\)$")
 _NUMBER = re.compile(r"0|[1-9][0-9]{0,8}")
-DEEP = 60  # brackets in brackets; Python itself reads 200
+DEEP = 190  # brackets in brackets; Python itself reads 200
 _CODING = re.compile(r"[ \t\f]*#.*?coding[:=]")  # in the first two lines (PEP 263), whatever encoding it names
 
 
@@ -274,6 +274,11 @@ class _Reader:
         held = self.values.get(text if first != "not " else text[4:])
         if isinstance(held, Expr):
             return held if first != "not " else neg(held)
+        if not deep and (first == "not " or text.startswith("(")):
+            why = (
+                "main signals on the way shorten the chain over which sections in rear are released one after the other"
+            )
+            raise self._bad(f"more than {DEEP} brackets stand in each other, which Python may not read: {why}")
         if deep and first == "not ":
             return neg(self._operand(text[4:], deep - 1))
         if deep and text.startswith("(") and text.endswith(")"):
