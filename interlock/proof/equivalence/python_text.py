@@ -275,9 +275,7 @@ class _Reader:
         if isinstance(held, Expr):
             return held if first != "not " else neg(held)
         if not deep and (first == "not " or text.startswith("(")):
-            why = (
-                "main signals on the way shorten the chain over which sections in rear are released one after the other"
-            )
+            why = "main signals on the way shorten the chain of sections that are released one after the other"
             raise self._bad(f"more than {DEEP} brackets stand in each other, which Python may not read: {why}")
         if deep and first == "not ":
             return neg(self._operand(text[4:], deep - 1))
