@@ -18,6 +18,9 @@ from interlock.model.elements import EdgeId, NodeId, Point, PointId, Position
 from interlock.model.layout import Layout
 from interlock.model.traversal import onward_edges
 
+_Run = tuple[EdgeId, NodeId]
+"""An edge, and the node from which one runs over it."""
+
 _LEG = {Position.NORMAL: "normal", Position.REVERSE: "reverse"}
 
 
@@ -36,14 +39,16 @@ def check_loops(ctx: Context, layout: Layout) -> None:
     """Report legs that lead back to their point over its other leg and nowhere else, where that one leads on; of the
     points of a slip the first."""
     slips = {p: name for name, s in ctx.file.slips.items() for p in points_of(name, s)}
-    ends = {b.point: b for b in layout.pointwork.blades}
+    ends, exits = {b.point: b for b in layout.pointwork.blades}, _Exits(layout)
     for p in layout.pointwork.points:
         slip, blades = slips.get(p.id), ends.get(p.id)
         about = Element("points", p.id) if slip is None else Element("slips", slip)
         for x in Position:
             if p.derailer or (slip is not None and ctx.sink.gave("IL7017", about)):
                 continue
-            here = _ways(layout, p, x, only_back=True)
+            if exits.leads_out(p, x):
+                continue
+            here = _ways(layout, p, x)
             if here.back != {x.other} or here.boundaries or here.ends:
                 continue
             there = _ways(layout, p, x.other)
@@ -71,12 +76,57 @@ def _fix(point: PointId, leg: Position, slips: Mapping[str, str]) -> str:
     return f"`toe` and `{_LEG[leg]}` of {point}" if slip is None else f"ends in the `arms` of {called('slip', slip)}"
 
 
-def _ways(layout: Layout, p: Point, x: Position, only_back: bool = False) -> _Ways:
-    """Where one comes over a leg.  only_back: it is enough to know of one way that leads elsewhere."""
+class _Exits:
+    """From every edge in each direction one shortest way to an end of the track, if any leads there: a forest, whose
+    roots are the ends.  Made once, since the way from each point of a line to its end is as long as the line."""
+
+    def __init__(self, layout: Layout) -> None:
+        self._layout = layout
+        before: dict[_Run, list[_Run]] = {}
+        roots: list[_Run] = []
+        for e in layout.track.edges:
+            for node in (e.a,) if e.one_way else (e.a, e.b):
+                far, run = layout.track.far(e.id, node), (e.id, node)
+                if far in layout.track.boundary_at or far in layout.track.buffer_at:
+                    roots.append(run)
+                for onward in onward_edges(layout, far, e.id):
+                    before.setdefault((onward, far), []).append(run)
+        following: dict[_Run, list[_Run]] = {}
+        found, reached = list(roots), set(roots)
+        for run in found:
+            for last in before.get(run, ()):
+                if last not in reached:
+                    reached.add(last)
+                    found.append(last)
+                    following.setdefault(run, []).append(last)
+        self._span: dict[_Run, tuple[int, int]] = {}
+        """The numbers of an edge and of all whose ways lead over it, in one piece."""
+        todo, number, open_ = [(r, False) for r in reversed(roots)], 0, dict[_Run, int]()
+        while todo:
+            run, left = todo.pop()
+            if left:
+                self._span[run] = open_[run], number
+                continue
+            open_[run], number = number, number + 1
+            todo += [(run, True), *((x, False) for x in following.get(run, ()))]
+
+    def leads_out(self, p: Point, x: Position) -> bool:
+        """Whether the way from a leg of a point leads to an end, and does not come back to the point.  (Where it comes
+        back, another may lead out.)"""
+        begins = self._span.get((p.leg(x), p.node))
+        if begins is None:
+            return False
+        track = self._layout.track
+        back = (self._span.get((e, track.far(e, p.node))) for e in (p.toe, p.leg(x), p.leg(x.other)))
+        return not any(b is not None and b[0] <= begins[0] < b[1] for b in back)
+
+
+def _ways(layout: Layout, p: Point, x: Position) -> _Ways:
+    """Where one comes over a leg."""
     todo, seen = [(p.leg(x), p.node)], set[tuple[EdgeId, NodeId]]()
     back, boundaries = set[Position](), dict[NodeId, None]()
     trailing, ends = dict[tuple[PointId, Position], None](), False
-    while todo and not (only_back and (ends or boundaries)):
+    while todo:
         edge, node = todo.pop()
         e = layout.track.edge[edge]
         if (edge, node) in seen or (e.one_way and e.a != node):
