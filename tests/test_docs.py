@@ -221,3 +221,12 @@ def test_the_recipes_name_files_that_are_there() -> None:
         for file in re.findall(r"^\| `([^`]+)`", recipe, re.MULTILINE):
             if not file.endswith((".yaml", "load.py", "wiring.py", "strengthening.py", "pipeline.py")):
                 assert re.search(word, Path(file).read_text("utf-8"), re.IGNORECASE), (word, file)
+
+
+def test_the_first_output_that_a_reader_sees_is_the_one_that_comes() -> None:
+    """Counted from the committed proof of the layout that the README compiles."""
+    proof = json.loads(Path("generated/mine11/proof.json").read_text("utf-8"))
+    places = [c["places"] for c in proof["claims"]]
+    claimed, silent = sum(map(bool, places)), places.count(0)
+    told = f"PROVED  {claimed} claims at {sum(places)} places, all proved; {silent} claims have nothing to claim here; "
+    assert told + f"{len(proof['witnesses'])} routes, {len(proof['witnesses'])} driven by a witness" in README
