@@ -455,3 +455,63 @@ def test_no_wagons_run_from_a_lane_that_leads_to_a_trap_alone() -> None:
     )
     text = text.replace("q4 100, N]", "q4 100, E]").replace("buffers: [N]", "traps: [T]")
     assert head_on(text) == []
+
+
+AGAINST = """
+interlock: 1
+name: against
+boundaries:
+  W: {approach: wa 600}
+  E: {approach: ea 600}
+  N: {approach: na 600, trains: out}
+tracks:
+  west: [W, q1 200]
+  east: [q4 200, E]
+  loop: [5.reverse, q3 200, i1 100, N]
+points:
+  5: {section: q2, toe: west.end, normal: east.start}
+sections:
+  q3: {one_way: forward}
+  i1: {lane: LANE}
+signals:
+  A: {from: W, into: q1}
+  AA: {from: q1, into: q2}
+  B: {from: E, into: q4}
+  BB: {from: q4, into: q2}
+"""
+"""Trains leave to N over q3, one way; i1 lies behind it."""
+
+
+def test_wagons_run_away_against_the_one_way_of_a_section() -> None:
+    """What lay behind a one-way section was taken not to come over it; derivation, audit and claims alike."""
+    made = grown(AGAINST.replace("LANE", "level"))
+    assert made is not None and not made[2].has_errors
+    layout, table, _ = made
+    assert audit(layout, table) == () and prove(System(layout, lower(layout, table))).proved
+    steep, _ = load_text("against.yaml", AGAINST.replace("LANE", "inclined"), Sink())
+    assert steep is not None and {f.column for f in audit(steep, table)} == {"flank"}
+    found = prove(System(steep, lower(steep, table)), Limits(search_depth=0))
+    assert {"T-FLANK", "S-FLANK"} <= {c.id for c in found.claims if c.verdict is not Verdict.PROVED}
+    again = grown(AGAINST.replace("LANE", "inclined"))
+    assert again is None or "IL4001" in {d.code for d in again[2].diagnostics}
+    with pytest.raises(Rejected, match="FLANK"):
+        agree(loaded(AGAINST.replace("LANE", "inclined")), *written(AGAINST.replace("LANE", "level"))[1:], shipped())
+
+
+def test_a_derailer_behind_a_one_way_section_keeps_them_off() -> None:
+    """It lies on, and is asked for by every route over the points."""
+    text = AGAINST.replace("LANE", "inclined").replace(
+        "q3 200, i1 100, N]", "q3 200, D.inner]\n  lane: [D.outer, i1 100, N]"
+    )
+    text = text.replace("signals:", "derailers:\n  D: {section: q3}\nsignals:")
+    made = grown(text)
+    assert made is not None and not made[2].has_errors, made and made[2].diagnostics
+    layout, table, _ = made
+    assert audit(layout, table) == () and prove(System(layout, lower(layout, table))).proved
+    assert agree(*written(text), shipped()).left == ()
+    over = [r for r in table.routes if ("5", "N") in {(str(p.machine), str(p.position)) for p in r.locking.points}]
+    assert over and all(("D", "N") in {(str(p.machine), str(p.position)) for p in r.locking.points} for r in over)
+    weak = without_flank(table, {"D"})
+    assert "a vehicle can reach 5.R" in {f.text for f in audit(layout, weak)}
+    found = prove(System(layout, lower(layout, weak)), Limits(search_depth=0))
+    assert {"T-FLANK", "S-FLANK"} <= {c.id for c in found.claims if c.verdict is not Verdict.PROVED}

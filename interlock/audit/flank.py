@@ -6,7 +6,16 @@ from collections.abc import Collection, Iterator, Mapping
 from itertools import pairwise
 from typing import NamedTuple
 
-from interlock.audit.walk import Frozen, Move, Trip, nothing_comes, signal_distance, signal_facing, steps_to
+from interlock.audit.walk import (
+    Frozen,
+    Move,
+    Trip,
+    nothing_comes,
+    rolled_from,
+    signal_distance,
+    signal_facing,
+    steps_to,
+)
 from interlock.model.elements import BoundaryKind, BufferKind, EdgeId, MachineId, NodeId, Position, SectionId
 from interlock.model.layout import Layout, of_layout
 from interlock.table.rows import RouteRow
@@ -86,17 +95,19 @@ def _walk(
 ) -> Walk:
     """The walk back from a place with points lying so, up to signals, or to some signals only.  Outside is the end of a
     track, a ring, or a boundary where no train comes in, if a vehicle comes from there over a derailer or an inclined
-    lane (`spur`); and such a lane itself, however points lie in it, unless it ends in a trap.
+    lane (`spur`); and such a lane itself, however points lie in it, unless it ends in a trap.  Of what lies beyond a
+    section against whose one way it would have to run (`against`) only those count.
     """
     frozen = dict(lying)
-    todo = [(Move(place.edge, place.node), False, frozenset({place.node}))]
-    seen, met, outside = set[tuple[Move, frozenset[NodeId] | None]](), dict[MachineId, None](), False
+    todo = [(Move(place.edge, place.node), False, False, frozenset({place.node}))]
+    seen, met, outside = set[tuple[Move, bool, frozenset[NodeId] | None]](), dict[MachineId, None](), False
     while todo:
-        here, spur, path = todo.pop()
+        here, spur, against, path = todo.pop()
         e = layout.track.edge[here.edge]
-        if (here, path if spur else None) in seen or nothing_comes(e, here.node):
+        against = against or nothing_comes(e, here.node)
+        if (here, against, path if spur else None) in seen:
             continue
-        seen.add((here, path if spur else None))
+        seen.add((here, against, path if spur else None))
         rear, lane = layout.track.far(here.edge, here.node), e.inclined and e.section not in place.own
         g = signal_facing(layout, rear, here.edge)
         if g is not None and (told is None or g.id in told) and not lane and _stops(layout, rear, here.edge, place):
@@ -105,17 +116,18 @@ def _walk(
         spur = spur or e.inclined
         ring = spur and rear in path
         outside = outside or ring
-        outside = outside or (boundary is not None and (spur or boundary.kind is not BoundaryKind.OUT))
+        comes = boundary is not None and boundary.kind is not BoundaryKind.OUT and not against
+        outside = outside or comes or (boundary is not None and spur)
         end = layout.track.buffer_at.get(rear)
         outside = outside or (spur and end is not None and end.kind is BufferKind.STOP)
         if boundary is None and end is None and rear != place.node and not ring:
-            for before, faced in steps_to(layout, here):
+            for before, faced in rolled_from(layout, here):
                 if faced is not None:
                     met[faced[0]] = None
                 if faced is None or lane or frozen.get(*faced) is faced[1]:
                     outside = outside or (lane and layout.track.section_of(before.edge) != e.section)
                     kept = faced is not None and layout.pointwork.point_at[rear].derailer
-                    todo.append((before, spur or kept, path | {rear}))
+                    todo.append((before, spur or kept, against, path | {rear}))
     return Walk(outside, tuple(met))
 
 

@@ -198,26 +198,48 @@ class Protection(Added):
     def w_exposed(self, x: Flank) -> Formula:
         """A vehicle could roll over a flank, from beyond the next signal that could hold it, from an inclined lane, or
         from a buffer or round a ring behind a derailer, as everything lies."""
-        return self._rolls(x, x.edge, x.node, 0.0, frozenset({x.node}), False)
+        return self._rolls(x, x.edge, x.node, 0.0, frozenset({x.node}), False, False)
 
-    def _rolls(self, x: Flank, e: Edge, node: str, gone: float, seen: frozenset[str], derailer: bool) -> Formula:
-        """derailer: one, or an inclined lane, has been passed, behind which nothing is trusted to stand."""
-        far, gone, derailer = e.far(node), gone + e.length, derailer or e.inclined
-        if e.none_to(node):
+    def _rolls(
+        self, x: Flank, e: Edge, node: str, gone: float, seen: frozenset[str], derailer: bool, against: bool
+    ) -> Formula:
+        """derailer: one, or an inclined lane, has been passed, behind which nothing is trusted to stand.  against: past
+        a section that runs the other way, over which nothing else comes."""
+        far, gone, derailer, against = e.far(node), gone + e.length, derailer or e.inclined, against or e.none_to(node)
+        if against and not derailer and (e.name, node) not in self._untrusted:
             return FALSE
         if e.inclined and e.section not in (x.own, x.edge.section):
             return no(self._empty(e, node, seen))
         if far in seen or far in self.r.drawn.buffers:
             return TRUE if derailer and (far in seen or far in self._stops) else FALSE
         g = self._holding(e, far, gone, x.needed)
+        if against and not derailer and (g is not None or far in self.r.drawn.boundaries):
+            return FALSE
         if g is not None:
             return self._lets_pass(g)
         if far in self.r.drawn.boundaries:
             return FALSE if self.r.drawn.boundaries[far].get("trains") == "out" and not derailer else TRUE
         kept = self.r.drawn.points[far].position(e.name) if far in self._derailers else None
         derailer = derailer or kept is not None
-        rolls = some(self._rolls(x, b, far, gone, seen | {far}, derailer) for b in self.r.drawn.onward(far, e))
+        onward = self.r.drawn.onward(far, e)
+        rolls = some(self._rolls(x, b, far, gone, seen | {far}, derailer, against) for b in onward)
         return every((rolls, no(self._turned_away(e, far))))
+
+    @cached_property
+    def _untrusted(self) -> set[tuple[str, str]]:
+        """Edges, each from one end, over which one comes sooner or later to an inclined lane or past a derailer."""
+        d, found = self.r.drawn, set[tuple[str, str]]()
+        runs = [(e, node) for e in d.edges.values() for node in (e.a, e.b)]
+        grown = True
+        while grown:
+            before = len(found)
+            for e, node in runs:
+                far = e.far(node)
+                kept = far in self._derailers and d.points[far].position(e.name) is not None
+                if e.inclined or kept or any((b.name, far) in found for b in d.onward(far, e)):
+                    found.add((e.name, node))
+            grown = len(found) > before
+        return found
 
     def _empty(self, e: Edge, node: str, seen: frozenset[str]) -> Formula:
         """Nothing can be on an inclined lane: it ends in a trap."""

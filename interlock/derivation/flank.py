@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from math import inf
+from typing import NamedTuple
 
 from interlock.dataclass import dataclass
 from interlock.diag.called import called
@@ -34,7 +35,7 @@ from interlock.model.elements import (
 )
 from interlock.model.layout import Layout
 from interlock.model.principles import FlankChoice
-from interlock.model.traversal import Traversal, onward_edges
+from interlock.model.traversal import Traversal, onward_edges, runaways
 from interlock.table.cells import Because, FlankCell, Provider, ProviderKind
 
 _PASSIVE = (ProviderKind.BUFFER, ProviderKind.BOUNDARY, ProviderKind.ONE_WAY)
@@ -128,7 +129,7 @@ class Options:
 
     def of(self, r: Requester, allowed: Allowed) -> Iterator[tuple[Provider, ...]]:
         """Every set that demands nothing but what is allowed, preferred ones first."""
-        found = _outward(self._layout, r, allowed, r.edge, r.node, 0.0, frozenset())
+        found = _outward(self._layout, r, allowed, r.edge, r.node, _Past())
         if r.partner is not None:
             if allowed(r.partner, Position.NORMAL) and next(found, None) is not None:  # no inclined lane lies between
                 yield (Provider(ProviderKind.POINT, r.partner, Position.NORMAL),)
@@ -147,54 +148,72 @@ Outward = tuple[EdgeId, NodeId]
 """An edge, run over outward from a node."""
 
 
+class _Past(NamedTuple):
+    """What has been passed on the way outward: metres, edges; `spur`: a derailer or an inclined lane; `lane`: the
+    section of the inclined lane on which one is; `against`: a section over which nothing comes this way but what runs
+    away."""
+
+    gone: float = 0.0
+    seen: frozenset[Outward] = frozenset()
+    spur: bool = False
+    lane: SectionId | None = None
+    against: bool = False
+
+
 def _outward(
-    layout: Layout,
-    r: Requester,
-    allowed: Allowed,
-    edge: EdgeId,
-    node: NodeId,
-    gone: float,
-    seen: frozenset[Outward],
-    spur: bool = False,
-    lane: SectionId | None = None,
+    layout: Layout, r: Requester, allowed: Allowed, edge: EdgeId, node: NodeId, past: _Past
 ) -> Iterator[tuple[Provider, ...]]:
     e = layout.track.edge[edge]
-    if lane is not None and e.section != lane:
+    if past.lane is not None and e.section != past.lane:
         return  # what stands on the inclined lane runs away, whatever is beyond
-    if e.nothing_comes_to(node):
+    against = past.against or e.nothing_comes_to(node)
+    if against and not past.spur and (edge, node) not in runaways(layout):
         yield (Provider(ProviderKind.ONE_WAY, e.section),)
         return
     far = layout.track.far(edge, node)
-    gone += e.length
-    spur, lane = spur or e.inclined, e.section if over_lane(layout, r, edge) else None
-    if far == r.node or (edge, node) in seen or (spur and far in {n for _, n in seen}):
+    gone, spur, lane = past.gone + e.length, past.spur or e.inclined, e.section if over_lane(layout, r, edge) else None
+    if far == r.node or (edge, node) in past.seen or (spur and far in {n for _, n in past.seen}):
         if not spur:
             yield ()  # a closed ring: nothing comes from outside; or over the path itself, which is no flank
         return
-    seen = seen | {(edge, node)}  # round a balloon loop it comes back the other way, as a vehicle could
     signal = layout.signalling.facing.get((far, edge))
-    if signal is not None and gone >= r.clear_of and lane is None:
+    held = signal is not None and gone >= r.clear_of and lane is None
+    ended = far in layout.track.buffer_at or far in layout.track.boundary_at
+    if against and not spur and (held or ended):
+        yield (Provider(ProviderKind.ONE_WAY, e.section),)
+        return
+    if held and signal is not None:
         yield (Provider(ProviderKind.SIGNAL, signal.id),)
         return
-    if far in layout.track.buffer_at or far in layout.track.boundary_at:
+    if ended:
         yield from _end(layout, far, spur)
         return
+    # round a balloon loop it comes back the other way, as a vehicle could
+    past = _Past(gone, past.seen | {(edge, node)}, spur, lane, against)
     point = layout.pointwork.point_at.get(far)
-    if point is None:
-        for nxt in onward_edges(layout, far, edge):
-            yield from _outward(layout, r, allowed, nxt, far, gone, seen, spur, lane)
+    if point is not None:
+        yield from _over_point(layout, r, allowed, point, edge, past)
         return
+    for nxt in onward_edges(layout, far, edge):
+        yield from _outward(layout, r, allowed, nxt, far, past)
+
+
+def _over_point(
+    layout: Layout, r: Requester, allowed: Allowed, point: Point, edge: EdgeId, past: _Past
+) -> Iterator[tuple[Provider, ...]]:
+    """Outward over a point to which one comes over an edge: from its toe over both legs; from a leg it may be turned
+    away."""
     position = point.position_of(edge)
     if position is None:
-        for left in _outward(layout, r, allowed, point.normal, far, gone, seen, spur, lane):
-            for right in _outward(layout, r, allowed, point.reverse, far, gone, seen, spur, lane):
+        for left in _outward(layout, r, allowed, point.normal, point.node, past):
+            for right in _outward(layout, r, allowed, point.reverse, point.node, past):
                 yield tuple(dict.fromkeys(left + right))
         return
     turned: tuple[Provider, ...] | None = (Provider(ProviderKind.POINT, point.machine, position.other),)
     keyed = point.machine in layout.machines.by_hand and position.other is Position.REVERSE  # locked in normal only
-    if lane is not None or keyed or not allowed(point.machine, position.other):
+    if past.lane is not None or keyed or not allowed(point.machine, position.other):
         turned = None
-    beyond = _outward(layout, r, allowed, point.toe, far, gone, seen, spur or point.derailer, lane)
+    beyond = _outward(layout, r, allowed, point.toe, point.node, past._replace(spur=past.spur or point.derailer))
     first = next(beyond, None)
     preferred = _BY_SIGNAL if _signal_before(layout, r, point, position.other) else _PASSIVE
     ends = first is not None and any(p.kind is ProviderKind.BUFFER for p in first)  # vehicles may stand before it

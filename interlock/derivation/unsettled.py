@@ -17,7 +17,7 @@ from interlock.diag import Element, Sink
 from interlock.model.bits import chosen
 from interlock.model.elements import EdgeId, MachineId, NodeId, PointId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
-from interlock.model.traversal import onward_edges
+from interlock.model.traversal import onward_edges, runaways
 from interlock.table.cells import Provider
 
 NAMED = 8  # so many routes are named, of more the number is told
@@ -180,7 +180,7 @@ def _outward(layout: Layout, r: Requester) -> Iterator[tuple[EdgeId, NodeId, flo
     while todo:
         edge, node, gone = todo.pop()
         e, far = layout.track.edge[edge], layout.track.far(edge, node)
-        if (edge, node) in seen or e.nothing_comes_to(node):
+        if (edge, node) in seen or (e.nothing_comes_to(node) and (edge, node) not in runaways(layout)):
             continue
         seen.add((edge, node))
         gone += e.length

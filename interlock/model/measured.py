@@ -17,6 +17,7 @@ from interlock.model.layout import Layout
 from interlock.model.needs import Needs, needs
 from interlock.model.overlap import overlap_paths, told_apart
 from interlock.model.places import Approach
+from interlock.model.traversal import runaways
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,11 +110,20 @@ class _From:
 
 
 def _beyond(
-    layout: Layout, start: _From, edge: EdgeId, node: NodeId, gone: float, seen: frozenset[NodeId], spur: bool = False
+    layout: Layout,
+    start: _From,
+    edge: EdgeId,
+    node: NodeId,
+    gone: float,
+    seen: frozenset[NodeId],
+    spur: bool = False,
+    against: bool = False,
 ) -> Beyond:
-    """`gone`: metres from the place to `node`; `spur`: past a derailer, or over an inclined lane."""
+    """`gone`: metres from the place to `node`; `spur`: past a derailer, or over an inclined lane; `against`: past a
+    section over which nothing comes this way but what runs away from there."""
     e = layout.track.edge[edge]
-    if e.nothing_comes_to(node):
+    against = against or e.nothing_comes_to(node)
+    if against and not spur and (edge, node) not in runaways(layout):
         return Beyond(e.section, one_way=True)
     far = layout.track.far(edge, node)
     gone += e.length
@@ -125,6 +135,8 @@ def _beyond(
     signal = facing.id if facing is not None and gone >= start.needed else None
     boundary = layout.track.boundary_at.get(far)
     if signal is not None or boundary is not None:
+        if against and not spur:
+            return Beyond(e.section, one_way=True, lane=lane)
         kind = boundary.kind if boundary is not None else None
         return Beyond(e.section, signal=signal, boundary=kind, spur=spur, lane=lane)
     point, crossing, trailed = layout.pointwork.point_at.get(far), layout.pointwork.crossing_at.get(far), None
@@ -137,5 +149,5 @@ def _beyond(
         ways = [b if edge == a else a for a, b in crossing.arms if edge in (a, b)]
     else:
         ways = [x.id for x in layout.track.edges_at[far] if x.id != edge]
-    onward = tuple(_beyond(layout, start, x, far, gone, seen | {far}, spur) for x in ways)
+    onward = tuple(_beyond(layout, start, x, far, gone, seen | {far}, spur, against) for x in ways)
     return Beyond(e.section, trailed=trailed, onward=onward, lane=lane)

@@ -219,3 +219,29 @@ def path_speed(layout: Layout, ways: Collection[Traversal]) -> int | None:
     found = [layout.track.section[t.section].speed for t in ways]
     found += [layout.pointwork.point[p].speed for t in ways for p, x in t.points if x is Position.REVERSE]
     return min((v for v in found if v is not None), default=None)
+
+
+Run = tuple[EdgeId, NodeId]
+"""An edge, run over from a node."""
+
+
+@of_layout
+def runaways(layout: Layout) -> frozenset[Run]:
+    """From where one comes, going on whichever way points and one-way sections lie, to an inclined lane, or over a
+    derailer to what lies behind it: vehicles run away from there, also against the one way of a section (R5)."""
+    before: dict[Run, list[Run]] = {}
+    found: list[Run] = []
+    for e in layout.track.edges:
+        for node in (e.a, e.b):
+            far = layout.track.far(e.id, node)
+            point = layout.pointwork.point_at.get(far)
+            if e.inclined or (point is not None and point.derailer and e.id != point.toe):
+                found.append((e.id, node))
+            for onward in onward_edges(layout, far, e.id):
+                before.setdefault((onward, far), []).append((e.id, node))
+    reached = set(found)
+    for run in found:
+        new = [x for x in before.get(run, ()) if x not in reached]
+        reached.update(new)
+        found += new
+    return frozenset(reached)
