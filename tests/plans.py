@@ -54,11 +54,11 @@ class Found:
 def examine(svg: str, layout: Layout) -> Found:
     """Count what is wrong in a plan of a layout."""
     root = ElementTree.fromstring(svg)
-    strokes = list(_strokes(root))
+    strokes, rails = list(_strokes(root)), list(_strokes(root, "rail"))
     names = [(str(t.text), _box(t)) for t in root.iter(f"{SVG}text")]
     return Found(
         tuple(sorted(set(_false_crossings(strokes, layout)))),
-        tuple((text, s.edge) for text, box in names for s in strokes if _on(s, box)),
+        tuple((text, s.edge) for text, box in names for s in (*strokes, *rails) if _on(s, box)),
         tuple((s, t) for i, (s, a) in enumerate(names) for t, b in names[i + 1 :] if _over(a, b)),
     )
 
@@ -71,10 +71,12 @@ def _spots(path: str) -> list[Spot]:
     return [(float(x), float(y)) for x, y in re.findall(r"([-\d.]+) ([-\d.]+)", path)]
 
 
-def _strokes(root: ElementTree.Element) -> Iterator[Stroke]:
-    """Every track that is drawn, without the invisible lines that only catch the pointer."""
+def _strokes(root: ElementTree.Element, kind: str = "track") -> Iterator[Stroke]:
+    """Every track that is drawn, without the invisible lines that only catch the pointer, and those that repeat the
+    arms of a slip; apart from it the slip rails, which touch the arms and are of no edge."""
     for number, path in enumerate(root.iter(f"{SVG}path")):
-        if "track" in path.get("class", "").split():
+        classes = path.get("class", "").split()
+        if kind in classes and (kind == "rail" or not {"rail", "arm"} & set(classes)):
             edge = path.get("id", f"outside {number}").removeprefix("edge-").replace("\u00a0", " ")
             for a, b in pairwise(_spots(path.get("d", ""))):
                 if a != b:

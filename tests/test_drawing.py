@@ -261,6 +261,10 @@ def _outer_end(layout: Layout, d: Drawing, end: str) -> tuple[float, float]:
     return d.at[e.a if e.a in d.at and "@" in e.a else e.b]
 
 
+def _written(spot: tuple[float, float]) -> str:
+    return " ".join(f"{x:.1f}".rstrip("0").rstrip(".") for x in spot)
+
+
 def test_a_slip_with_a_diamond_is_one_symbol() -> None:
     """All blades within a diamond's reach, slip rails between those that they join, arms that cross."""
     for said, rails in ((", single: 1a-2b", 1), (", machines: [7]", 2)):
@@ -293,7 +297,16 @@ def test_a_double_slip_with_two_machines_has_four_blades_that_lie_as_their_machi
             assert (leads == b.arm) is (to[0] == end[0]), (end, to)
             assert leads in (b.arm, next(o.at for o, e in zip(there, ends, strict=True) if e == CHORDS[end]))
     svg = plan_svg(layout, d)
-    assert svg.count('class="rail"') == 2
+    joins = r'data-from="7.(..)" data-to="7.(..)" data-past="([^"]*)"'
+    joined = re.findall(rf'<path id="rail-[^"]*" class="track rail" {joins} d="(.*?)"', svg)
+    assert sorted(x[:2] for x in joined) == [("1a", "2b"), ("1b", "2a")]
+    assert {x[2] for x in joined} == {str(layout.pointwork.point[p].toe) for p in told}, "the middle of the diamond"
+    arms = dict(re.findall(r'<path id="arm-7.(..)" class="track arm" d="(.*?)"', svg))
+    for one, other, _, rail in joined:
+        begins, ends_at = rail.removeprefix("M").split(" L")
+        assert [arms[x].removeprefix("M").split(" L")[0] for x in (one, other)] == [begins, ends_at]
+    for end, line in arms.items():
+        assert line.split(" L")[-1] == _written(_outer_end(layout, d, end)), "no part of an arm lies within the diamond"
     for p in told:
         assert re.search(rf'<g id="point-{p}" class="point" data-n="M[^"]* M[^"]*" data-r="M[^"]* M', svg)
 

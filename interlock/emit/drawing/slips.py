@@ -103,14 +103,16 @@ def restore(d: Drawing, layout: Layout) -> None:
 
 @dataclass(frozen=True)
 class Blade:
-    """A pair of blades: whose they are, where they lie, the next spot along the arm and along the slip rail, and
-    whether they lead along the rail in normal."""
+    """A pair of blades: whose they are, at which end, where they lie, the next spot along the arm and along the slip
+    rail, whether they lead along the rail in normal, and the line from them to the far end of their leg."""
 
     point: PointId
+    end: str
     at: Spot
     arm: Spot
     chord: Spot
     turned: bool
+    leg: list[Spot]
 
     def towards(self, normal: bool) -> Spot:
         """Where they lead in a position."""
@@ -121,11 +123,12 @@ def blades(d: Drawing, s: DoubleSlip) -> Iterator[Blade]:
     """The four pairs of blades of a slip."""
     there = [d.at[n] for n in s.nodes if n in d.at]
     middle = (sum(x for x, _ in there) / len(there), there[0][1])
-    spots = {}
+    legs = {}
     for end, edge in s.legs.items():
         line = d.edges[edge]
         outward = line if abs(line[0][0] - middle[0]) <= abs(line[-1][0] - middle[0]) else line[::-1]
-        spots[end] = cut_at([middle, *outward[1:]], BLADES)[0][-1]
+        legs[end] = cut_at([middle, *outward[1:]], BLADES)[1]
     for b in s.blades:
         for end in b.at:
-            yield Blade(b.point, spots[end], middle, spots[CHORDS[end]], b.normal == CHORDS[end])
+            at, chord = legs[end][0], legs[CHORDS[end]][0]
+            yield Blade(b.point, end, at, middle, chord, b.normal == CHORDS[end], legs[end])

@@ -1,6 +1,7 @@
 """A placed plan as SVG: the same bytes for the same layout, and an id on everything that other parts may address.
 
-Ids: `section-`, `edge-`, `point-`, `signal-`, `joint-`, `boundary-`, `buffer-`, `crossing-`, `device-` and the name.
+Ids: `section-`, `edge-`, `point-`, `signal-`, `joint-`, `boundary-`, `buffer-`, `crossing-`, `device-` and the name; of
+double slips with two machines also `rail-` with the two legs that a slip rail joins, and `arm-` with a leg.
 The drawing needs nothing from a network.  Colours are left to the style sheet at its head, so that a page can light up
 what it wants.
 """
@@ -11,8 +12,8 @@ from xml.sax.saxutils import escape, quoteattr
 
 from interlock.emit.drawing.canvas import Drawing, Label, Spot, arrow, bend, device_spots, fouling_mark
 from interlock.emit.drawing.place import place
-from interlock.emit.drawing.slips import DoubleSlip, blades, double_slips
-from interlock.model.elements import Blades, BufferKind, DeviceKind, EdgeId, Lane, Point, Signal, Work
+from interlock.emit.drawing.slips import CHORDS, DoubleSlip, blades, double_slips
+from interlock.model.elements import Blades, BufferKind, DeviceKind, EdgeId, Lane, Point, Section, Signal, Work
 from interlock.model.foul import foul_joints
 from interlock.model.layout import Layout
 
@@ -23,6 +24,8 @@ STYLE = """
 .plan .outside { stroke-dasharray: 7 4 }
 .plan .inclined { stroke-width: 4.2 }
 .plan .blind { stroke-dasharray: 2 3 }
+.plan .rail, .plan .arm { pointer-events: none }
+.plan .arm:not(.used) { display: none }
 .plan .mark, .plan .mast { fill: none; stroke: #222; stroke-width: 1.5 }
 .plan .foul { fill: none; stroke: #222; stroke-width: 1.2 }
 .plan .lamp { fill: #fff; stroke: #222; stroke-width: 1.3 }
@@ -97,6 +100,7 @@ def plan_body(d: Drawing) -> list[str]:
 
 def _tracks(d: Drawing) -> list[str]:
     layout = d.layout
+    rails = _slip_rails(d)
     out = []
     for n, tip, _ in d.outside:
         boundary = layout.track.boundary_at[n]
@@ -106,12 +110,37 @@ def _tracks(d: Drawing) -> list[str]:
         edges = layout.track.edges_in.get(s.id, ())
         if not edges:
             continue
-        kind = "track" + (" inclined" if s.lane is Lane.INCLINED else "") + ("" if s.detected else " blind")
+        kind = _kind(s)
         paths = "".join(f'<path id={_id(f"edge-{e.id}")} class="{kind}" d="{_path(d.edges[e.id])}"/>' for e in edges)
         hit = f'<path class="hit" d="{" ".join(_path(d.edges[e.id]) for e in edges)}"/>'
         arrows = "".join(_arrow(d, e.id) for e in edges if e.one_way)
-        out.append(f'<g id={_id(f"section-{s.id}")} class="section">{hit}{paths}{arrows}</g>')
+        slips = "".join(rails[e.id] for e in edges if e.id in rails)
+        out.append(f'<g id={_id(f"section-{s.id}")} class="section">{hit}{paths}{slips}{arrows}</g>')
     return out
+
+
+def _kind(s: Section) -> str:
+    """The classes of what a section's track is drawn with."""
+    return "track" + (" inclined" if s.lane is Lane.INCLINED else "") + ("" if s.detected else " blind")
+
+
+def _slip_rails(d: Drawing) -> dict[EdgeId, str]:
+    """Of double slips with two machines, by edge: the arm of a leg from its far end to the blades, which is seen only
+    as `used`; at the first leg of a slip rail that rail, which tells the legs that it joins, and the edge in the middle
+    of the diamond (`data-from`, `data-to`, `data-past`).  A way that joins those legs runs over the two arms and the
+    rail; neither over the rest of the legs nor over the middle, which are drawn whole."""
+    found: dict[EdgeId, str] = {}
+    for s in double_slips(d.layout):
+        past = d.layout.pointwork.point[s.blades[0].point].toe
+        for b in blades(d, s):
+            leg, to = s.legs[b.end], s.legs[CHORDS[b.end]]
+            kind = _kind(d.layout.track.section[d.layout.track.edge[leg].section])
+            found[leg] = f'<path id={_id(f"arm-{leg}")} class="{kind} arm" d="{_path(b.leg)}"/>'
+            if b.end < CHORDS[b.end]:
+                joins = f"data-from={quoteattr(leg)} data-to={quoteattr(to)} data-past={quoteattr(past)}"
+                rail = _path([b.at, b.chord])
+                found[leg] += f'<path id={_id(f"rail-{leg}-{to}")} class="{kind} rail" {joins} d="{rail}"/>'
+    return found
 
 
 def _arrow(d: Drawing, edge: EdgeId) -> str:
@@ -166,16 +195,14 @@ def _towards(a: Spot, b: Spot) -> Spot:
     return ((b[0] - a[0]) / length, (b[1] - a[1]) / length)
 
 
-RAIL = 'fill="none" stroke="#222" stroke-width="2.6"'  # a slip rail, as a track
 LIES = 17  # pixels of a leg that show how its point lies
 
 
 def _double(d: Drawing, s: DoubleSlip) -> str:
-    """A double slip with two machines: slip rails, and the four pairs of blades; how they lead in either position is
-    told for whoever shows it (`data-n`, `data-r`)."""
+    """The four pairs of blades of a double slip with two machines; how they lead in either position is told for
+    whoever shows it (`data-n`, `data-r`)."""
     those = list(blades(d, s))
-    rails = {tuple(sorted((b.at, b.chord))) for b in those}
-    out = [f'<path class="rail" {RAIL} d="{_path(list(r))}"/>' for r in sorted(rails)]
+    out = list[str]()
     for lie in s.blades:
         p, own = d.layout.pointwork.point[lie.point], [b for b in those if b.point == lie.point]
         inner, lies = _words(lie), {True: list[str](), False: list[str]()}
