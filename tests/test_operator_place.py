@@ -311,7 +311,7 @@ def test_without_a_panel_alarms_are_said_and_reach_the_registers(ready: Ready) -
     for inputs, dt_ms in ((lies, 2000), (lost, 1000), (lost, 60_000), (lost, 100)):
         typed.ask(None, dt_ms)
         stand = list(typed.after(Cycle(inputs, {}, True, ())))
-    key, text = f"idle {first[0][0]}", f"{first[0][0]} is not detected, and was not commanded"
+    key, text = f"idle {first[0][0]}", f"points {first[0][0]} are not detected, and were not commanded"
     assert stand == [key] and told == [{"alarm": text, "stands": True}]
     typed.ask(None, 100)
     assert list(typed.after(Cycle(lies, {}, True, ()))) == [] and told[1:] == [{"alarm": text, "stands": False}]

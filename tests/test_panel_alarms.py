@@ -102,7 +102,7 @@ def test_points_that_nobody_has_commanded_are_supervised_too(ready: Ready) -> No
         b.until(lambda: b.state["m:P4"][0] == "")
         assert not b.state["m:P4"][3] and not b.rest["alarms"][1:]  # not before the supervision time, 13 s
         b.until(lambda: b.state["m:P4"][3] and b.rest["alarms"][1:])
-        assert b.rest["alarms"][1][1:3] == ["P4 is not detected, and was not commanded", ["m:P4"]]
+        assert b.rest["alarms"][1][1:3] == ["points P4 are not detected, and were not commanded", ["m:P4"]]
         b.ask("fail", kind="machine", name="P4", on=False)
         b.until(lambda: b.state["m:P4"][0] == "N" and not b.rest["alarms"][1][4])
         assert not b.state["m:P4"][3]

@@ -84,14 +84,15 @@ def _of_machine(layout: Layout, y: Symbols, m: MachineId) -> Iterator[Possible]:
     """What can be wrong with a machine."""
     late, trailed, at = y.indication.get(f"late {m}"), y.machines.trailed.get(m), (f"m:{m}",)
     if late is not None:
-        text = f"{m} is not detected where it is commanded"
-        if m in layout.machines.device:
-            text = layout.machines.undetected(m)
+        text = layout.machines.undetected(m)
+        if m not in layout.machines.device:
+            it = "it is" if layout.machines.is_derailer(m) else "they are"
+            text = f"{_not_detected(layout, m)} where {it} commanded"
         yield Possible(f"late {m}", f"ALARM_LATE_{portable(m)}", text, at, lambda c: bool(c.outputs.get(late)))
     if trailed is not None:
-        text = f"{m} was trailed: look at it"
+        text = f"{layout.machines.named(m)} were trailed: look at them"
         if layout.machines.is_derailer(m):
-            text = f"derailer {m} was run over, or has lost its detection where it lay: look at it"
+            text = f"{layout.machines.named(m)} was run over, or has lost its detection where it lay: look at it"
         yield Possible(
             f"trailed {m}", f"ALARM_TRAILED_{portable(m)}", text, at, lambda c: bool(c.memory.state.get(trailed))
         )
@@ -116,7 +117,13 @@ def _idle(layout: Layout, m: MachineId) -> str:
     if m in layout.machines.device:
         words = " nor ".join(layout.machines.word(m, x) for x in Position)
         return f"{layout.machines.named(m)} is proved neither {words}, and was not commanded"
-    return f"{m} is not detected, and was not commanded"
+    were = "was" if layout.machines.is_derailer(m) else "were"
+    return f"{_not_detected(layout, m)}, and {were} not commanded"
+
+
+def _not_detected(layout: Layout, m: MachineId) -> str:
+    """`points 2 are not detected`, `derailer Gs1 is not detected`."""
+    return f"{layout.machines.named(m)} {'is' if layout.machines.is_derailer(m) else 'are'} not detected"
 
 
 def _of_lamps(y: Symbols) -> Iterator[Possible]:
