@@ -270,7 +270,7 @@ def _placed(d: Drawing) -> list[Part]:
     for text in plan_body(d):
         spots = [(float(x), float(y)) for x, y in _NUMBERS.findall(text)]
         xs, ys = [x for x, _ in spots], [y for _, y in spots]
-        track = 'class="track' in text or 'class="device"' in text
+        track = 'class="track' in text or 'class="device" ' in text
         out.append(Part(text, (min(xs), min(ys), max(xs), max(ys)), track))
     return out
 

@@ -8,6 +8,7 @@ what it wants.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from xml.sax.saxutils import escape, quoteattr
 
 from interlock.emit.drawing.canvas import Drawing, Label, Spot, arrow, bend, device_spots, fouling_mark
@@ -27,6 +28,8 @@ STYLE = """
 .plan .rail, .plan .arm { pointer-events: none }
 .plan .arm:not(.used) { display: none }
 .plan .mark, .plan .mast { fill: none; stroke: #222; stroke-width: 1.5 }
+.plan .barrier, .plan .across { display: none }
+.plan .leaf { fill: #fff }
 .plan .foul { fill: none; stroke: #222; stroke-width: 1.2 }
 .plan .lamp { fill: #fff; stroke: #222; stroke-width: 1.3 }
 .plan .lamp.main { fill: #222 }
@@ -272,18 +275,35 @@ def _beside(line: list[Spot], end: Spot) -> float:
 
 
 def _devices(d: Drawing) -> list[str]:
-    """A level crossing is a road across every track that it lies over; other interlocks are a frame around it."""
+    """A level crossing is a road across every track that it lies over, a door a leaf between two jambs; other
+    interlocks are a frame around the track.  Where they lie is told for whoever shows how they are (`data-at`), with
+    marks that the plan alone does not show: barriers across a road, a cross in a frame."""
     out = []
     for device in d.layout.signalling.devices:
-        marks = []
-        for x, y in device_spots(d, device.over):
-            if device.kind is DeviceKind.LEVEL_CROSSING:
-                marks += [f"M{_n(x + k)} {_n(y - 16)} L{_n(x + k)} {_n(y + 16)}" for k in (-4, 4)]
-            else:
-                marks.append(f"M{_n(x - 9)} {_n(y - 9)} h18 v18 h-18 Z")
-        path = f'<path class="mark" d="{" ".join(marks)}"/>'
-        out.append(f'<g id={_id(f"device-{device.id}")} class="device"><title>{escape(device.id)}</title>{path}</g>')
+        marks: dict[str, list[str]] = {}
+        spots = device_spots(d, device.over)
+        for x, y in spots:
+            for part, stroke in _device(device.kind, x, y):
+                marks.setdefault(part, []).append(stroke)
+        paths = "".join(f'<path class="mark{part}" d="{" ".join(strokes)}"/>' for part, strokes in marks.items())
+        told = f'data-kind="{device.kind}" data-at="{" ".join(f"{_n(x)},{_n(y)}" for x, y in spots)}"'
+        name = f"<title>{escape(device.id)}</title>"
+        out.append(f'<g id={_id(f"device-{device.id}")} class="device" {told}>{name}{paths}</g>')
     return out
+
+
+def _device(kind: DeviceKind, x: float, y: float) -> Iterator[tuple[str, str]]:
+    """The strokes of a device at one of its places, each with the class of its part."""
+    if kind is DeviceKind.LEVEL_CROSSING:
+        yield "", " ".join(f"M{_n(x + k)} {_n(y - 16)} L{_n(x + k)} {_n(y + 16)}" for k in (-4, 4))
+        yield " barrier", " ".join(f"M{_n(x - 9)} {_n(y + k)} h18" for k in (-13, 13))
+    elif kind is DeviceKind.DOOR:
+        ends = ((y - 12, 6), (y + 12, -6))
+        yield "", " ".join(f"M{_n(x - 4)} {_n(end)} h8 M{_n(x)} {_n(end)} v{far}" for end, far in ends)
+        yield " leaf", f"M{_n(x - 2.5)} {_n(y - 6)} h5 v12 h-5 Z"
+    else:
+        yield "", f"M{_n(x - 9)} {_n(y - 9)} h18 v18 h-18 Z"
+        yield " across", f"M{_n(x - 9)} {_n(y - 9)} l18 18 M{_n(x - 9)} {_n(y + 9)} l18 -18"
 
 
 def _signals(d: Drawing) -> list[str]:
