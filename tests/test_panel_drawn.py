@@ -99,7 +99,7 @@ def test_each_state_is_drawn_as_the_table_says(chromium: Any) -> None:
 
 
 @pytest.mark.parametrize(
-    ("profile", "stop"), [("uk", "rgb(255, 59, 59)"), ("de", "rgb(255, 59, 59)"), ("cn", "rgb(53, 104, 201)")]
+    ("profile", "stop"), [("uk", "rgb(255, 59, 59)"), ("de", "rgb(255, 59, 59)"), ("cn", "rgb(106, 156, 255)")]
 )
 def test_a_shunt_signal_at_stop_has_the_colour_of_its_country(chromium: Any, profile: str, stop: str) -> None:
     """It was blue everywhere.  The second lamp of a combined signal is dark beside the red one."""

@@ -120,10 +120,12 @@ def _signals(layout: Layout, controller: Controller, table: InterlockingTable) -
             "kind": str(g.kind),
             "entry": g.id in entries,
             "cancel": g.id in controller.symbols.cancellation.cancel,
+            "calls": g.id in controller.symbols.aspects.call_on,
         }
         for g in layout.signalling.signals
     }
-    found |= {str(d.id): {"kind": "distant", "entry": False, "cancel": False} for d in layout.signalling.distants}
+    distant = {"kind": "distant", "entry": False, "cancel": False, "calls": False}
+    found |= {str(d.id): distant for d in layout.signalling.distants}
     return found
 
 
@@ -270,12 +272,14 @@ _Signal = tuple[
     Name | None,
     tuple[tuple[str, Name, Name], ...],
     Name | None,
+    tuple[tuple[int, Name], ...],
 ]
-"""A signal, lamps by word, cancellation, approach locking, its routes (name, set, locked), proof of its stop lamp."""
+"""A signal, lamps by word, cancellation, approach locking, its routes (name, set, locked), proof of its stop lamp, what
+its speed indicator shows in km/h."""
 
 
 def _of_signal(y: Symbols, g: SignalId) -> _Signal:
-    """What is read of a signal: its lamps, cancellation and approach locking, its routes, its stop lamp."""
+    """What is read of a signal: its lamps, cancellation and approach locking, its routes, its stop lamp, its speeds."""
     return (
         f"g:{g}",
         tuple(
@@ -294,6 +298,7 @@ def _of_signal(y: Symbols, g: SignalId) -> _Signal:
         y.cancellation.approach_timer.get(g),
         tuple((str(r.id), r.active, r.locked) for r in y.routes.of_signal.get(g, [])),
         y.lamp_proof.stop.get(g),
+        tuple((kmh, n) for (of, kmh), n in y.aspects.speed.items() if of == g),
     )
 
 
@@ -417,16 +422,17 @@ class Picture:
 
     def _of_signals(self, cycle: Cycle, shown: Shown) -> None:
         state, inputs, outputs = cycle.memory.state, cycle.inputs, cycle.outputs
-        for key, lamps, cancelling, timer, routes, lamp in self._signals:
+        for key, lamps, cancelling, timer, routes, lamp, speeds in self._signals:
             aspect = next((word for word, n in lamps if outputs.get(n)), "dark")
             going = bool(cancelling and state.get(cancelling))
             left = self.left(cycle, timer)
             active = next(([r, int(bool(state.get(b)))] for r, a, b in routes if state.get(a)), None)
             out = None if lamp is not None and not cycle.valid else int(lamp is not None and not inputs.get(lamp, 0))
-            shown[key] = [aspect, int(going), left, active, out]
+            kmh = next((v for v, n in speeds if outputs.get(n)), None)
+            shown[key] = [aspect, int(going), left, active, out, kmh]
         for key, clear, caution in self._distants:
             aspect = "clear" if outputs.get(clear or "") else "caution" if outputs.get(caution or "") else "dark"
-            shown[key] = [aspect, 0, None, None, 0]
+            shown[key] = [aspect, 0, None, None, 0, None]
 
     def not_counted(self, section: str, cycle: Cycle) -> str:
         """What is to be said of a train that is put on a section of a zone by hand; empty where it is counted."""
@@ -439,7 +445,7 @@ class Picture:
         blocked, which this place knows."""
         shown: Shown = {key: [1, [], 0, int(key[2:] in blocks), 0, None, 0, 0, []] for key, *_ in self._sections}
         shown |= {key: ["", "", 0, 0, 0, ""] for key, *_ in self._machines}
-        shown |= {key: ["dark", 0, None, None, 0] for key in self._lamps}
+        shown |= {key: ["dark", 0, None, None, 0, None] for key in self._lamps}
         shown |= {key: [0] for key, _ in self._overlaps}
         y = self.symbols
         unknown = [f"c:{c}" for c in y.condition]

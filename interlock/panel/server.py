@@ -33,7 +33,7 @@ from interlock.panel.operating import Person
 FILES = {
     "": ("index.html", "text/html"),
     "panel.css": ("panel.css", "text/css"),
-    **{n: (n, "text/javascript") for n in ("panel.js", "plan.js", "acts.js", "rows.js", "talk.js")},
+    **{n: (n, "text/javascript") for n in ("panel.js", "plan.js", "slips.js", "acts.js", "rows.js", "talk.js")},
 }
 """What is served, and as what."""
 

@@ -52,8 +52,8 @@ function machine(still, state, rest, name, [lies, wanted, locked, late, trailed,
   return {lines, acts: out};
 }
 
-function signal(still, state, rest, name, [aspect, cancelling, left, active, lamp] = [], sys) {
-  const out = [], lines = [[aspect, active ? `route ${active[0]} is set` : "", cancelling ? "cancelling" : "", lamp === null ? "inputs are lost: not known whether its stop lamp is lit" : lamp ? "stop lamp out" : ""].filter(Boolean).join(", ")];
+function signal(still, state, rest, name, [aspect, cancelling, left, active, lamp, kmh = null] = [], sys) {
+  const out = [], lines = [[`${aspect}${kmh ? ` at ${kmh} km/h` : ""}`, active ? `route ${active[0]} is set` : "", cancelling ? "cancelling" : "", lamp === null ? "inputs are lost: not known whether its stop lamp is lit" : lamp ? "stop lamp out" : ""].filter(Boolean).join(", ")];
   const routes = routesFrom(still, name);
   if (routes.length) {
     const stop = active && aspect === "stop";

@@ -304,7 +304,7 @@ function trains() { running.show(rest.trains.map(([n, , v, l, u, h]) => [n, [n, 
 
 const more = new Rows($("rest"), v => {
   const b = button("", () => b.does());
-  return element("li", "", element("span", ""), ...(v.label ? [b] : []));
+  return element("li", "", element("span", ""), ...(v.label ? [b] : []), ...(v.of ? [element("small", v.of)] : []));
 }, (row, v) => {
   row.firstChild.textContent = row.firstChild.title = v.text;
   row.classList.toggle("long", Boolean(v.long));
@@ -318,12 +318,13 @@ const more = new Rows($("rest"), v => {
 // what is always there first, then what comes and goes
 function others() {
   const rows = [], s = rest.sys;
-  const add = (key, text, label = "", command = null, long = false) => rows.push([key, {text, label: command ? label : "", command, long}]);
+  const add = (key, text, label = "", command = null, long = false, of = "") => rows.push([key, {text, label: command ? label : "", command, long, of}]);
   const failed = (k, n) => s.failed.some(f => f[0] === k && f[1] === n);
   for (const [c, [text, input]] of Object.entries(still.conditions)) {
     const holds = state[`c:${c}`]?.[0];
     const unknown = s.power ? "not known: inputs are lost" : "not known without power", on = !failed("condition", input);
-    add(`c ${c}`, `${c}: ${holds === null ? unknown : holds ? "holds" : "does not hold"}${text ? ` (${text})` : ""}`, on ? "Fail" : "Put right", still.simulated && {do: "fail", kind: "condition", name: input, on});
+    add(`c ${c}`, holds === null ? unknown : holds ? "holds" : "does not hold", on ? "Fail" : "Put right", still.simulated && {do: "fail", kind: "condition", name: input, on},
+      false, text ? `${c}: ${text}` : c); // what it is stands above, however long
   }
   for (const z of still.zones) {
     const full = state[`z:${z}`]?.[0];

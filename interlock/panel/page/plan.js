@@ -1,4 +1,6 @@
 // The plan: shows what the server says of each element, zooms, tells what was clicked.
+import {Slips} from "./slips.js";
+
 const NS = "http://www.w3.org/2000/svg";
 const by = id => document.getElementById(id.replaceAll(" ", "\u00a0")); // no id has a space in it
 const make = (tag, attributes, into) => {
@@ -28,6 +30,7 @@ export class Plan {
       if (path) this.edge[id] = {path, metres: still.edges[id][0], forward: still.edges[id][1], length: path.getTotalLength()};
       if (path) path.after(make("path", {class: "block", d: path.getAttribute("d")})); // over whatever else the track shows
     }
+    this.slips = new Slips(svg, this.edge, by);
     this.keys = new Map();
     for (const s of Object.keys(still.sections)) this.key(`s:${s}`, by(`section-${s}`), `section ${s}`);
     for (const [m, one] of Object.entries(still.machines)) {
@@ -59,6 +62,7 @@ export class Plan {
     this.notes = make("g", {class: "notes"}, svg);
     this.names = [...svg.querySelectorAll("text:not(.title), .lamp")].map(e => e.getBBox()).filter(r => r.width); // nothing is written over these
     this.heads = [];
+    for (const [g, one] of Object.entries(still.signals)) if (one.calls) this.caller(by(`signal-${g}`));
     svg.addEventListener("click", e => this.clicked(e));
     svg.addEventListener("keydown", e => { if (e.key === "Enter" || e.key === " ") { e.preventDefault(); this.clicked(e); } });
     svg.addEventListener("wheel", e => { e.preventDefault(); this.zoom(e.deltaY < 0 ? 0.8 : 1.25, this.at(e)); }, {passive: false});
@@ -102,20 +106,36 @@ export class Plan {
     make("path", {class: "sign cross", d: `M${x - r} ${y - r} L${x + r} ${y + r} M${x - r} ${y + r} L${x + r} ${y - r}`}, group);
   }
 
-  // a bridge is a frame, a road two lines: what is clicked is all of each place at which it lies over a track
-  device(m, one, group) {
-    this.key(`m:${m}`, group, one.called);
-    const places = [];
-    for (const part of group?.querySelector(".mark").getAttribute("d").split(/(?=M)/) ?? []) {
-      const stroke = make("path", {d: part}, group), b = stroke.getBBox(), x = b.x + b.width / 2, y = b.y + b.height / 2;
-      stroke.remove();
-      const same = places.find(p => Math.hypot(p.x - x, p.y - y) < 12);
-      if (same) same.x = (same.x + x) / 2; else places.push({x, y});
-    }
-    for (const {x, y} of places) make("rect", {class: "reach", x: x - 11, y: y - 16, width: 22, height: 32, rx: 4}, group);
+  // a signal that calls on shows a white lamp beside the red one, where nothing is written
+  caller(group) {
+    if (!group?.querySelector(".lamp")) return;
+    const {x, y, way, off} = this.head(group);
+    const places = [[way * 9, 0], [0, off * 10], [way * 9, off * 7], [way * 18, 0]].map(([dx, dy]) => ({x: x + dx, y: y + dy, width: 9, height: 9}));
+    const free = places.find(b => !this.names.some(t => Math.abs(t.x + t.width / 2 - b.x) < (t.width + 9) / 2 && Math.abs(t.y + t.height / 2 - b.y) < (t.height + 9) / 2)) ?? places[0];
+    make("circle", {class: "caller", r: 4.2, cx: free.x, cy: free.y}, group);
+    this.names.push({x: free.x - 4.5, y: free.y - 4.5, width: 9, height: 9});
   }
 
-  // how a point lies: a short bright piece of the leg to which it leads
+  // the last lamp of a signal, or its mast; which way its lamps go, and on which side of the track they are
+  head(group) {
+    const lamps = [...group?.querySelectorAll(".lamp") ?? []].map(e => e.getBBox()), b = lamps.at(-1) ?? group?.getBBox();
+    if (!b) return null;
+    const x = b.x + b.width / 2, y = b.y + b.height / 2, mast = group.querySelector(".mast").getBBox();
+    return {x, y, way: lamps.length && b.x < mast.x ? -1 : 1, off: y < mast.y + mast.height / 2 ? -1 : 1};
+  }
+
+  // what is clicked of a device is all of each place at which it lies over a track; there is a mark beside that it is locked
+  device(m, one, group) {
+    this.key(`m:${m}`, group, one.called);
+    const [dx, dy] = {"level crossing": [-2.5, -11], door: [5, -11]}[group?.dataset.kind] ?? [-2.5, -8];
+    for (const spot of group?.dataset.at.split(" ") ?? []) {
+      const [x, y] = spot.split(",").map(Number);
+      make("rect", {class: "reach", x: x - 11, y: y - 16, width: 22, height: 32, rx: 4}, group);
+      make("rect", {class: "lock", x: x + dx, y: y + dy, width: 5, height: 5}, group);
+    }
+  }
+
+  // how a point lies: a short bright piece of the leg to which it leads, with a dark rim around it
   point(p) {
     const toe = this.edge[p.toe]?.path, group = by(`point-${p.id}`);
     if (!toe || !group) return null;
@@ -123,16 +143,21 @@ export class Plan {
     const near = (a, b) => Math.hypot(a.x - b.x, a.y - b.y);
     const out = {group};
     for (const leg of ["N", "R"]) {
-      const told = group.dataset[leg.toLowerCase()]; // of a double slip: at its blades, which lie across
-      if (told) { out[leg] = make("path", {class: `lie ${leg}`, d: told}); group.prepend(out[leg]); continue; }
-      const edge = this.edge[p[leg]];
-      if (!edge) continue;
-      const [a, b] = ends(edge.path), from = Math.min(...ends(toe).map(t => near(t, a))) <= Math.min(...ends(toe).map(t => near(t, b)));
-      const far = Math.min(17, edge.length), to = edge.path.getPointAtLength(from ? far : edge.length - far), at = from ? a : b;
-      out[leg] = make("path", {class: `lie ${leg}`, d: `M${at.x} ${at.y} L${to.x} ${to.y}`});
+      const d = group.dataset[leg.toLowerCase()] ?? this.leg(this.edge[p[leg]], ends(toe), ends, near); // of a double slip: at its blades, which lie across
+      if (!d) continue;
+      out[leg] = make("g", {class: `lie ${leg}`});
+      for (const part of ["rim", "piece"]) make("path", {class: part, d}, out[leg]);
       group.prepend(out[leg]);
     }
+    group.prepend(...group.querySelectorAll(".gap")); // under the piece of a leg that is set
     return out;
+  }
+
+  leg(edge, toe, ends, near) {
+    if (!edge) return null;
+    const [a, b] = ends(edge.path), from = Math.min(...toe.map(t => near(t, a))) <= Math.min(...toe.map(t => near(t, b)));
+    const far = Math.min(17, edge.length), to = edge.path.getPointAtLength(from ? far : edge.length - far), at = from ? a : b;
+    return `M${at.x} ${at.y} L${to.x} ${to.y}`;
   }
 
   show(changes) {
@@ -145,23 +170,25 @@ export class Plan {
       else if (kind === "g") this.showSignal(name, value);
       else if (kind === "b") this.note(key, "left", value[3] ? `manual change: ${value[4] === null ? "waits" : `${value[4]} s`}` : "");
       else if (kind === "a") automatic.add(this.still.routes.find(r => r.id === name)?.entry);
-      else if (kind === "o") for (const e of this.still.overlaps[name] ?? []) toggle(this.edge[e]?.path, "overlap", value[0]);
+      else if (kind === "o") for (const path of this.slips.paths(this.still.overlaps[name] ?? [])) toggle(path, "overlap", value[0]);
     }
     for (const s of sections) this.showSection(s, this.state[`s:${s}`]);
     for (const g of automatic) this.showAutomatic(g);
+    if (this.slips.all.length) this.slips.used();
   }
 
   showSection(name, [occupied, ways, restart, blocked, stale, left, releasing, sick, over = []]) {
     const one = this.still.sections[name], group = by(`section-${name}`);
     if (!group) return;
-    const locked = new Set(ways.flatMap(k => one.ways[k] ?? []));
-    const edges = one.edges.length ? one.edges.map(e => [e, this.edge[e]?.path]) : [["", group.querySelector("path.track")]];
-    for (const [e, path] of edges) {
-      toggle(path, "locked", locked.has(e));
-      toggle(path, "occupied", occupied && (!locked.size || locked.has(e)));
+    const locked = new Set(ways.flatMap(k => this.slips.paths(one.ways[k] ?? [])));
+    const drawn = one.edges.length ? [...one.edges.map(e => this.edge[e]?.path), ...this.slips.beside(one.edges)] : [group.querySelector("path.track")];
+    for (const path of drawn) {
+      toggle(path, "locked", locked.has(path));
+      toggle(path, "occupied", occupied && (!locked.size || locked.has(path)));
+      toggle(path, "maybe", occupied && locked.size && !locked.has(path)); // the detector does not tell the legs apart
       toggle(path, "restart", restart);
       toggle(path, "blocked", blocked);
-      toggle(path, "unsure", stale && locked.has(e));
+      toggle(path, "unsure", stale && locked.has(path));
     }
     toggle(group, "sick", sick);
     const words = [occupied ? "occupied" : "clear", locked.size ? "locked" : over.length ? `locked as overlap of ${over.join(", ")}` : "", restart ? "not released" : "", blocked ? "blocked" : ""];
@@ -171,23 +198,26 @@ export class Plan {
 
   showMachine(name, [lies, wanted, locked, late, trailed, why = ""]) {
     const one = this.still.machines[name];
+    const sure = lies.length === 1, failed = late || trailed;
     for (const g of this.keys.get(`m:${name}`) ?? []) {
-      toggle(g, "held", locked); toggle(g, "late", late || trailed); toggle(g, "moving", lies.length !== 1);
+      toggle(g, "held", locked); toggle(g, "late", failed); toggle(g, "moving", !sure && wanted); toggle(g, "lost", !sure);
       g.setAttribute("aria-label", `${one.called}: ${one.lies[lies] ?? (one.device ? "not proved open or closed" : "not detected")}${locked ? `, ${why || "locked"}` : ""}`);
-      toggle(g, "closed", one.device && lies === "R");
+      toggle(g, "secured", one.device && lies === "R"); toggle(g, "released", one.device && lies === "N");
     }
     for (const p of this.lies[name] ?? []) for (const leg of ["N", "R"]) {
       toggle(p[leg], "lies", lies === leg);
       toggle(p[leg], "wanted", lies !== leg && wanted === leg);
+      toggle(p[leg], "lost", lies !== leg && (failed || (!sure && !wanted))); // while they move in time, no leg is
     }
   }
 
-  showSignal(name, [aspect, cancelling, left, active, out]) {
+  showSignal(name, [aspect, cancelling, left, active, out, kmh = null]) {
     const group = by(`signal-${name}`);
     if (!group) return;
     for (const a of ["stop", "clear", "caution", "call", "identifier", "shunt", "dark"]) toggle(group, a, a === aspect);
     toggle(group, "set", active); toggle(group, "cancelling", cancelling); toggle(group, "out", out);
-    group.setAttribute("aria-label", `signal ${name}: ${aspect}${active ? `, route ${active[0]}` : ""}`);
+    this.showSpeed(name, kmh);
+    group.setAttribute("aria-label", `signal ${name}: ${aspect}${kmh ? ` at ${kmh} km/h` : ""}${active ? `, route ${active[0]}` : ""}`);
     this.note(`g:${name}`, "left", cancelling ? (left === null ? "cancel: waits" : `cancel: ${left} s`) : left === null ? "" : `waits: ${left} s`);
   }
 
@@ -195,14 +225,30 @@ export class Plan {
   showAutomatic(name) {
     const id = `automatic-g:${name}`, on = this.still.routes.some(r => r.entry === name && this.state[`a:${r.id}`]?.[0]);
     by(id)?.remove();
-    const group = by(`signal-${name}`), lamps = [...group?.querySelectorAll(".lamp") ?? []].map(e => e.getBBox()), b = lamps.at(-1) ?? group?.getBBox();
-    if (!on || !b) return;
-    const way = lamps.length && b.x < group.querySelector(".mast").getBBox().x ? -1 : 1, x = b.x + b.width / 2, y = b.y + b.height / 2 + 3;
+    const head = on && this.head(by(`signal-${name}`));
+    if (!head) return;
     const mark = make("g", {id, class: "automatic"}, this.notes), text = make("text", {}, mark);
     text.textContent = "A";
-    const places = [12, 14, 17, 20].map(far => ({x: x + way * far, y})).concat([14, -14, 17, -17].flatMap(far => [0, way * 8, -way * 8].map(dx => ({x: x + dx, y: y + far}))));
-    this.place(text, places, this.written(text));
+    this.place(text, this.beyond(head, 12), this.written(text));
     make("circle", {cx: text.getAttribute("x"), cy: Number(text.getAttribute("y")) - 3, r: 5.2}, mark);
+  }
+
+  // the km/h that a signal shows, beyond its lamps or near by
+  showSpeed(name, kmh) {
+    const id = `speed-g:${name}`, before = by(id);
+    if (before?.textContent === String(kmh ?? "")) return;
+    before?.remove();
+    const head = kmh === null ? null : this.head(by(`signal-${name}`));
+    if (!head) return;
+    const text = make("text", {id, class: "speed"}, this.notes);
+    text.textContent = kmh;
+    this.place(text, this.beyond(head, 16), this.written(text));
+  }
+
+  // places beyond the lamps of a signal, then further from the track, then beyond the track
+  beyond({x, y, way, off}, least) {
+    const ahead = [0, 2, 5, 8, 14].map(more => [way * (least + more), 0]), aside = [14, 17, 28, -30, -44].flatMap(far => [0, 8, -8, 18, -18].map(dx => [way * dx, off * far]));
+    return [...ahead, ...aside].map(([dx, dy]) => ({x: x + dx, y: y + 3 + dy}));
   }
 
   // a small text beside an element
@@ -241,16 +287,18 @@ export class Plan {
   trains(all) {
     this.layer.replaceChildren();
     this.heads = [];
+    const set = e => Object.entries(this.still.machines).some(([m, one]) => one.points.some(p => p[this.state[`m:${m}`]?.[0]] === e));
     for (const [name, spans, , , under, held, way] of all) {
+      const rails = this.slips.under(new Set(spans.map(([e]) => e)), set);
       let head = spans.length ? null : this.middle(`s:${under[0]}`);
       for (const [edge, lo, hi] of spans) {
         const e = this.edge[edge];
         if (!e) continue;
         const f = m => e.length * (e.forward ? m : e.metres - m) / e.metres;
         const [a, b] = [f(lo), f(hi)].sort((x, y) => x - y), steps = Math.max(1, Math.ceil((b - a) / 6));
-        const points = Array.from({length: steps + 1}, (_, k) => e.path.getPointAtLength(a + (b - a) * k / steps));
+        const points = Array.from({length: steps + 1}, (_, k) => this.slips.spot(edge, a + (b - a) * k / steps, rails));
         make("polyline", {class: held ? "train held" : "train", points: points.map(p => `${p.x},${p.y}`).join(" ")}, this.layer);
-        head = e.path.getPointAtLength(f(way > 0 ? hi : lo));
+        head = this.slips.spot(edge, f(way > 0 ? hi : lo), rails);
       }
       if (!head) continue;
       const text = make("text", {class: "berth"}, this.layer);
@@ -351,8 +399,9 @@ export class Plan {
 
   // every display in turn (document B: lamps are tested in sequence when work begins); returns how many there are
   async test(say) {
-    const kinds = [["free", ".track"], ["locked", ".track"], ["occupied", ".track"], ["stop", ".signal"], ["caution", ".signal"],
+    const kinds = [["free", ".track:not(.arm)"], ["locked", ".track:not(.arm)"], ["occupied", ".track:not(.arm)"], ["stop", ".signal"], ["caution", ".signal"],
       ["clear", ".signal"], ["shunt", ".signal"], ["normal", ".point"], ["reverse", ".point"]];
+    if (this.svg.querySelector(".caller")) kinds.push(["call", ".caller"]);
     if (this.svg.querySelector(".lamp.identifier")) kinds.push(["identifier", ".lamp.identifier"]);
     let count = 0;
     for (const [kind, what] of kinds) {
