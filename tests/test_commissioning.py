@@ -130,6 +130,7 @@ def test_every_wire_is_tested_with_both_values_and_an_open_circuit() -> None:
         ("call-on-unasked", "it is set"),
         ("cancel-with-train", "given up too early"),
         ("restart-unlocked", "is not locked"),
+        ("stop-lamp-dark", "does not show stop"),
         ("hand-beside-grant", ""),  # two requests in one scan: no test of one route from rest shows it, the proof does
     ],
 )

@@ -128,6 +128,12 @@ class Bench:
         return any(str(n) in inputs for (other, _), n in self.symbols.machines.detected.items() if other == m)
 
 
+def not_at_stop(bench: Bench) -> list[SignalId]:
+    """The signals that show more than stop, or nothing."""
+    stop = bench.symbols.aspects.stop
+    return [g for g in stop if not bench.on(stop[g]) or bench.proceeds([g])]
+
+
 def occupied(y: Symbols, *sections: SectionId) -> dict[str, int]:
     """The inputs that report some sections occupied; none of one without detection."""
     return {str(y.sections.clear[s]): 0 for s in sections if s in y.sections.clear}

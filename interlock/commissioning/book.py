@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import replace
 from itertools import count
 
-from interlock.commissioning.bench import FEW, Bench, occupied
+from interlock.commissioning.bench import FEW, Bench, not_at_stop, occupied
 from interlock.commissioning.machines import machines
 from interlock.commissioning.routes import RouteTests
 from interlock.commissioning.step import Sheet, Step
@@ -58,7 +58,7 @@ def _start(bench: Bench) -> Iterator[Step]:
     """From power-up to the release of all sections."""
     y, rules = bench.symbols, bench.layout.principles
     bench.scans(FEW)
-    came = [f"{g} at proceed" for g in bench.proceeds()]
+    came = [f"{g} does not show stop" for g in not_at_stop(bench)]
     came += [f"{s} is not locked" for s in y.sections.restart if not bench.locked(s)]
     expect = "every signal shows stop, every section is indicated as locked, no points move"
     yield _started("switch the controller on, all clear", expect, came)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from interlock.commissioning.bench import FEW, SCAN_MS, Bench, Moment, occupied
+from interlock.commissioning.bench import FEW, SCAN_MS, Bench, Moment, not_at_stop, occupied
 from interlock.commissioning.needs import Need, needs, to_open
 from interlock.commissioning.row import Row
 from interlock.commissioning.step import SLACK_S, Sheet, Step
@@ -102,8 +102,8 @@ class RouteTests:
         came = [] if lit == {*row.aspect()[0]} else [f"lit: {', '.join(sorted(lit)) or 'nothing'}"]
         wrong = [m for m, p in row.demands.items() if bench.lies[m] is not p.position]
         came += [f"{machines.named(m)} {machines.word(m, bench.lies[m])}" for m in wrong]
-        if others := [x for x in bench.proceeds() if x not in {p.entry for p in row.parts}]:
-            came.append(f"at proceed: {', '.join(others)}")
+        if others := [x for x in not_at_stop(bench) if x not in {p.entry for p in row.parts}]:
+            came.append(f"not at stop: {', '.join(others)}")
         if free := [s for part in row.parts for s, _ in part.path.locked if not bench.locked(s)]:
             came.append(f"not locked: {', '.join(free)}")
         return came
@@ -117,10 +117,11 @@ class RouteTests:
     # --- what it needs, what it locks, what it excludes ---
 
     def _falls(self, opened: Moment, need: Need) -> Step:
-        bench = self._bench
+        bench, row = self._bench, self._row
         bench.back(opened)
         bench.scan(need.inputs)
         came = ["it stays at proceed"] if self._proceed() else []
+        came += [] if came or row.row.entry not in not_at_stop(bench) else ["it is dark"]
         bench.scans(FEW)
         came += ["it opens again by itself"] if self._proceed() else []
         expect = "it shows stop in the same scan, and stays at stop afterwards"
