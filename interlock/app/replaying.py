@@ -6,9 +6,9 @@ import json
 from collections.abc import Sequence
 
 from interlock.emit.drawing import place, plan_svg
-from interlock.model.elements import MachineId, Position
+from interlock.model.elements import Position
 from interlock.model.layout import Layout
-from interlock.model.machines import Machines
+from interlock.model.machines import Machines, shown_by
 from interlock.record.log import Event
 from interlock.record.shift import NoShift, as_written, clock
 
@@ -89,7 +89,5 @@ def _views(layout: Layout) -> dict[str, list[list[str]]]:
     out = {f"o.{s.id}": [["section", str(s.id), "occupied"]] for s in layout.track.sections}
     out |= {f"g.{g.id}": [["signal", str(g.id), "proceed"]] for g in layout.signalling.signals}
     for m in layout.machines:
-        for x in "NR":
-            ends = [["point", str(p.id), x] for p in layout.machines.ends.get(MachineId(m), ())]
-            out[f"at.{m}.{x}"] = ends or [["device", str(m), x]]
+        out |= {f"at.{m}.{x}": shown_by(layout.machines, m, x) for x in Position}
     return out

@@ -130,6 +130,14 @@ class Machines(Collection[MachineId]):
         return "normal" if normal else "reverse"
 
 
+def shown_by(machines: Machines, machine: MachineId, position: Position) -> list[list[str]]:
+    """What shows on a plan that a machine lies so: of each of its points, or of the device, the kind of element, its
+    id, the position, and the word for it."""
+    word = machines.word(machine, position)
+    ends = [["point", str(p.id), str(position), word] for p in machines.ends.get(machine, ())]
+    return ends or [["device", str(machine), str(position), word]]
+
+
 def other_doors(machines: Machines, machine: MachineId) -> tuple[MachineId, ...]:
     """Of a door of an air lock the others, none of which is open while it is (R13); of anything else none."""
     return machines.device[machine].beside if machine in machines.device else ()

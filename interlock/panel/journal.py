@@ -6,7 +6,7 @@ import json
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from datetime import datetime, timedelta
-from itertools import accumulate, pairwise
+from itertools import accumulate, groupby, pairwise
 from typing import Any
 
 from jinja2 import Environment, PackageLoader, select_autoescape
@@ -18,6 +18,9 @@ PICTURE = "picture"
 
 SET_BACK_S = 1
 """Seconds by which the clock may be corrected without a word (our choice)."""
+
+TOGETHER_MS = 2000
+"""Milliseconds within which what is said and the change of the plan that follows are one step (our choice)."""
 
 MOST = 2000
 """States that a page of the player shows at most."""
@@ -111,25 +114,28 @@ def trace(found: Recorded, first: str = "", last: str = "") -> str:
     """A span of the record as an ITF trace.  Raises `NotAPanels`."""
     begin, start, end = span(found, first, last)
     on: set[str] = set()
-    said: list[str] = []
+    said: list[tuple[int, str]] = []
     states: list[tuple[str, frozenset[str]]] = []
+    seen = False  # a picture, without which nothing is known
     for before, e in pairwise((found.events[0], *found.events)):
         inside = start <= e["t"] <= end
         if inside and (jump := _set_back(before, e)):
-            said.append(jump)
+            said.append((e["t"], jump))
         if e["kind"] == PICTURE:
-            on = set(e["on"]) if e["whole"] else (on | set(e["on"])) - set(e["off"])
+            earlier = [x for x in said if e["t"] - x[0] > TOGETHER_MS]
+            if seen and inside and earlier:  # when the plan was still another
+                states.append((_told(earlier), frozenset(on)))
+                said = [x for x in said if x not in earlier]
+            on, seen = set(e["on"]) if e["whole"] else (on | set(e["on"])) - set(e["off"]), True
+            if inside:
+                if not said or clock(said[-1][0]) != clock(e["t"]):
+                    said.append((e["t"], "the plan changes"))
+                states.append((_told(said), frozenset(on)))
+                said.clear()
         elif inside and e["kind"] in TOLD:
-            said.append(_sentence(e))
-            continue
-        else:
-            continue
-        if inside:
-            told = "; ".join(said) or "the plan changes"
-            states.append((f"{clock(e['t'])[11:]}  {told}", frozenset(on)))
-            said.clear()
+            said.append((e["t"], _sentence(e)))
     if said:
-        states.append(("; ".join(said), frozenset(on)))
+        states.append((_told(said), frozenset(on)))
     if not states:
         raise NotAPanels("nothing is recorded in that time")
     if len(states) > MOST:
@@ -151,6 +157,12 @@ def trace(found: Recorded, first: str = "", last: str = "") -> str:
         ],
     }
     return json.dumps(body, ensure_ascii=False) + "\n"
+
+
+def _told(said: Sequence[tuple[int, str]]) -> str:
+    """Sentences, each with its time, those of one second after one time."""
+    timed = groupby(said, key=lambda x: clock(x[0])[11:])
+    return "; ".join(f"{time}  {'; '.join(text for _, text in those)}" for time, those in timed)
 
 
 def _sentence(e: Event) -> str:

@@ -17,6 +17,7 @@ from interlock.app.run import Ready
 from interlock.emit.drawing import plan_svg
 from interlock.field.alone import hold_file
 from interlock.field.plc import Cycle
+from interlock.model.machines import shown_by
 from interlock.model.traversal import topology
 from interlock.panel.event import Event, rules
 from interlock.panel.journal import PICTURE
@@ -33,7 +34,8 @@ Views = dict[str, list[list[str]]]
 
 
 def views(ready: Ready) -> Views:
-    """What each recorded variable shows on the plan: kind of element, its id, and what is shown."""
+    """What each recorded variable shows on the plan: kind of element, its id, what is shown, and
+    of a machine the word for it."""
     assert ready.controller is not None and ready.layout is not None
     y, layout, topo = ready.controller.symbols, ready.layout, topology(ready.layout)
     out: Views = {name: [["section", str(s), "occupied"]] for s, name in y.sections.clear.items()}
@@ -46,8 +48,7 @@ def views(ready: Ready) -> Views:
     for r in y.routes:
         out |= {name: [["signal", str(r.entry), "proceed"]] for name in r.open_while}
     for (m, x), name in y.machines.detected.items():
-        ends = [["point", str(p.id), str(x)] for p in layout.machines.ends.get(m, ())]
-        out[name] = ends or [["device", str(m), str(x)]]
+        out[name] = shown_by(layout.machines, m, x)
     return out
 
 

@@ -6,18 +6,34 @@ let at = 0, timer = null;
 
 function views(k) {
   const out = new Map();
-  for (const name of data.states[data.shown[k]]) for (const v of data.views[name] || []) out.set(v.join("\n"), v);
+  for (const name of data.states[data.shown[k]]) for (const v of data.views[name] || []) out.set(v.slice(0, 3).join("\n"), v);
+  for (const v of undetected(k)) out.set(v.join("\n"), v);
   return out;
 }
 
-const words = { occupied: "occupied", locked: "locked", overlap: "held as overlap", restart: "restart lock", proceed: "proceed", identifier: "identifier light", N: "normal", R: "reverse" };
+// the variables that tell how a point or device lies; where those of both positions are known and none is true, it is not detected
+const lies = new Map();
+for (const [name, those] of Object.entries(data.views)) for (const [kind, id, what] of those) if (what === "N" || what === "R") {
+  const key = kind + "\n" + id;
+  if (!lies.has(key)) lies.set(key, { kind, id, names: new Map() });
+  lies.get(key).names.set(what, name);
+}
+
+// what the controller is not told is a thing of its own: no picture of a position would be true
+function undetected(k) {
+  const on = new Set(data.states[data.shown[k]]);
+  return [...lies.values()].filter(({ names }) => names.size === 2 && ![...names.values()].some((n) => on.has(n))).map(({ kind, id }) => [kind, id, "undetected"]);
+}
+
+const words = { occupied: "occupied", locked: "locked", overlap: "held as overlap", restart: "restart lock", proceed: "proceed", identifier: "identifier light", N: "normal", R: "reverse", undetected: "not detected" };
+const told = (v) => v[1] + " " + (v[3] || words[v[2]]);
 
 function show(k) {
   at = Math.max(0, Math.min(data.texts.length - 1, k));
   slider.value = at;
   const now = views(at), before = at ? views(at - 1) : new Map();
   for (const e of document.querySelectorAll("#plan [data-now]")) { e.removeAttribute("data-now"); e.classList.remove("changed"); }
-  for (const e of document.querySelectorAll("#plan .train")) e.remove();
+  for (const e of document.querySelectorAll("#plan .train, #plan .lost")) e.remove();
   const marks = new Map();
   for (const [key, [kind, id, what]] of now) {
     const e = document.getElementById((kind + "-" + id).replaceAll(" ", "\u00a0")); // no id has a space in it
@@ -25,11 +41,12 @@ function show(k) {
     marks.set(e, (marks.get(e) || "") + " " + what);
     if (!before.has(key) && at) e.classList.add("changed");
     if (what === "occupied" && data.trains) train(e, id);
+    if (what === "undetected") lost(e);
   }
   for (const [e, what] of marks) e.setAttribute("data-now", what.trim());
   const news = [];
-  for (const [key, v] of now) if (!before.has(key) && at) news.push(v[1] + " " + words[v[2]]);
-  for (const [key, v] of before) if (!now.has(key)) news.push(v[1] + " no longer " + words[v[2]]);
+  for (const [key, v] of now) if (!before.has(key) && at) news.push(told(v));
+  for (const [key, v] of before) if (!now.has(key) && v[2] !== "undetected") news.push(v[1] + " no longer " + (v[3] || words[v[2]]));
   changes.textContent = news.join("; ");
   said.textContent = (at + 1) + " of " + data.texts.length + ": " + data.texts[at];
   list.forEach((li, i) => { li.classList.toggle("now", i === at); if (i === at) li.setAttribute("aria-current", "step"); else li.removeAttribute("aria-current"); });
@@ -48,6 +65,14 @@ function train(group, id) {
   title.textContent = "a train in " + id;
   box.append(title);
   group.append(box);
+}
+
+function lost(group) { // a frame round each machine, road or door of it
+  for (const mark of group.querySelectorAll(".mark")) {
+    const at = mark.getBBox(), box = document.createElementNS("http://www.w3.org/2000/svg", "rect");
+    for (const [k, v] of Object.entries({ class: "lost", x: at.x - 5, y: at.y - 5, width: at.width + 10, height: at.height + 10, rx: 4 })) box.setAttribute(k, v);
+    group.append(box);
+  }
 }
 
 function play() {
@@ -74,4 +99,5 @@ const frame = document.getElementById("plan"), drawing = frame.querySelector("sv
 const wide = drawing.clientWidth / frame.clientWidth;
 if (wide > 1 && wide < 1.6) { drawing.style.width = "100%"; drawing.style.height = "auto"; } // it is legible still
 if (start) { const [x, y] = start.split(" "); frame.scrollTo(x - 80, y - frame.clientHeight / 2); } // a large plan opens where its lines come in
+document.getElementById("devices").hidden = !drawing.querySelector(".device");
 show(0);

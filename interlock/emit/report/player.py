@@ -31,7 +31,7 @@ def player_html(itf: str) -> str:
         raise BadTrace("not an ITF trace with a plan, as `prove` and `compile` write them, nor a record") from None
     if not states or not plan.startswith("<svg") or "<script" in plan.lower():
         raise BadTrace("the trace has no states, or its plan is no drawing")
-    used = {n: views[n] for n in sorted(views)}
+    used = {n: views[n] for n in sorted({*views} & {*trace["vars"]})}
     return (
         environment()
         .get_template("player.html.j2")

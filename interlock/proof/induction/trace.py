@@ -11,12 +11,14 @@ from collections.abc import Sequence
 
 from interlock.logic import names
 from interlock.logic.names import Name
+from interlock.model.machines import shown_by
 from interlock.proof.induction.story import Story
 from interlock.proof.system.loop import ClosedLoop
 
 
 def views(loop: ClosedLoop, state: Sequence[Name]) -> dict[str, list[list[str]]]:
-    """What each state variable shows on the plan: kind of element, its id, and what is shown."""
+    """What each state variable shows on the plan: kind of element, its id, what is shown, and of
+    a machine the word for it."""
     sym, layout, known = loop.controller.symbols, loop.layout, set(state)
     out: dict[str, list[list[str]]] = {}
     for s in layout.track.sections:
@@ -33,8 +35,7 @@ def views(loop: ClosedLoop, state: Sequence[Name]) -> dict[str, list[list[str]]]
         shows = "identifier" if r.path.identifier else "proceed"
         out |= {name: [["signal", r.entry, shows]] for name in r.open_while}
     for (m, x), _ in sym.machines.command.items():
-        ends = [["point", str(p.id), str(x)] for p in layout.machines.ends.get(m, ())]
-        out[names.LIES(m, x)] = ends or [["device", str(m), str(x)]]
+        out[names.LIES(m, x)] = shown_by(layout.machines, m, x)
     return {n: v for n, v in out.items() if n in known}
 
 

@@ -1,0 +1,115 @@
+"""What the player shows of points and devices, and when: nothing that is not detected looks as if it were."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from interlock.emit.drawing import plan_svg
+from interlock.emit.report import player_html
+from interlock.model.elements import Position
+from interlock.model.layout import Layout
+from interlock.model.machines import shown_by
+from interlock.panel.journal import TOGETHER_MS, trace
+from interlock.record.log import Chain, Recorded, read_file
+from tests.browsers import shown
+from tests.layouts import built
+
+
+def views(layout: Layout) -> dict[str, list[list[str]]]:
+    """A variable for each position of each machine."""
+    return {f"{m}.{x}": shown_by(layout.machines, m, x) for m in layout.machines for x in Position}
+
+
+def played(layout: Layout, states: list[tuple[str, set[str]]]) -> str:
+    """The page of a trace of positions."""
+    names = sorted(views(layout))
+    those = [{"#meta": {"text": text}, **{n: n in on for n in names}} for text, on in states]
+    meta = {"plan": plan_svg(layout), "views": views(layout)}
+    return player_html(json.dumps({"#meta": meta, "vars": names, "states": those}))
+
+
+@pytest.mark.external
+def test_what_is_not_detected_is_marked_and_each_position_has_its_own_word_and_look(
+    chromium: Any, tmp_path: Path
+) -> None:
+    layout, _, _ = built("crossing_line")
+    crossing = next(m for m in layout.machines if m in layout.machines.device)
+    point = next(p for p in layout.pointwork.points)
+    lie = {f"{m}.N" for m in layout.machines}
+    closed = lie - {f"{crossing}.N"} | {f"{crossing}.R"}
+    moving = lie - {f"{crossing}.N", f"{point.machine}.N"}
+    path = tmp_path / "play.html"
+    path.write_text(played(layout, [("open", lie), ("both move", moving), ("closed", closed)]), "utf-8")
+    looks = []
+    with shown(chromium, path) as page:
+        for step in range(3):
+            page.evaluate(f"show({step})")
+            marks = f"#device-{crossing} .mark"
+            looks.append(
+                (
+                    page.locator(f"#device-{crossing} .lost").count(),
+                    page.locator(f"#point-{point.id} .lost").count(),
+                    page.eval_on_selector(
+                        marks, "e => { const s = getComputedStyle(e); return s.stroke + s.strokeWidth }"
+                    ),
+                    page.inner_text("#changes"),
+                )
+            )
+        assert page.locator("#devices").is_visible()
+    assert [x[:2] for x in looks] == [(0, 0), (1, 1), (0, 0)]
+    assert len({x[2] for x in looks}) == 3, "open, moving and closed are told apart"
+    assert f"{crossing} not detected" in looks[1][3] and f"{crossing} no longer open" in looks[1][3]
+    assert f"{crossing} closed" in looks[2][3] and "reverse" not in looks[2][3] and "not detected" not in looks[2][3]
+
+
+def test_a_variable_that_a_trace_does_not_have_says_nothing_of_a_point() -> None:
+    """A counterexample has the variables of its neighbourhood alone; of other points nothing is known."""
+    layout, _, _ = built("junction")
+    meta = {"plan": plan_svg(layout), "views": views(layout)}
+    page = player_html(json.dumps({"#meta": meta, "vars": [], "states": [{"#meta": {"text": "x"}}]}))
+    data = re.search(r'<script type="application/json" id="data">(.*?)</script>', page)
+    assert data is not None and json.loads(data[1])["views"] == {}
+
+
+def recorded(path: Path, events: list[tuple[float, str, dict[str, Any]]]) -> Recorded:
+    """A panel's record, with seconds after noon."""
+    chain, noon = Chain(), 1_772_539_200_000
+    begin: dict[str, Any] = {
+        "title": "a",
+        "program": "b",
+        "digest": "c",
+        "plan": "<svg></svg>",
+        "views": {"x": [["point", "P", "N"]]},
+    }
+    lines = [chain.line(round(noon + 1000 * t), kind, x) for t, kind, x in [(0, "begin", begin), *events]]
+    path.write_bytes(b"".join(lines))
+    return read_file(path)
+
+
+def test_every_sentence_of_a_record_has_its_own_time(tmp_path: Path) -> None:
+    whole = {"on": ["x"], "off": [], "whole": True}
+    found = recorded(
+        tmp_path / "a.log",
+        [
+            (0, "picture", whole),
+            (10, "refusal", {"text": "route A-B is refused"}),
+            (40, "operation", {"text": "points P reverse"}),
+            (40 + TOGETHER_MS / 1000, "picture", {"on": [], "off": ["x"], "whole": False}),
+            (50, "alarm", {"text": "P is late"}),
+            (51, "note", {"text": "called"}),
+        ],
+    )
+    states = json.loads(trace(found))["states"]
+    told = [re.sub(r"\b\d\d:\d\d:(\d\d)\b", r"\1", s["#meta"]["text"]) for s in states]
+    assert told == [
+        "00  begin",
+        "10  route A-B is refused",
+        "40  points P reverse; 42  the plan changes",
+        "50  P is late; 51  called",
+    ]
+    assert [s["x"] for s in states] == [True, True, False, False], "what is said before the plan changes is shown so"
