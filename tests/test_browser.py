@@ -17,6 +17,8 @@ from interlock.diag import Sink
 from interlock.emit.drawing import opening, plan_svg
 from interlock.emit.report import BadTrace, player_html, report_html
 from interlock.frontend import load_text
+from interlock.model.elements import MachineId
+from interlock.table.cells import ProviderKind
 from interlock.table.columns import COLUMNS
 from interlock.table.printed import Printed
 from tests.browsers import crowding, shown
@@ -118,6 +120,46 @@ def test_a_chosen_route_lights_up_on_plan_and_table(chromium: Any, reports: Path
             assert r["id"] in page.inner_text("#why")
         page.keyboard.press("Escape")
         assert page.locator("#plan .lit-path").count() == 0
+
+
+@pytest.mark.parametrize("name", ["crossing_line", "depot", "flank_lab", "slip_junction"])
+@pytest.mark.external
+def test_a_chosen_route_lights_up_what_it_needs_beside_its_way(chromium: Any, tmp_path: Path, name: str) -> None:
+    """Devices, ends of track and boundaries that protect, sections that must be clear, and how points must lie."""
+    layout, table, _ = built(name)
+    (tmp_path / "x.html").write_text(report_html(layout, table, plan_svg(layout), [], [], {}, {}, ""), "utf-8")
+    seen: set[str] = set()
+    with shown(chromium, tmp_path / "x.html") as page:
+        for r in table.routes:
+            page.select_option("#route", r.id)
+            lit = "e => e.map(x => x.id.replaceAll('\\u00a0', ' ').replace(/^[a-z]+-/, ''))"
+            devices = {p.machine for p in r.locking.points if p.machine in layout.machines.device}
+            assert set(page.eval_on_selector_all("#plan .lit-device", lit)) == devices, r.id
+            assert all(f"{d} closed" in page.inner_text("#why") for d in devices), r.id
+            foul = {c.section for c in r.clear.foul} | {c.name for c in r.clear.space if not c.lamp}
+            assert set(page.eval_on_selector_all("#plan .lit-foul", lit)) == foul, r.id
+            protects = [p for c in r.locking.flank for p in c.providers]
+            flank = set(page.eval_on_selector_all("#plan .lit-flank", lit))
+            named = page.eval_on_selector_all("#plan text.point", "e => e.map(x => x.textContent)")
+            for p in protects:
+                if p.kind in (ProviderKind.SIGNAL, ProviderKind.BUFFER, ProviderKind.BOUNDARY):
+                    assert p.name in flank, (r.id, p)
+                elif p.kind is ProviderKind.POINT and p.position is not None:
+                    ends = layout.machines.ends[MachineId(p.name)]
+                    word = {"normal": "N", "reverse": "R"}
+                    said = layout.machines.word(ends[0].machine, p.position)
+                    assert {e.id for e in ends} <= flank, (r.id, p)
+                    assert any(t in {f"{e.id}\u00a0{word.get(said, said)}" for e in ends} for t in named), (r.id, named)
+                seen.add(str(p.kind))
+            seen |= {"device"} if devices else set()
+            seen |= {"foul"} if foul else set()
+        page.keyboard.press("Escape")
+        assert page.locator("#plan .lies, #plan .lit-foul, #plan .lit-device, #plan .lit-flank").count() == 0
+    assert seen >= {
+        "crossing_line": {"device"},
+        "depot": {"device", "point"},
+        "flank_lab": {"point", "end of track"},
+    }.get(name, {"signal", "point"})
 
 
 @pytest.mark.external

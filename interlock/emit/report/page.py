@@ -9,7 +9,7 @@ from __future__ import annotations
 import csv
 import io
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, field
 from functools import lru_cache
 from importlib import resources
@@ -22,8 +22,9 @@ from interlock.emit.bundle import digest_of
 from interlock.emit.io import CROSS_REFERENCE
 from interlock.emit.tables.paper import SIGNED, title_block
 from interlock.model.layout import Layout
+from interlock.model.machines import shown_by
 from interlock.model.traversal import Topology, topology
-from interlock.table.cells import Because, FlankCell, Hostility, ProviderKind, TraversalKey
+from interlock.table.cells import Because, Hostility, ProviderKind, Role, TraversalKey
 from interlock.table.columns import COLUMNS, VOYAGE_COLUMNS, Column, Reasons
 from interlock.table.matrix import beyond_matrix, matrix
 from interlock.table.national import SHEETS, national_sheets
@@ -186,8 +187,9 @@ class _Shared:
     """How routes are hostile: class and witness, with `{one}` and `{other}` as in `Hostility`."""
     ways: list[list[str]] = field(default_factory=list)
     """Ways through sections: the section, its edges on the plan, then `|` and its points."""
-    flanks: list[list[str]] = field(default_factory=list)
-    """Signals that protect a leg."""
+    beside: list[list[str]] = field(default_factory=list)
+    """What a route needs beside its way: the kind of element and its id on the plan, what it is there for (`flank`,
+    `device` or `foul`), and how a machine must lie, in a word."""
     groups: list[list[int]] = field(default_factory=list)
     """Routes that are hostile in one way: its place in `hows`, and the routes, counted from 0; `4, -9` is 4 to 9."""
 
@@ -195,9 +197,9 @@ class _Shared:
         """The place of a reason."""
         return self._in("reasons", f"{because.rule}: {because.text}")
 
-    def flank(self, cell: FlankCell) -> int:
-        """The place of the signals that protect a leg."""
-        return self._in("flanks", [p.name for p in cell.providers if p.kind is ProviderKind.SIGNAL])
+    def needs(self, kind: str, name: str, use: str, word: str = "") -> int:
+        """The place of something that a route needs beside its way."""
+        return self._in("beside", [kind, name, use, word])
 
     def way(self, key: TraversalKey, topo: Topology) -> int:
         """The place of a way."""
@@ -234,8 +236,6 @@ def _routes(layout: Layout, table: InterlockingTable, shared: _Shared) -> list[d
     line = {r.id: k for k, way in enumerate(Printed(table).all) for r in way.rows}
     routes = []
     for r in table.routes:
-        providers = [p for c in r.locking.flank for p in c.providers]
-        machines = {p.name for p in providers if p.kind is ProviderKind.POINT}
         hostile: dict[int, list[int]] = {}
         for h in r.locking.hostile:
             hostile.setdefault(shared.how(h.how), []).append(table.route[h.route].number - 1)
@@ -250,11 +250,29 @@ def _routes(layout: Layout, table: InterlockingTable, shared: _Shared) -> list[d
                 "overlap": [
                     shared.way(k, topo) for k in (r.locking.overlap.ways if r.locking.overlap is not None else ())
                 ],
-                "flank_points": [
-                    str(p.id) for p in layout.pointwork.points if p.id in machines or p.machine in machines
-                ],
-                "flank": [shared.flank(c) for c in r.locking.flank],
+                "beside": sorted({k for p in table.parts(r) for k in _beside(layout, p, shared)}),
                 "hostile": [shared.group(how, others) for how, others in sorted(hostile.items())],
             }
         )
     return routes
+
+
+_PROTECTS = {ProviderKind.SIGNAL: "signal", ProviderKind.BUFFER: "buffer", ProviderKind.BOUNDARY: "boundary"}
+"""The elements on a plan that protect a flank, and are no points."""
+
+
+def _beside(layout: Layout, r: RouteRow, shared: _Shared) -> Iterator[int]:
+    """What a route needs that does not lie on its way: devices, points and whatever else protects its flanks, sections
+    that must be clear."""
+    for p in r.locking.points:
+        device = p.machine in layout.machines.device
+        if not (device or p.role in (Role.FLANK, Role.ADDED)):
+            continue
+        for kind, name, _, word in shown_by(layout.machines, p.machine, p.position):
+            plain = kind == "point" and word in ("normal", "reverse")
+            yield shared.needs(kind, name, "device" if device else "flank", str(p.position) if plain else word)
+    for provider in (p for c in r.locking.flank for p in c.providers if p.kind in _PROTECTS):
+        yield shared.needs(_PROTECTS[provider.kind], provider.name, "flank")
+    clear = [c.section for c in (*r.clear.foul, *(r.clear.demanded or ()))]
+    for section in (*clear, *(c.name for c in r.clear.space if not c.lamp)):
+        yield shared.needs("section", section, "foul")

@@ -13,7 +13,7 @@ for (const r of data.routes) { // what is said once of each way, put together fo
   r.edges = ways(r.path).flatMap((w) => w.slice(1, w.indexOf("|")));
   r.points = ways([...r.path, ...r.overlap]).flatMap((w) => w.slice(w.indexOf("|") + 1));
   r.over = ways(r.overlap).flatMap((w) => w.slice(1, w.indexOf("|")));
-  r.flank_signals = r.flank.flatMap((k) => data.flanks[k]);
+  r.needs = r.beside.map((k) => data.beside[k]);
   r.words = `${r.kind} route from ${r.entry} to ${r.exit} over ${r.sections.join(", ")}`;
   r.against = r.hostile.flatMap((k) => groups[k][1].map((i) => [i, groups[k][0]])).sort((a, b) => a[0] - b[0]);
 }
@@ -28,9 +28,19 @@ function lit(kind, ids, prefix) {
   }
 }
 
+function lies(id, word) { // how a point beside the way must lie, after its name
+  const name = [...document.querySelectorAll("#plan text.point")].find((e) => e.dataset.of === id);
+  if (!name) return;
+  const said = document.createElementNS("http://www.w3.org/2000/svg", "tspan");
+  said.setAttribute("class", "lies");
+  said.textContent = "\u00a0" + word;
+  name.append(said);
+}
+
 function dark() {
-  for (const kind of ["lit-path", "lit-overlap", "lit-flank", "lit-point", "lit-entry"])
+  for (const kind of ["lit-path", "lit-overlap", "lit-flank", "lit-device", "lit-foul", "lit-point", "lit-entry"])
     for (const e of document.querySelectorAll("#plan ." + kind)) e.classList.remove(kind);
+  for (const e of document.querySelectorAll("#plan .lies")) e.remove();
   for (const r of rows) { r.classList.remove("chosen", "hostile"); r.removeAttribute("aria-selected"); }
   for (const b of document.querySelectorAll("#routes button.of[aria-pressed]")) b.removeAttribute("aria-pressed");
 }
@@ -47,8 +57,10 @@ function choose(i, scroll) {
   lit("lit-overlap", r.over, "edge-");
   lit("lit-point", r.points, "point-");
   lit("lit-entry", [r.entry], "signal-");
-  lit("lit-flank", r.flank_signals, "signal-");
-  lit("lit-flank", r.flank_points, "point-");
+  for (const [kind, id, use, word] of r.needs) {
+    lit("lit-" + use, [id], kind + "-");
+    if (kind === "point") lies(id, word);
+  }
   const row = rows[r.row];
   row.classList.add("chosen");
   row.setAttribute("aria-selected", "true");
@@ -60,7 +72,8 @@ function choose(i, scroll) {
   }
   approach(r.edges);
   show(r.edges);
-  say(r.id + ": " + r.words + "; " + r.against.length + " hostile routes.");
+  const secured = r.needs.filter(([, , use]) => use === "device").map(([, id, , word]) => id + " " + word);
+  say(r.id + ": " + r.words + (secured.length ? "; with " + secured.join(", ") : "") + "; " + r.against.length + " hostile routes.");
 }
 
 function say(text) { why.textContent = text; }
