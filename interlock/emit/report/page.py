@@ -273,6 +273,6 @@ def _beside(layout: Layout, r: RouteRow, shared: _Shared) -> Iterator[int]:
             yield shared.needs(kind, name, "device" if device else "flank", str(p.position) if plain else word)
     for provider in (p for c in r.locking.flank for p in c.providers if p.kind in _PROTECTS):
         yield shared.needs(_PROTECTS[provider.kind], provider.name, "flank")
-    clear = [c.section for c in (*r.clear.foul, *(r.clear.demanded or ()))]
+    clear = [*(c.section for c in r.clear.foul), *(c.section for c in r.clear.demanded or ())]
     for section in (*clear, *(c.name for c in r.clear.space if not c.lamp)):
         yield shared.needs("section", section, "foul")
