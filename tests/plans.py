@@ -1,7 +1,8 @@
 """A checker of track plans that knows nothing of how they are drawn: it reads the SVG that was written.
 
-Counted are lines that cross, touch or overprint one another without being joined on the ground, and names that lie on
-lines or on other names.  What is joined on the ground is asked of the layout; everything else comes from the picture.
+Counted are lines that cross, touch or overprint one another without being joined on the ground, names that lie on
+lines or on other names, and names of sections that stand nearer to another section than to their own.  What is joined
+on the ground is asked of the layout; everything else comes from the picture.
 """
 
 from __future__ import annotations
@@ -44,11 +45,13 @@ class Found:
     crossings: tuple[tuple[str, str], ...]
     on_lines: tuple[tuple[str, str], ...]
     on_names: tuple[tuple[str, str], ...]
+    astray: tuple[tuple[str, str], ...]
+    """Names and lengths of sections with the section that they stand at instead."""
 
     @property
     def clean(self) -> bool:
         """Nothing found."""
-        return not (self.crossings or self.on_lines or self.on_names)
+        return not (self.crossings or self.on_lines or self.on_names or self.astray)
 
 
 def examine(svg: str, layout: Layout) -> Found:
@@ -60,6 +63,7 @@ def examine(svg: str, layout: Layout) -> Found:
         tuple(sorted(set(_false_crossings(strokes, layout)))),
         tuple((text, s.edge) for text, box in names for s in (*strokes, *rails) if _on(s, box)),
         tuple((s, t) for i, (s, a) in enumerate(names) for t, b in names[i + 1 :] if _over(a, b)),
+        tuple(_astray(root)),
     )
 
 
@@ -175,3 +179,29 @@ def _on(s: Stroke, box: Box) -> bool:
 
 def _over(a: Box, b: Box) -> bool:
     return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
+
+
+def _astray(root: ElementTree.Element) -> Iterator[tuple[str, str]]:
+    """Names and lengths of sections that another section is nearer to than their own."""
+    tracks = {
+        str(g.get("id")).removeprefix("section-").replace("\u00a0", " "): list(_strokes(g))
+        for g in root.iter(f"{SVG}g")
+        if "section" in g.get("class", "").split() and g.get("id")
+    }
+    for text in root.iter(f"{SVG}text"):
+        own = text.get("data-of", "")
+        if text.get("class") in ("section", "length") and own in tracks:
+            left, top, right, bottom = _box(text)
+            middle = ((left + right) / 2, (top + bottom) / 2)
+            far = {name: min(_far(s, middle) for s in strokes) for name, strokes in tracks.items() if strokes}
+            near = min(far, key=lambda name: far[name])
+            if far[near] + 2 * NEAR < far[own]:
+                yield str(text.text), near
+
+
+def _far(s: Stroke, p: Spot) -> float:
+    """Pixels from a spot to a stroke."""
+    along = min(max(_along(s, p), 0.0), _along(s, s.b))
+    whole = max(1e-9, _along(s, s.b))
+    x, y = (s.a[k] + (s.b[k] - s.a[k]) * along / whole for k in (0, 1))
+    return float(((p[0] - x) ** 2 + (p[1] - y) ** 2) ** 0.5)

@@ -21,8 +21,9 @@ YARDS, STATIONS = (20, 30, 50, 60, 120, 240), (20, 100)
 
 EXPLAINED = """
 A checker that shares no code with the drawing reads the SVG of each plan ([`tests/plans.py`](../tests/plans.py)) and
-counts lines that cross, touch or overprint others without being joined on the ground, names that lie on lines, and
-names that lie on names.  Seconds are of processor time.
+counts lines that cross, touch or overprint others without being joined on the ground, names that lie on lines,
+names that lie on names, and names and lengths of sections that stand nearer to another section.  Seconds are of
+processor time.
 """
 
 
@@ -52,14 +53,14 @@ def random_layouts(count: int) -> Iterator[tuple[int, Layout]]:
         seed += 1
 
 
-def measured(layout: Layout) -> tuple[tuple[int, int, int], str, float, tuple[str, ...]]:
+def measured(layout: Layout) -> tuple[tuple[int, int, int, int], str, float, tuple[str, ...]]:
     """What is counted in a plan, its size, the seconds that it took, and what the drawing says of itself."""
     began = time.process_time()
     drawing = place(layout)
     svg = plan_svg(layout, drawing)
     seconds = time.process_time() - began
     found = examine(svg, layout)
-    counts = (len(found.crossings), len(found.on_lines), len(found.on_names))
+    counts = (len(found.crossings), len(found.on_lines), len(found.on_names), len(found.astray))
     return counts, f"{drawing.width:.0f} x {drawing.height:.0f}", seconds, tuple(drawing.notes)
 
 
@@ -73,12 +74,13 @@ def main() -> None:
         f"{EXPLAINED}"
     )
     print(
-        "| layout | false crossings | names on lines | names on names | pixels | seconds |\n|---|---|---|---|---|---|"
+        "| layout | false crossings | names on lines | names on names | names at other sections | pixels | seconds |\n"
+        "|---|---|---|---|---|---|---|"
     )
     for name, layout in fixed():
         counts, size, seconds, _ = measured(layout)
         print(f"| {name} | {' | '.join(map(str, counts))} | {size} | {seconds:.2f} |", flush=True)
-    total, told, longest = [0, 0, 0], [], 0.0
+    total, told, longest = [0, 0, 0, 0], [], 0.0
     for seed, layout in random_layouts(count):
         counts, _, seconds, notes = measured(layout)
         total = [a + b for a, b in zip(total, counts, strict=True)]

@@ -16,6 +16,7 @@ from interlock.model.layout import Layout
 UNIT = 42  # pixels of a level: half a track's distance
 LEAST = 26  # of an edge without any name
 SIGNAL = 34  # of a signal's symbol
+DEVICE = 24  # of a road or frame across a track
 DISTANT = 30  # of a distant signal beside the name of its section
 MARGIN, TOP = 40, 84
 BLADES = 40.0  # from the middle of a slip's diamond to its blades

@@ -7,7 +7,7 @@ little as needed.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from itertools import pairwise
 from math import hypot
 
@@ -28,6 +28,7 @@ from interlock.emit.drawing.canvas import (
     fouling_mark,
     reach,
 )
+from interlock.emit.drawing.slanting import Tracks, places
 from interlock.emit.drawing.slips import blades, double_slips
 from interlock.model.elements import BufferKind, DeviceKind, EdgeId, MachineId, SectionId
 
@@ -47,13 +48,18 @@ def put_names(d: Drawing, named: dict[EdgeId, SectionId]) -> None:
             way, (x, y) = 1 if b.at[0] > middle else -1, b.at
             side, dy = "start" if way > 0 else "end", 15 if b.chord[1] < y else -8
             _put(d, Label("point", b.point, b.point, x + way * 8, y + dy, anchor=side))
+    tracks = Tracks(d)
     for edge, section in sorted(named.items()):
         (x0, y0), (x1, y1) = flat(d.edges[edge])
         length = sum(e.length for e in d.layout.track.edges_in[section])
         x, y = (x0 + x1) / 2, (y0 + y1) / 2
         tilt = 10 if y0 != y1 else 0
-        _put(d, Label("section", section, section, x, y - 6 - tilt))
-        _put(d, Label("length", section, f"{length:g}", x, y + 13 + tilt, small=True))
+        own = _stretch(d, section, edge)
+        name = Label("section", section, section, x, y - 6 - tilt)
+        metres = Label("length", section, f"{length:g}", x, y + 13 + tilt, small=True)
+        for label in (name, metres):
+            if not (tilt and _put_if(d, (p for p in places(d, label) if tracks.is_near(p, section)), 0)):
+                _put(d, label, own)
     _devices(d)
 
 
@@ -72,9 +78,11 @@ def _devices(d: Drawing) -> None:
                 named += [(x, y)] if _put_if(d, labels) else []
 
 
-def _put_if(d: Drawing, places: Sequence[Label]) -> bool:
-    """A label in the first place where it covers nothing, moved along the track as little as needed; else nowhere."""
-    tries = (label.moved(dx, 0) for label in places for dx in (0, 6, -6, 12, -12, 18, -18, 24, -24))
+def _put_if(d: Drawing, places: Iterable[Label], most: int = 24) -> bool:
+    """A label in the first place where it covers nothing, moved along the track as little as needed, but by so many
+    pixels at most; else nowhere."""
+    moves = [0, *(dx for step in range(6, most + 1, 6) for dx in (step, -step))]
+    tries = (label.moved(dx, 0) for label in places for dx in moves)
     label = next((x for x in tries if not d.taken.meets(_around(x))), None)
     if label is not None:
         d.labels.append(label)
@@ -199,12 +207,40 @@ def _slope(d: Drawing, edge: EdgeId, at: Spot) -> float:
     return 0.0 if y0 == y1 else (y1 - y0) / max(1.0, x1 - x0)
 
 
-def _put(d: Drawing, label: Label) -> None:
-    """The label where nothing else stands: moved along the track, or away from it, as little as needed."""
+Along = tuple[float, float]
+"""From where to where on its own track a name stands, from left to right."""
+
+
+def _stretch(d: Drawing, section: SectionId, edge: EdgeId) -> Along:
+    """How far the track of a section runs on at the height of the edge on which its name stands."""
+    (left, y), (right, y1) = flat(d.edges[edge])
+    parts = [p for e in d.layout.track.edges_in[section] for p in pairwise(d.edges[e.id])]
+    level = sorted((min(a[0], b[0]), max(a[0], b[0])) for a, b in parts if a[1] == b[1] == y == y1)
+    for low, high in level:  # to the right of what is joined already, then the same to the left
+        right = max(right, high) if low <= right + 1 and high >= left else right
+    for low, high in reversed(level):
+        left = min(left, low) if high >= left - 1 and low <= right else left
+    return (min(left, right), max(left, right))
+
+
+def _along(label: Label, own: Along, whole: bool) -> bool:
+    """Whether a name stands at its own track: with every letter, or with its middle (as one that is longer must)."""
+    left, _, right, _ = label.box
+    if whole and right - left <= own[1] - own[0]:
+        return own[0] <= left and right <= own[1]
+    return own[0] <= (left + right) / 2 <= own[1]
+
+
+def _put(d: Drawing, label: Label, own: Along | None = None) -> None:
+    """The label where nothing else stands: moved along the track, or away from it, as little as needed.  `own`: the
+    track that it belongs to, and beyond whose ends it would name another."""
     moves = list(_tries())
-    for names_only, apart in ((False, True), (False, False), (True, False)):
+    passes = [(False, True, True), (False, False, True), (False, False, False)] if own is not None else []
+    for names_only, apart, whole in (*passes, (False, True, None), (False, False, None), (True, False, None)):
         for dx, dy in moves:
             moved = label.moved(dx, dy)
+            if own is not None and whole is not None and not _along(moved, own, whole):
+                continue
             beside = apart and d.taken.meets(_around(moved), names_only=True)
             if not beside and not d.taken.meets(moved.box, names_only):
                 d.labels.append(moved)

@@ -14,6 +14,7 @@ from interlock.emit.drawing.anchors import moved
 from interlock.emit.drawing.canvas import (
     ARC,
     BLADES,
+    DEVICE,
     DISTANT,
     LEAST,
     MARGIN,
@@ -67,7 +68,10 @@ def _content(plan: Plan, s: Strand, k: int, named: dict[EdgeId, SectionId]) -> f
             need += DISTANT
     if edge in named:
         metres = sum(e.length for e in layout.track.edges_in[named[edge]])
-        need += max(width(named[edge]), 0.82 * width(f"{metres:g}")) + 14
+        letters = max(width(named[edge]), 0.82 * width(f"{metres:g}"))
+        need += letters + 14
+        if any(named[edge] in x.over for x in layout.signalling.devices):
+            need += DEVICE + letters  # the device may lie in the middle, with the name on either side
     return max(LEAST, need)
 
 
