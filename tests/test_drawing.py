@@ -71,6 +71,11 @@ def _check(layout: Layout, d: Drawing) -> None:
         p.machine if p.id in shared else p.id for p in layout.pointwork.points
     } <= names
     assert {g.id for g in layout.signalling.signals} <= names
+    told = {x.get("data-of"): str(x.text) for x in root.iter(f"{SVG}text") if x.get("class") == "boundary"}
+    for b in layout.track.boundaries:  # by its label, and by the id that routes have
+        label = layout.printed.labels.get(b.node, b.node)
+        assert told[b.node] in (label, f"{label} ({b.node})") and b.node in told[b.node]
+    assert {str(c.id) for c in layout.pointwork.crossings if c.node not in d.plan.slips} <= names
 
 
 @pytest.mark.parametrize("name", SHIPPED)
@@ -439,3 +444,14 @@ def test_a_crossing_over_two_sections_is_named_once_where_these_are_beside_each_
         layout = check_file(f"{name}.yaml").layout
         assert layout is not None
         assert [t.text for t in place(layout).labels if t.kind == "of-device"].count(device) == times
+
+
+def test_a_machine_whose_name_is_not_that_of_its_points_is_named_with_them() -> None:
+    """The table says `M R`: somewhere the plan must say what M is."""
+    text = Path("tests/layouts_for_tests/driven.yaml").read_text("utf-8")
+    for machine, told in (("M", {"A (M)", "B (M)"}), ("A/B", {"A", "B"})):
+        layout, _ = load_text("driven.yaml", text.replace("machine: M", f"machine: {machine}"), Sink())
+        assert layout is not None
+        assert {t.text for t in place(layout).labels if t.kind == "point"} >= told
+    layout, _, _ = built("terminus")
+    assert "201A" in {t.text for t in place(layout).labels}, "201 works 201A and 201B"

@@ -10,7 +10,7 @@ from math import dist
 
 from interlock.dataclass import dataclass
 from interlock.emit.drawing.strands import Plan
-from interlock.model.elements import EdgeId, NodeId, SectionId
+from interlock.model.elements import EdgeId, NodeId, Point, SectionId
 from interlock.model.layout import Layout
 
 UNIT = 42  # pixels of a level: half a track's distance
@@ -172,6 +172,20 @@ def reach(layout: Layout, node: NodeId) -> float:
     """How far a line is drawn beyond its boundary: for the name of its section, and a distant signal beside it."""
     approach = layout.track.boundary_at[node].approach
     return max(46.0, width(str(approach or "")) + 16) + (DISTANT if announced(layout, node) else 0.0)
+
+
+def boundary_name(layout: Layout, node: NodeId) -> str:
+    """A boundary by its label and by the id with which tables and routes name it."""
+    label = layout.printed.labels.get(node, "")
+    return f"{label} ({node})" if label and label != node else str(node)
+
+
+def point_name(p: Point) -> str:
+    """A point, with the machine that works it where its name does not show that: `1/3` works 1 and 3, `201` 201A."""
+    own, machine = str(p.id), str(p.machine)
+    rest = own.removeprefix(machine)
+    told = own in machine.split("/") or (rest != own and not (machine[-1].isdigit() and rest[:1].isdigit()))
+    return own if own == machine or told else f"{own} ({machine})"
 
 
 def announced(layout: Layout, node: NodeId, edge: EdgeId | None = None) -> bool:

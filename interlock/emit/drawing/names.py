@@ -22,11 +22,14 @@ from interlock.emit.drawing.canvas import (
     announced,
     arrow,
     bend,
+    boundary_name,
     device_spots,
     entered,
     flat,
     fouling_mark,
+    point_name,
     reach,
+    width,
 )
 from interlock.emit.drawing.slanting import Tracks, places
 from interlock.emit.drawing.slips import blades, double_slips
@@ -48,6 +51,7 @@ def put_names(d: Drawing, named: dict[EdgeId, SectionId]) -> None:
             way, (x, y) = 1 if b.at[0] > middle else -1, b.at
             side, dy = "start" if way > 0 else "end", 15 if b.chord[1] < y else -8
             _put(d, Label("point", b.point, b.point, x + way * 8, y + dy, anchor=side))
+    _diamonds(d)
     tracks = Tracks(d)
     for edge, section in sorted(named.items()):
         (x0, y0), (x1, y1) = flat(d.edges[edge])
@@ -100,10 +104,23 @@ def _points(d: Drawing) -> None:
         if p.id in of_slip and p.machine in named:
             continue
         named.add(p.machine)
-        (x, y), far, text = d.at[p.node], bend(d, p.id), str(p.machine if p.id in of_slip else p.id)
+        (x, y), far, text = d.at[p.node], bend(d, p.id), str(p.machine) if p.id in of_slip else point_name(p)
         below, way = far[1] < y, 1 if far[0] < x else -1
         side = "start" if way > 0 else "end"
         _put(d, Label("point", p.id, text, x + way * 8, y + 15 if below else y - 8, anchor=side))
+
+
+def _diamonds(d: Drawing) -> None:
+    """Each diamond by its name, above or below it, or beside it; a slip is named by its points."""
+    for c in d.layout.pointwork.crossings:
+        (x, y), half = d.at[c.node], width(c.id) / 2
+        if c.node in d.plan.slips:
+            continue
+        beside = [(x + way * (half + k), y + 3.5) for k in (10, 16, 22) for way in (1, -1)]
+        above = [(x, y + dy) for k in (8, 14, 20, 26, 32) for dy in (-k, k + 9)]
+        labels = [Label("crossing", c.id, c.id, *spot) for spot in (*above, *beside)]
+        if not _put_if(d, labels, 12):
+            _put(d, labels[0])
 
 
 def _lines(d: Drawing) -> None:
@@ -189,9 +206,11 @@ def _outside(d: Drawing) -> None:
         if b.approach is not None:
             beyond = DISTANT * announced(layout, b.node) * (1 if right else -1)
             _put(d, Label("section", b.approach, b.approach, (x + beyond + tip) / 2, y - 6))
-        text = layout.printed.labels.get(b.node, "") or b.node
         where = tip + (8 if right else -8)
-        _put(d, Label("boundary", b.node, text, where, y + 4, anchor="start" if right else "end"))
+        _put(
+            d,
+            Label("boundary", b.node, boundary_name(layout, b.node), where, y + 4, anchor="start" if right else "end"),
+        )
     for stop in layout.track.buffers:
         x, y = d.at[stop.node]
         left = all(d.edges[e.id][0] == (x, y) for e in layout.track.edges_at[stop.node])

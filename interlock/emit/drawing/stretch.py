@@ -24,7 +24,9 @@ from interlock.emit.drawing.canvas import (
     Drawing,
     Spot,
     announced,
+    boundary_name,
     cut_at,
+    point_name,
     reach,
     width,
 )
@@ -61,7 +63,7 @@ def _content(plan: Plan, s: Strand, k: int, named: dict[EdgeId, SectionId]) -> f
         elif node in layout.pointwork.point_at:
             turned = edge == plan.turned_leg(layout.pointwork.point_at[node])
             toe = edge == layout.pointwork.point_at[node].toe
-            need += 10 if turned else width(str(layout.pointwork.point_at[node].id)) + 4 if toe else 40
+            need += 10 if turned else width(point_name(layout.pointwork.point_at[node])) + 4 if toe else 40
         else:
             need += _slip_room(plan, node)
         if announced(layout, node, edge):
@@ -106,7 +108,7 @@ def outer(layout: Layout, node: NodeId) -> float:
     """Room that the end of a track needs beyond itself."""
     boundary = layout.track.boundary_at.get(node)
     if boundary is not None:
-        return reach(layout, node) + width(layout.printed.labels.get(node, "") or node) + 10
+        return reach(layout, node) + width(boundary_name(layout, node)) + 10
     return width(node) + 12 if node in layout.track.buffer_at else 0.0
 
 
