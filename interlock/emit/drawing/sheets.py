@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from itertools import count, pairwise
 from math import ceil, dist
 from xml.sax.saxutils import escape
@@ -116,11 +117,13 @@ def _inside(a: Spot, b: Spot, box: Box) -> bool:
 
 
 def _onward(d: Drawing, w: Window) -> Iterator[tuple[str, Spot, str]]:
-    """Where tracks leave a window: side, place, section."""
+    """Where tracks leave a window: side, place, section; of a line outside that has none, its boundary."""
     left, top, right, bottom = w.box
     sides = (("left", 0, left), ("right", 0, right), ("top", 1, top), ("bottom", 1, bottom))
-    for e in d.layout.track.edges:
-        for a, b in pairwise(d.edges[e.id]):
+    lines = [(str(e.section), d.edges[e.id]) for e in d.layout.track.edges]
+    lines += [(str(d.layout.track.boundary_at[n].approach or n), [d.at[n], tip]) for n, tip, _ in d.outside]
+    for name, line in lines:
+        for a, b in pairwise(line):
             for side, axis, at in sides:
                 low, high = sorted((a[axis], b[axis]))
                 if side not in w.after or low == high or not low <= at <= high:
@@ -128,7 +131,7 @@ def _onward(d: Drawing, w: Window) -> Iterator[tuple[str, Spot, str]]:
                 part = (at - a[axis]) / (b[axis] - a[axis])
                 spot = (a[0] + (b[0] - a[0]) * part, a[1] + (b[1] - a[1]) * part)
                 if left <= spot[0] <= right and top <= spot[1] <= bottom:
-                    yield side, spot, str(e.section)
+                    yield side, spot, name
 
 
 # --- paper ----------------------------------------------------------------------------------------
@@ -254,10 +257,14 @@ class Part:
     text: str
     box: Box
     track: bool
+    home: Spot | None = None
+    """Of the name of a symbol, where most of the symbol lies: they stay together."""
 
     @property
     def middle(self) -> Spot:
-        """Where most of it lies: of a name, its middle."""
+        """Where most of it lies: of a name without a symbol, its middle."""
+        if self.home is not None:
+            return self.home
         anchor = re.search(r"text-anchor:(\w+)", self.text)
         half = 0.5 * width(label[1]) if (label := re.search(r">([^<]*)</text>", self.text)) else 0.0
         aside = {"start": half, "end": -half}.get(anchor[1] if anchor else "", 0.0)
@@ -272,7 +279,18 @@ def _placed(d: Drawing) -> list[Part]:
         xs, ys = [x for x, _ in spots], [y for _, y in spots]
         track = 'class="track' in text or 'class="device" ' in text
         out.append(Part(text, (min(xs), min(ys), max(xs), max(ys)), track))
-    return out
+    symbols = {name: part.middle for part in out if not part.track for name in _ID.findall(part.text)}
+    return [replace(part, home=symbols.get(_symbol(part.text))) for part in out]
+
+
+_ID = re.compile(r" id=[\"']((?:point|signal|boundary|buffer|crossing)-[^\"']*)[\"']")
+_OF = re.compile(r"<text class=\"(\w+)\"[^>]* data-of=[\"']([^\"']*)[\"']")
+
+
+def _symbol(text: str) -> str:
+    """The id of the symbol whose name a part is."""
+    name = _OF.match(text)
+    return f"{name[1]}-{name[2]}".replace(" ", "\u00a0") if name else ""
 
 
 def sheets(d: Drawing) -> list[str]:
