@@ -7,6 +7,7 @@ import json
 import re
 from dataclasses import replace
 from functools import lru_cache
+from itertools import pairwise
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -103,6 +104,27 @@ def test_the_graph_has_a_line_for_each_train_that_never_goes_back_in_time() -> N
             assert all(0 <= x <= box[2] and 0 <= y <= box[3] for x, y in spots)
     loads = sum(e["kind"] == "loaded" for e in r.events)
     assert sum(p.attrib.get("stroke-width") == "5" for p in root.iter(f"{{{space['s']}}}path")) == loads
+
+
+def test_the_legend_of_a_graph_is_whole_and_tells_every_train_apart() -> None:
+    """Names stood on each other and beyond the edge, and the eleventh train looked like the first."""
+    _, r = shift()
+    entries = [e for e in r.events if e.get("train") == "1"]
+    names = [f"loco{n}" for n in range(101, 124)]
+    many = [{**e, "train": name} for e in entries for name in names]
+    root = ElementTree.fromstring(graph_svg((r.events[0], *many, r.events[-1])))
+    space = {"s": "http://www.w3.org/2000/svg"}
+    width, height = (float(x) for x in root.attrib["viewBox"].split()[2:])
+    legend = [t for t in root.iterfind("s:text", space) if t.get("class") == "legend"]
+    assert [t.text for t in legend] == [f"train {name}" for name in names]
+    spots = [(float(t.get("x", "nan")), float(t.get("y", "nan"))) for t in legend]
+    assert all(x + 5.5 * len("train loco101") < width and y < height for x, y in spots)
+    for (x, y), (u, v) in pairwise(spots):
+        assert v > y + 10 or u > x + 5.5 * len("train loco101"), "none over another"
+    looks = {(g.get("stroke"), g.get("stroke-dasharray")) for g in root.iterfind("s:g", space)}
+    assert len(looks) == len(names)
+    at_lines = [t for t in root.iterfind("s:text", space) if t.get("class") == "train"]
+    assert {t.text for t in at_lines} == set(names), "each line has its name where it begins"
 
 
 def test_the_graph_of_a_log_that_reaches_a_distant_year_is_no_larger() -> None:

@@ -17,6 +17,12 @@ from interlock.record.shift import as_written
 
 COLOURS = ("#0b5fa5", "#c2410c", "#15803d", "#7e22ce", "#b91c1c", "#0f766e", "#a16207", "#be185d", "#334155", "#4d7c0f")
 
+DASHES = ("", "8 3", "8 3 2 3", "2 2")
+"""Of the first ten trains, the second ten and so on."""
+
+LEAST = 360.0
+"""Pixels of a graph's width at least, for its legend."""
+
 LEFT, TOP, HOUR, GAP = 120.0, 46.0, 150.0, 14.0
 
 MOST_LINES = 1000
@@ -127,7 +133,10 @@ def graph_svg(events: Sequence[Event]) -> str:
     def x(t: float) -> float:
         return LEFT + t / (4 * step) * HOUR
 
-    width, height = x(seconds) + 30, axis.bottom + 40
+    trains = sorted(lines(events, axis).items(), key=lambda p: (len(p[0]), p[0]))
+    width = max(x(seconds) + 30, LEAST)
+    legend, low = _legend([train for train, _ in trains], width, axis.bottom + 24)
+    height = low + 16
     out = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height:.0f}" width="{width:.0f}" '
         f'height="{height:.0f}" font-family="sans-serif" font-size="11">',
@@ -136,12 +145,50 @@ def graph_svg(events: Sequence[Event]) -> str:
     ]
     out += _grid(axis, seconds, step, x)
     out += _bands(axis, x(0), x(seconds), heading)
-    for k, (train, line) in enumerate(sorted(lines(events, axis).items(), key=lambda p: (len(p[0]), p[0]))):
-        out += _train(train, line, COLOURS[k % len(COLOURS)], x)
-        out.append(
-            f'<text x="{LEFT + 46 * k:.0f}" y="16" fill="{COLOURS[k % len(COLOURS)]}">train {escape(train)}</text>'
-        )
-    return "\n".join([*out, "</svg>", ""])
+    for k, (train, line) in enumerate(trains):
+        out += _train(train, line, _ink(k), x)
+    out += _named(trains, x)
+    return "\n".join([*out, *legend, "</svg>", ""])
+
+
+def _ink(k: int) -> str:
+    """How the line of a train is drawn: in one of ten colours, and dashed where these were used already."""
+    dash = DASHES[k // len(COLOURS) % len(DASHES)]
+    return f'stroke="{COLOURS[k % len(COLOURS)]}"' + (f' stroke-dasharray="{dash}"' if dash else "")
+
+
+def _wide(text: str) -> float:
+    """Pixels of a text of 11 pixels, rather too many."""
+    return sum(11.5 if ord(c) > 0x2E80 else 10.0 if c in "MWm" else 6.8 for c in text)
+
+
+def _legend(trains: Sequence[str], width: float, y: float) -> tuple[list[str], float]:
+    """Each train with its line, in rows no wider than the graph, and how far down the last one reaches."""
+    out, x = [], LEFT
+    for k, train in enumerate(trains):
+        text = f"train {train}"
+        if x > LEFT and x + 34 + _wide(text) > width:
+            x, y = LEFT, y + 16
+        out.append(f'<path d="M{x:.0f} {y - 4:.0f} h28" {_ink(k)} fill="none" stroke-width="1.6"/>')
+        colour = COLOURS[k % len(COLOURS)]
+        out.append(f'<text class="legend" x="{x + 34:.0f}" y="{y:.0f}" fill="{colour}">{escape(text)}</text>')
+        x += 34 + _wide(text) + 18
+    return out, y
+
+
+def _named(trains: Sequence[tuple[str, Line]], x: Callable[[float], float]) -> list[str]:
+    """The name of each train where a line of its begins, none over another."""
+    out, taken = [], list[tuple[float, float, float]]()
+    for k, (train, line) in enumerate(trains):
+        onward = {spot for _, spot in line.jumps}
+        for t, high in (piece[0] for piece in line.pieces if len(piece) > 1 and piece[0] not in onward):
+            left, y, wide = x(t) + 3, high - 3, 0.82 * _wide(train)
+            while any(abs(y - v) < 10 and left < u + w and u < left + wide for u, v, w in taken):
+                y += 10
+            taken.append((left, y, wide))
+            place = f'x="{left:.1f}" y="{y:.1f}" font-size="9" fill="{COLOURS[k % len(COLOURS)]}"'
+            out.append(f'<text class="train" {place}>{escape(train)}</text>')
+    return out
 
 
 def _grid(axis: Axis, seconds: float, step: int, x: Callable[[float], float]) -> list[str]:
@@ -155,7 +202,7 @@ def _grid(axis: Axis, seconds: float, step: int, x: Callable[[float], float]) ->
         )
         if whole:
             text = f"{k * step // 3600} h"
-            out.append(f'<text x="{at:.1f}" y="{TOP - 8}" text-anchor="middle" fill="#374151">{text}</text>')
+            out.append(f'<text x="{at:.1f}" y="{TOP - 16}" text-anchor="middle" fill="#374151">{text}</text>')
     return out
 
 
@@ -173,9 +220,9 @@ def _bands(axis: Axis, left: float, right: float, heading: Event) -> list[str]:
     return out
 
 
-def _train(train: str, line: Line, colour: str, x: Callable[[float], float]) -> list[str]:
+def _train(train: str, line: Line, ink: str, x: Callable[[float], float]) -> list[str]:
     """The line of a train."""
-    out = [f'<g stroke="{colour}" fill="none" stroke-width="1.6"><title>train {escape(train)}</title>']
+    out = [f'<g {ink} fill="none" stroke-width="1.6"><title>train {escape(train)}</title>']
     for piece in line.pieces:
         if len(piece) > 1:
             out.append('<path d="M' + " L".join(f"{x(t):.1f} {y:.1f}" for t, y in piece) + '"/>')
