@@ -102,6 +102,8 @@ def test_every_form_tells_how_it_lies() -> None:
     }
     assert (locked["S1"], locked["S2"]) == (("Vk1 on", "3/Vk1", ""), ("Vk1 off", "", "3/Vk1"))
     assert {r["Switch"]: r["Kind"] for r in sheet["us_switches"]} == {"3/Vk1": "switch, with derail"}
+    over = {r["Entering signal"]: r["Switches in order"] for r in sheet["us_aspects"]}
+    assert over["S2"].split(", ")[0] == "Vk1 off", over
     remarks = {r["Route"][:2]: r["Remarks"] for r in forms("uk")["uk_routes"]}
     assert "Vk1 on" in remarks["S1"] and "Vk1 off" in remarks["S2"]
     lying = {r["Route"][:2]: r["Derailers"] for r in forms("de")["de_verschluss"]}

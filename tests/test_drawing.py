@@ -62,6 +62,7 @@ def _check(layout: Layout, d: Drawing) -> None:
     wanted_ids |= {f"section-{s.id}" for s in layout.track.sections}
     assert wanted_ids <= set(ids), wanted_ids - set(ids)
     names = {x.text for x in root.iter(f"{SVG}text")}
+    names |= {str(x.text).split(" (")[0] for x in root.iter(f"{SVG}text") if x.get("class") == "point"}
     shared = {
         b.point
         for b in layout.pointwork.blades
@@ -455,3 +456,13 @@ def test_a_machine_whose_name_is_not_that_of_its_points_is_named_with_them() -> 
         assert {t.text for t in place(layout).labels if t.kind == "point"} >= told
     layout, _, _ = built("terminus")
     assert "201A" in {t.text for t in place(layout).labels}, "201 works 201A and 201B"
+
+
+def test_a_stop_board_and_a_limit_of_shunt_have_symbols_of_their_own() -> None:
+    """Trains end at the one and run past the other."""
+    layout, _ = load_text("boards.yaml", Path("tests/layouts_for_tests/boards.yaml").read_text("utf-8"), Sink())
+    assert layout is not None
+    svg = plan_svg(layout)
+    stop, limit = (re.search(rf'<g id="signal-{name}".*?</g>', svg) for name in ("H", "LS"))
+    assert stop is not None and limit is not None
+    assert "plate" in stop[0] and "Z" not in stop[0] and "plate" not in limit[0] and " Z" in limit[0]

@@ -31,6 +31,7 @@ STYLE = """
 .plan .barrier, .plan .across { display: none }
 .plan .leaf { fill: #fff }
 .plan .foul { fill: none; stroke: #222; stroke-width: 1.2 }
+.plan .mast.plate { stroke-width: 5 }
 .plan .lamp { fill: #fff; stroke: #222; stroke-width: 1.3 }
 .plan .lamp.main { fill: #222 }
 .plan .gap { stroke: #fff; stroke-width: 5 }
@@ -320,7 +321,7 @@ def _signals(d: Drawing) -> list[str]:
 def _signal(layout: Layout, g: Signal, x: float, y: float, ahead: bool, leftward: bool) -> str:
     """A foot at the joint, a mast along the track in the direction of travel, and its lamps: full for main signals,
     open for shunt signals, both for combined ones; one more, open, for an identifier light.  A board has none, but a
-    bar across its mast."""
+    plate on its mast: full where trains end, open for a limit of shunt."""
     side, way = (-1 if ahead is leftward else 1), (1 if ahead else -1)
     my = y + side * 14
     lamps = [
@@ -330,13 +331,17 @@ def _signal(layout: Layout, g: Signal, x: float, y: float, ahead: bool, leftward
     ]
     lamps += ["identifier"] if g.id in layout.signalling.identifiers else []
     mast = f"M{_n(x)} {_n(y + side * 4)} L{_n(x)} {_n(my + side * 4)} M{_n(x)} {_n(my)} L{_n(x + way * 12)} {_n(my)}"
-    if g.id in layout.signalling.boards:
-        mast += f" M{_n(x + way * 12)} {_n(my - 6)} L{_n(x + way * 12)} {_n(my + 6)}"
+    plate, px = "", x + way * 12
+    if g.id in layout.signalling.boards and g.main:
+        plate = f'<path class="mast plate" d="M{_n(px + way * 2.5)} {_n(my - 6)} L{_n(px + way * 2.5)} {_n(my + 6)}"/>'
+    elif g.id in layout.signalling.boards:
+        mast += f" M{_n(px)} {_n(my - 6)} L{_n(px + way * 5)} {_n(my - 6)} L{_n(px + way * 5)} {_n(my + 6)}"
+        mast += f" L{_n(px)} {_n(my + 6)} Z"
     heads = "".join(
         f'<circle class="lamp {kind}" cx="{_n(x + way * (16 + 9 * k))}" cy="{_n(my)}" r="4.2"/>'
         for k, kind in enumerate(lamps)
     )
-    return f'<g id={_id(f"signal-{g.id}")} class="signal {g.kind}"><path class="mast" d="{mast}"/>{heads}</g>'
+    return f'<g id={_id(f"signal-{g.id}")} class="signal {g.kind}"><path class="mast" d="{mast}"/>{plate}{heads}</g>'
 
 
 def _texts(d: Drawing) -> list[str]:

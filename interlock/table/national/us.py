@@ -9,7 +9,7 @@ from interlock.model.elements import MachineId, Position, RouteId, Work
 from interlock.model.layout import Layout
 from interlock.model.times import supervision_s
 from interlock.table.cells import ExitKind, Role, RouteKind, Shows
-from interlock.table.national.reading import Reading
+from interlock.table.national.reading import DERAILER, Reading
 from interlock.table.national.sheet import Field, Heading, Sheet, by_way, filled
 from interlock.table.printed import Said, grouped
 from interlock.table.rows import InterlockingTable, RouteRow, leads_to
@@ -73,9 +73,11 @@ def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
 
 
 def _over(x: Reading, r: RouteRow) -> str:
-    """The switches along the way, in order: 1 N, 3 R."""
+    """The switches along the way, in order: 1 N, 3 R; derails are on or off."""
     ends = [(p, position) for key in r.path.traversals for p, position in x.way(key).points]
-    return ", ".join(f"{p} {position}" for p, position in ends)
+    point = x.layout.pointwork.point
+    told = ((p, DERAILER[position] if point[p].derailer else position) for p, position in ends)
+    return ", ".join(f"{p} {lies}" for p, lies in told)
 
 
 _ALWAYS = {Shows.CLEAR: "clear", Shows.CAUTION: "caution", Shows.SHUNT: "shunt", Shows.CALL_ON: "call-on"}
