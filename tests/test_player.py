@@ -10,10 +10,11 @@ from typing import Any
 import pytest
 
 from interlock.emit.drawing import plan_svg
-from interlock.emit.report import player_html
+from interlock.emit.report import player_html, report_html
 from interlock.model.elements import Position
 from interlock.model.layout import Layout
 from interlock.model.machines import shown_by
+from interlock.model.traversal import topology
 from interlock.panel.journal import TOGETHER_MS, trace
 from interlock.record.log import Chain, Recorded, read_file
 from tests.browsers import shown
@@ -113,3 +114,47 @@ def test_every_sentence_of_a_record_has_its_own_time(tmp_path: Path) -> None:
         "50  P is late; 51  called",
     ]
     assert [s["x"] for s in states] == [True, True, False, False], "what is said before the plan changes is shown so"
+
+
+@pytest.mark.external
+@pytest.mark.parametrize("name", ["slip_junction", "terminus_slip"])
+def test_a_way_over_a_slip_rail_is_shown_where_trains_run(chromium: Any, tmp_path: Path, name: str) -> None:
+    """In the report and in the player: the rail and its legs up to the blades, not the middle of the diamond."""
+    layout, table, _ = built(name)
+    topo = topology(layout)
+    (tmp_path / "report.html").write_text(report_html(layout, table, plan_svg(layout), [], [], {}, {}, ""), "utf-8")
+    slipped = 0
+    with shown(chromium, tmp_path / "report.html") as page:
+        rails = page.eval_on_selector_all("#plan .rail[data-from]", "e => e.map(x => [x.id, {...x.dataset}])")
+        assert rails
+        for r in table.routes:
+            page.select_option("#route", r.id)
+            lit = set(page.eval_on_selector_all("#plan .lit-path", "e => e.map(x => x.id)"))
+            seen = "e => e.filter(x => getComputedStyle(x).display !== 'none').map(x => x.id)"
+            arms = set(page.eval_on_selector_all("#plan .arm", seen))
+            wanted: set[str] = set()
+            for s, n in (key for p in table.parts(r) for key in p.path.traversals):
+                edges = {str(e) for e in topo.traversals[s][n - 1].edges}
+                rail = next((x for x in rails if {x[1]["from"], x[1]["to"]} <= edges), None)
+                slipped += rail is not None
+                if rail is not None:
+                    edges -= {rail[1]["from"], rail[1]["to"], rail[1]["past"]}
+                    wanted |= {rail[0], f"arm-{rail[1]['from']}", f"arm-{rail[1]['to']}"}
+                wanted |= {f"edge-{e}" for e in edges}
+            over = set(page.eval_on_selector_all("#plan .lit-overlap", "e => e.map(x => x.id)"))
+            assert lit == wanted, r.id
+            assert arms == {x for x in lit | over if x.startswith("arm-")}, r.id
+        page.keyboard.press("Escape")
+        assert page.eval_on_selector_all("#plan .arm", seen) == []
+    assert slipped
+    from_, to, past = (rails[0][1][k] for k in ("from", "to", "past"))
+    views_ = {"slip": [["edge", e, "locked"] for e in (from_, past, to)], "straight": [["edge", from_, "locked"]]}
+    states = [{"#meta": {"text": n}, **{m: m == n for m in views_}} for n in ("slip", "straight")]
+    trace_ = {"#meta": {"plan": plan_svg(layout), "views": views_}, "vars": sorted(views_), "states": states}
+    (tmp_path / "play.html").write_text(player_html(json.dumps(trace_)), "utf-8")
+    with shown(chromium, tmp_path / "play.html") as page:
+        for step, those in enumerate(({rails[0][0], f"arm-{from_}", f"arm-{to}"}, {f"edge-{from_}"})):
+            page.evaluate(f"show({step})")
+            assert set(page.eval_on_selector_all("#plan [data-now~=locked]", "e => e.map(x => x.id)")) == those
+            arms = set(page.eval_on_selector_all("#plan .arm", seen))
+            assert arms == {x for x in those if x.startswith("arm-")}

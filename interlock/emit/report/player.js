@@ -4,6 +4,15 @@ const slider = document.getElementById("slider"), list = [...document.querySelec
 const said = document.getElementById("said"), changes = document.getElementById("changes");
 let at = 0, timer = null;
 
+// a way over a slip rail is shown on the rail, and on its legs as far as the blades: no train runs through the middle of the diamond
+for (const those of Object.values(data.views)) for (const { id, dataset: { from, to, past } } of document.querySelectorAll("#plan .rail[data-from]")) {
+  const way = new Map(those.filter(([kind]) => kind === "edge").map((v) => [v[1], v]));
+  if (!way.has(from) || !way.has(to)) continue;
+  for (const e of [from, to, past]) if (way.has(e)) those.splice(those.indexOf(way.get(e)), 1);
+  const what = way.get(from)[2];
+  those.push(["rail", id.replace("rail-", ""), what], ["arm", from, what], ["arm", to, what]);
+}
+
 function views(k) {
   const out = new Map();
   for (const name of data.states[data.shown[k]]) for (const v of data.views[name] || []) out.set(v.slice(0, 3).join("\n"), v);
@@ -32,13 +41,14 @@ function show(k) {
   at = Math.max(0, Math.min(data.texts.length - 1, k));
   slider.value = at;
   const now = views(at), before = at ? views(at - 1) : new Map();
-  for (const e of document.querySelectorAll("#plan [data-now]")) { e.removeAttribute("data-now"); e.classList.remove("changed"); }
+  for (const e of document.querySelectorAll("#plan [data-now]")) { e.removeAttribute("data-now"); e.classList.remove("changed", "used"); }
   for (const e of document.querySelectorAll("#plan .train, #plan .lost")) e.remove();
   const marks = new Map();
   for (const [key, [kind, id, what]] of now) {
     const e = document.getElementById((kind + "-" + id).replaceAll(" ", "\u00a0")); // no id has a space in it
     if (!e) continue;
     marks.set(e, (marks.get(e) || "") + " " + what);
+    if (kind === "arm") e.classList.add("used");
     if (!before.has(key) && at) e.classList.add("changed");
     if (what === "occupied" && data.trains) train(e, id);
     if (what === "undetected") lost(e);

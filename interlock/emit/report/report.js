@@ -7,12 +7,24 @@ data.routes.forEach((r, i) => ofRow[r.row].push(i));
 const byId = new Map(data.routes.map((r, i) => [r.id, i]));
 const groups = data.groups.map(([how, ...told]) => [how, told.flatMap((k, at) => // 4, -9 is 4 to 9
   k >= 0 ? [k] : Array.from({length: -k - told[at - 1]}, (_, n) => told[at - 1] + 1 + n))]);
+// a way over a slip rail lights the rail, and its legs as far as the blades: no train runs through the middle of the diamond
+function trodden(edges) {
+  const those = new Set(edges), more = [];
+  for (const { id, dataset: { from, to, past } } of document.querySelectorAll("#plan .rail[data-from]")) if (those.has(from) && those.has(to)) {
+    for (const e of [from, to, past]) those.delete(e);
+    more.push(id, "arm-" + from, "arm-" + to);
+  }
+  return [...[...those].map((e) => "edge-" + e), ...more];
+}
+
 for (const r of data.routes) { // what is said once of each way, put together for the route
   const ways = (which) => which.map((k) => data.ways[k]);
   r.sections = ways(r.path).map((w) => w[0]);
   r.edges = ways(r.path).flatMap((w) => w.slice(1, w.indexOf("|")));
   r.points = ways([...r.path, ...r.overlap]).flatMap((w) => w.slice(w.indexOf("|") + 1));
   r.over = ways(r.overlap).flatMap((w) => w.slice(1, w.indexOf("|")));
+  r.shown = ways(r.path).flatMap((w) => trodden(w.slice(1, w.indexOf("|"))));
+  r.shown_over = ways(r.overlap).flatMap((w) => trodden(w.slice(1, w.indexOf("|"))));
   r.needs = r.beside.map((k) => data.beside[k]);
   r.words = `${r.kind} route from ${r.entry} to ${r.exit} over ${r.sections.join(", ")}`;
   r.against = r.hostile.flatMap((k) => groups[k][1].map((i) => [i, groups[k][0]])).sort((a, b) => a[0] - b[0]);
@@ -24,7 +36,9 @@ function drawn(id) { return document.getElementById(id.replaceAll(" ", "\u00a0")
 function lit(kind, ids, prefix) {
   for (const id of ids) {
     const e = drawn(prefix + id);
-    if (e) e.classList.add(kind);
+    if (!e) continue;
+    e.classList.add(kind);
+    if (e.classList.contains("arm")) e.classList.add("used");
   }
 }
 
@@ -41,6 +55,7 @@ function dark() {
   for (const kind of ["lit-path", "lit-overlap", "lit-flank", "lit-device", "lit-foul", "lit-point", "lit-entry"])
     for (const e of document.querySelectorAll("#plan ." + kind)) e.classList.remove(kind);
   for (const e of document.querySelectorAll("#plan .lies")) e.remove();
+  for (const e of document.querySelectorAll("#plan .arm.used")) e.classList.remove("used");
   for (const r of rows) { r.classList.remove("chosen", "hostile"); r.removeAttribute("aria-selected"); }
   for (const b of document.querySelectorAll("#routes button.of[aria-pressed]")) b.removeAttribute("aria-pressed");
 }
@@ -53,8 +68,8 @@ function choose(i, scroll) {
   link(i < 0 ? "" : "#route=" + encodeURIComponent(data.routes[i].id));
   if (i < 0) { say("Choose a route: its path, overlap and flank protection light up, and its hostile routes are marked."); return; }
   const r = data.routes[i];
-  lit("lit-path", r.edges, "edge-");
-  lit("lit-overlap", r.over, "edge-");
+  lit("lit-path", r.shown, "");
+  lit("lit-overlap", r.shown_over, "");
   lit("lit-point", r.points, "point-");
   lit("lit-entry", [r.entry], "signal-");
   for (const [kind, id, use, word] of r.needs) {
