@@ -447,6 +447,24 @@ def test_a_crossing_over_two_sections_is_named_once_where_these_are_beside_each_
         assert [t.text for t in place(layout).labels if t.kind == "of-device"].count(device) == times
 
 
+def test_a_crossing_over_sections_in_a_row_is_one_road_and_over_tracks_side_by_side_one_each() -> None:
+    """LC2 lies over the joint of two sections: it is one road there, not two with one name."""
+    layout, _, _ = built("crossing_line")
+    d = place(layout)
+    over = {str(x.id): x.over for x in layout.signalling.devices}
+    assert device_spots(d, over["LC1"]) != device_spots(d, over["LC2"])
+    (spot,) = device_spots(d, over["LC2"])
+    s3, s4 = ({n for e in layout.track.edges_in[s] for n in (e.a, e.b)} for s in over["LC2"])
+    assert spot == d.at[next(iter(s3 & s4))]
+    text = Path("layouts/crossing_line.yaml").read_text("utf-8")
+    three, _ = load_text("x.yaml", text.replace("over: [s3, s4]", "over: [s3, s4, ld]"), Sink())
+    assert three is not None
+    assert len(device_spots(place(three), next(x.over for x in three.signalling.devices if x.id == "LC2"))) == 2
+    at_signal, _ = load_text("y.yaml", CROWDED.replace("over: [K1]", "over: [D1, T1]"), Sink())
+    assert at_signal is not None
+    assert len(device_spots(place(at_signal), (SectionId("D1"), SectionId("T1")))) == 2, "no road through a signal"
+
+
 def test_a_machine_whose_name_is_not_that_of_its_points_is_named_with_them() -> None:
     """The table says `M R`: somewhere the plan must say what M is."""
     text = Path("tests/layouts_for_tests/driven.yaml").read_text("utf-8")
@@ -466,3 +484,34 @@ def test_a_stop_board_and_a_limit_of_shunt_have_symbols_of_their_own() -> None:
     stop, limit = (re.search(rf'<g id="signal-{name}".*?</g>', svg) for name in ("H", "LS"))
     assert stop is not None and limit is not None
     assert "plate" in stop[0] and "Z" not in stop[0] and "plate" not in limit[0] and " Z" in limit[0]
+
+
+def test_an_arrow_at_a_boundary_points_the_way_of_the_trains() -> None:
+    """It pointed outwards, wherever trains only come in, too."""
+    layout, _, _ = built("junction")
+    svg, d = plan_svg(layout), place(layout)
+    seen = set()
+    for n, (x, _), right in d.outside:
+        mark = re.search(rf'<g id="boundary-{n}" class="boundary"><path class="mark" d="([^"]*)"', svg)
+        assert mark is not None
+        heads = [(float(a), float(b)) for a, b in re.findall(r"M([-\d.]+) \S+ L([-\d.]+) ", mark[1])]
+        outward = {(tip > back) is right for back, tip in heads}
+        kind = layout.track.boundary_at[n].kind
+        assert outward == {"in": {False}, "out": {True}, "both": {True, False}}[str(kind)], n
+        seen.add(str(kind))
+        assert all(abs(a - x) < 15 for head in heads for a in head)
+    assert seen >= {"in", "out"}
+
+
+def test_the_page_of_the_plans_explains_what_is_drawn() -> None:
+    """Traps, tracks that are dotted, thick or dashed, and boards were not on it."""
+    page = Path("interlock/docs/plans.md").read_text("utf-8")
+    for word in (
+        "trap",
+        "without detection",
+        "inclined lane",
+        "beyond a boundary",
+        "stop board",
+        "limit-of-shunt board",
+    ):
+        assert re.search(rf"^\| .* \|.*{word}", page, re.MULTILINE), word

@@ -18,7 +18,7 @@ from interlock.model.traversal import topology
 from interlock.panel.journal import TOGETHER_MS, trace
 from interlock.record.log import Chain, Recorded, read_file
 from tests.browsers import shown
-from tests.layouts import built
+from tests.layouts import built, grown
 
 
 def views(layout: Layout) -> dict[str, list[list[str]]]:
@@ -158,3 +158,30 @@ def test_a_way_over_a_slip_rail_is_shown_where_trains_run(chromium: Any, tmp_pat
             assert set(page.eval_on_selector_all("#plan [data-now~=locked]", "e => e.map(x => x.id)")) == those
             arms = set(page.eval_on_selector_all("#plan .arm", seen))
             assert arms == {x for x in those if x.startswith("arm-")}
+
+
+@pytest.mark.external
+def test_a_door_is_open_only_where_it_is_detected_so(chromium: Any, tmp_path: Path) -> None:
+    """Its leaf goes; where nothing is detected it is framed, and in the report it is open for the route over it."""
+    text = Path("tests/layouts_for_tests/air_lock_doors.yaml").read_text("utf-8")
+    made = grown(text)
+    assert made is not None
+    layout, table = made[0], made[1]
+    shut = {f"{m}.N" for m in layout.machines}
+    states = [("shut", shut), ("moves", shut - {"D1.N"}), ("open", shut - {"D1.N"} | {"D1.R"})]
+    (tmp_path / "play.html").write_text(played(layout, states), "utf-8")
+    with shown(chromium, tmp_path / "play.html") as page:
+        leaf, frame = page.locator("#device-D1 .leaf"), page.locator("#device-D1 .lost")
+        seen = []
+        for step in range(3):
+            page.evaluate(f"show({step})")
+            seen.append((leaf.is_visible(), frame.count(), page.inner_text("#changes")))
+    assert [x[:2] for x in seen] == [(True, 0), (False, 1), (False, 0)] and seen[2][2] == "D1 open"
+    (tmp_path / "report.html").write_text(report_html(layout, table, plan_svg(layout), [], [], {}, {}, ""), "utf-8")
+    with shown(chromium, tmp_path / "report.html") as page:
+        route = next(r.id for r in table.routes if any(p.machine == "D1" for p in r.locking.points))
+        assert page.locator("#device-D1 .leaf").is_visible()
+        page.select_option("#route", route)
+        assert not page.locator("#device-D1 .leaf").is_visible() and "D1 open" in page.inner_text("#why")
+        page.keyboard.press("Escape")
+        assert page.locator("#device-D1 .leaf").is_visible()

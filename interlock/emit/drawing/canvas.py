@@ -144,21 +144,59 @@ def fouling_mark(d: Drawing, point: str) -> Spot | None:
 
 
 def device_spots(d: Drawing, over: tuple[SectionId, ...]) -> list[Spot]:
-    """Where a device lies over each of its sections: clear of the signals that lead into it, and of fouling points, if
-    there is room."""
+    """Where a device lies over its sections: once over those that follow each other, in the middle of them, at a joint
+    without signals or within a section."""
     out = []
-    fouls = [mark for p in d.layout.pointwork.points if (mark := fouling_mark(d, p.id)) is not None]
-    for s in over:
-        stretches = [flat(d.edges[e.id]) for e in d.layout.track.edges if e.section == s]
-        (x0, y0), (x1, y1) = max(stretches, key=lambda p: abs(p[1][0] - p[0][0]))
-        masts = [d.at[g.node][0] for g in d.layout.signalling.signals if d.layout.track.section_of(g.into) == s]
-        off = [(x, APART) for x in masts] + [(x, 12.0) for x in (x0, x1)]
-        near = [(x, 16.0) for x, y in fouls if abs(y - y0) < UNIT / 2]
-        free = [k for k in (0.25, 0.5, 0.75) if all(abs(x0 + (x1 - x0) * k - x) >= m for x, m in off)]
-        clear = [k for k in (*free, 0.5) if all(abs(x0 + (x1 - x0) * k - x) >= m for x, m in near)]
-        k = next(iter([*clear, *free]), 0.5)
-        out.append((x0 + (x1 - x0) * k, y0 + (y1 - y0) * k))
+    for row in _rows(d, over):
+        joints = [_joint(d, s, t) for s, t in pairwise(row)]
+        half = len(row) // 2
+        middle = joints[half - 1] if len(row) % 2 == 0 else None
+        out.append(_within(d, row[half]) if middle is None else d.at[middle])
     return out
+
+
+def _rows(d: Drawing, over: tuple[SectionId, ...]) -> list[list[SectionId]]:
+    """Sections that follow each other on one level, from end to end."""
+    near = {s: [t for t in over if t != s and _joint(d, s, t) is not None] for s in over}
+    rows, seen = list[list[SectionId]](), set[SectionId]()
+    for first in (*(s for s in over if len(near[s]) < 2), *over):  # beginning at an end, but of a ring
+        row: list[SectionId] = []
+        onward = [first]
+        while onward and onward[0] not in seen:
+            row.append(onward[0])
+            seen.add(onward[0])
+            onward = [t for t in near[row[-1]] if t not in seen]
+        rows += [row] if row else []
+    return rows
+
+
+def _joint(d: Drawing, s: SectionId, t: SectionId) -> NodeId | None:
+    """The joint between two sections where both are level, and no signal stands."""
+    signals = {g.node for g in d.layout.signalling.signals}
+    ends = [{n for e in d.layout.track.edges_in[x] for n in (e.a, e.b) if _is_level(d, e.id, n)} for x in (s, t)]
+    return min(ends[0] & ends[1] - signals, default=None)
+
+
+def _is_level(d: Drawing, edge: EdgeId, node: NodeId) -> bool:
+    """Whether an edge is level where it meets a node."""
+    line = d.edges[edge]
+    a, b = line[:2] if line[0] == d.at[node] else line[-2:]
+    return a[1] == b[1]
+
+
+def _within(d: Drawing, s: SectionId) -> Spot:
+    """Where a device lies over a section: clear of the signals that lead into it, and of fouling points, if there is
+    room."""
+    fouls = [mark for p in d.layout.pointwork.points if (mark := fouling_mark(d, p.id)) is not None]
+    stretches = [flat(d.edges[e.id]) for e in d.layout.track.edges if e.section == s]
+    (x0, y0), (x1, y1) = max(stretches, key=lambda p: abs(p[1][0] - p[0][0]))
+    masts = [d.at[g.node][0] for g in d.layout.signalling.signals if d.layout.track.section_of(g.into) == s]
+    off = [(x, APART) for x in masts] + [(x, 12.0) for x in (x0, x1)]
+    near = [(x, 16.0) for x, y in fouls if abs(y - y0) < UNIT / 2]
+    free = [k for k in (0.25, 0.5, 0.75) if all(abs(x0 + (x1 - x0) * k - x) >= m for x, m in off)]
+    clear = [k for k in (*free, 0.5) if all(abs(x0 + (x1 - x0) * k - x) >= m for x, m in near)]
+    k = next(iter([*clear, *free]), 0.5)
+    return (x0 + (x1 - x0) * k, y0 + (y1 - y0) * k)
 
 
 def arrow(d: Drawing, edge: EdgeId) -> tuple[Spot, bool]:

@@ -14,7 +14,18 @@ from xml.sax.saxutils import escape, quoteattr
 from interlock.emit.drawing.canvas import Drawing, Label, Spot, arrow, bend, device_spots, fouling_mark
 from interlock.emit.drawing.place import place
 from interlock.emit.drawing.slips import CHORDS, DoubleSlip, blades, double_slips
-from interlock.model.elements import Blades, BufferKind, DeviceKind, EdgeId, Lane, Point, Section, Signal, Work
+from interlock.model.elements import (
+    Blades,
+    BoundaryKind,
+    BufferKind,
+    DeviceKind,
+    EdgeId,
+    Lane,
+    Point,
+    Section,
+    Signal,
+    Work,
+)
 from interlock.model.foul import foul_joints
 from interlock.model.layout import Layout
 
@@ -251,8 +262,7 @@ def _crossings(d: Drawing) -> list[str]:
 def _ends(d: Drawing) -> list[str]:
     out = []
     for n, (x, y), right in d.outside:
-        way = 5 if right else -5
-        tip = f'<path class="mark" d="M{_n(x - way)} {_n(y - 5)} L{_n(x)} {_n(y)} L{_n(x - way)} {_n(y + 5)}"/>'
+        tip = f'<path class="mark" d="{" ".join(_arrows(d.layout.track.boundary_at[n].kind, x, y, right))}"/>'
         out.append(f'<g id={_id(f"boundary-{n}")} class="boundary">{tip}</g>')
     for b in d.layout.track.buffers:
         x, y = d.at[b.node]
@@ -268,6 +278,16 @@ def _ends(d: Drawing) -> list[str]:
             )
         out.append(f'<g id={_id(f"buffer-{b.node}")} class="buffer"><path class="mark" d="{mark}"/></g>')
     return out
+
+
+def _arrows(kind: BoundaryKind, x: float, y: float, right: bool) -> Iterator[str]:
+    """Which way trains pass a boundary: out of the layout, into it, or both."""
+    way = 5 if right else -5
+    if kind is not BoundaryKind.IN:
+        yield f"M{_n(x - way)} {_n(y - 5)} L{_n(x)} {_n(y)} L{_n(x - way)} {_n(y + 5)}"
+    if kind is not BoundaryKind.OUT:
+        near = x if kind is BoundaryKind.IN else x - 1.6 * way
+        yield f"M{_n(near)} {_n(y - 5)} L{_n(near - way)} {_n(y)} L{_n(near)} {_n(y + 5)}"
 
 
 def _beside(line: list[Spot], end: Spot) -> float:

@@ -78,7 +78,7 @@ function train(group, id) {
 }
 
 function lost(group) { // a frame round each machine, road or door of it
-  for (const mark of group.querySelectorAll(".mark")) {
+  for (const mark of group.querySelectorAll(".mark:not(.barrier, .across, .leaf)")) {
     const at = mark.getBBox(), box = document.createElementNS("http://www.w3.org/2000/svg", "rect");
     for (const [k, v] of Object.entries({ class: "lost", x: at.x - 5, y: at.y - 5, width: at.width + 10, height: at.height + 10, rx: 4 })) box.setAttribute(k, v);
     group.append(box);

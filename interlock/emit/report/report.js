@@ -52,7 +52,7 @@ function lies(id, word) { // how a point beside the way must lie, after its name
 }
 
 function dark() {
-  for (const kind of ["lit-path", "lit-overlap", "lit-flank", "lit-device", "lit-foul", "lit-point", "lit-entry"])
+  for (const kind of ["lit-path", "lit-overlap", "lit-flank", "lit-device", "closed", "open", "shut", "lit-foul", "lit-point", "lit-entry"])
     for (const e of document.querySelectorAll("#plan ." + kind)) e.classList.remove(kind);
   for (const e of document.querySelectorAll("#plan .lies")) e.remove();
   for (const e of document.querySelectorAll("#plan .arm.used")) e.classList.remove("used");
@@ -75,6 +75,7 @@ function choose(i, scroll) {
   for (const [kind, id, use, word] of r.needs) {
     lit("lit-" + use, [id], kind + "-");
     if (kind === "point") lies(id, word);
+    if (kind === "device") lit(word, [id], "device-"); // closed, open or shut
   }
   const row = rows[r.row];
   row.classList.add("chosen");
