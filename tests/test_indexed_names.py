@@ -58,6 +58,7 @@ READ = {
     "emit/io/lists.py": "elements of which a word speaks",
     "emit/tables/schema.py": "where a field stands in a value",
     "emit/tables/paper.py": "cells of printed tables",
+    "emit/drawing/canvas.py": "names of machines and points, as they are printed",
     "emit/drawing/sheets.py": "parts of a picture",
 }
 """Modules that take texts apart, and which; none of these texts is the name of a variable."""
