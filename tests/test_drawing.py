@@ -515,3 +515,18 @@ def test_the_page_of_the_plans_explains_what_is_drawn() -> None:
         "limit-of-shunt board",
     ):
         assert re.search(rf"^\| .* \|.*{word}", page, re.MULTILINE), word
+
+
+@pytest.mark.parametrize(
+    "path", ["layouts/terminus_slip.yaml", "tests/stations/hbg.yaml", "tests/stations/munkerod.yaml"]
+)
+def test_no_length_stands_so_near_to_a_name_that_they_are_read_as_one(path: str) -> None:
+    """`80 205b` was read as one name."""
+    layout = check_file(path).layout
+    assert layout is not None
+    labels = place(layout).labels
+    for left, top, right, bottom in (t.box for t in labels if t.kind == "length"):
+        row = [
+            t for t in labels if t.box[1] < bottom - 2 and top + 2 < t.box[3] and t.box != (left, top, right, bottom)
+        ]
+        assert all(t.box[0] - right >= 5.9 or left - t.box[2] >= 5.9 for t in row)

@@ -274,8 +274,7 @@ def _put(d: Drawing, label: Label, own: Along | None = None) -> None:
 def _around(label: Label) -> Box:
     """A name with room for a space before and after it: beside another it would be read as one with that."""
     left, top, right, bottom = label.box
-    room = 3 if label.small else 6
-    return (left - room, top, right + room, bottom)
+    return (left - 6, top, right + 6, bottom)
 
 
 def tell_covered(d: Drawing) -> None:
