@@ -18,6 +18,7 @@ from interlock.diag import Diagnostic, Severity, Sink
 from interlock.diag.extras import install
 from interlock.diag.render import full
 from interlock.emit.bundle import not_replaced, strangers, write_folder
+from interlock.exceptions import Whole
 from interlock.frontend import Source, load_text
 from interlock.frontend import load as load_file
 from interlock.logic.controller import Controller
@@ -29,7 +30,7 @@ from interlock.proof.induction.verdict import ClaimResult, Progress, ProofResult
 from interlock.table.rows import InterlockingTable
 
 
-class LayoutError(Exception):
+class LayoutError(Whole):
     """A layout that has errors; `diagnostics` has all of them, each with its code, place and fix, and the message is
     what `interlock check` would print."""
 

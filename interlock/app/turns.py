@@ -9,6 +9,7 @@ from interlock.app.setting import Setting
 from interlock.dispatch.orders import Derived
 from interlock.dispatch.plan.errands import Step
 from interlock.dispatch.plan.railway import Journey
+from interlock.exceptions import Whole
 from interlock.planning.problem import Operation, Use
 from interlock.planning.stages import Hold, Piece, Turn
 from interlock.simulate.track import LEAVES_M
@@ -18,7 +19,7 @@ STOPS_M = 5.0
 (`model/stopping.py`)."""
 
 
-class NoHorizon(ValueError):
+class NoHorizon(Whole, ValueError):
     """The shift is not of the kind that can be compared; says why, and `at` what of the dispatch file."""
 
     def __init__(self, text: str, *at: str) -> None:

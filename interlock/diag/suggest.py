@@ -35,6 +35,10 @@ class Suggestion:
         more = f" and {len(names) - _FEW} more" if len(names) > _FEW else ""
         return f"known here: {', '.join(names[:_FEW])}{more}" if names else "nothing of the kind is known here"
 
+    def __reduce__(self) -> tuple[type[str], tuple[str]]:
+        """To another process goes the sentence: who bears the name is asked of a function, which cannot go there."""
+        return str, (str(self),)
+
 
 def did_you_mean(
     name: str, known: Collection[str], otherwise: str = "", of_another_kind: Callable[[str], str] | None = None

@@ -18,6 +18,7 @@ from interlock.diag.called import called
 from interlock.diag.suggest import did_you_mean, nearest
 from interlock.dispatch.plan.errands import OUTSIDE, Errand, Leg, NoVoyage, Place, TooManyPlaces
 from interlock.dispatch.plan.railway import Railway
+from interlock.exceptions import Whole
 from interlock.model.elements import BoundaryKind, BufferKind, SectionId, SignalId
 from interlock.model.stopping import MARGIN_M, stands_on
 from interlock.table.cells import TraversalKey
@@ -32,7 +33,7 @@ _SIGNS = frozenset(":>+/")
 _SIGN = re.compile(r"\s*([:>+/])\s*")
 
 
-class BadOrder(Exception):
+class BadOrder(Whole):
     """A command that cannot be carried out: `code`, what is wrong, what would be known, or else what to do."""
 
     def __init__(self, code: str, text: str, known: Sequence[str] = (), word: str = "", fix: str = "") -> None:

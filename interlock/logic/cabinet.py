@@ -16,6 +16,7 @@ from functools import cached_property
 from typing import Literal
 
 from interlock.dataclass import dataclass
+from interlock.exceptions import Whole
 from interlock.logic import names
 from interlock.logic.controller import Controller
 from interlock.model.elements import Health, Position, Substation
@@ -31,7 +32,7 @@ _LAMPS = (
 )
 
 
-class BadAddress(Exception):
+class BadAddress(Whole):
     """An address of the layout that cannot be given; the message says why."""
 
     def __init__(self, variable: str, text: str) -> None:

@@ -14,6 +14,7 @@ from interlock.app.run import BadCommand, Operator, Ready, not_blocked
 from interlock.dataclass import dataclass
 from interlock.diag.called import called
 from interlock.dispatch.arbiter import Full
+from interlock.exceptions import Whole
 from interlock.field.plc import Cycle
 from interlock.model.elements import MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.times import supervision_s
@@ -30,7 +31,7 @@ TEXT = 80
 """Characters of a reminder, or of a name, at most."""
 
 
-class Refused(Exception):
+class Refused(Whole):
     """What was asked for cannot be done; the message says why, `at` the elements to show."""
 
     def __init__(self, text: str, *at: str) -> None:

@@ -7,6 +7,7 @@ import unicodedata
 from collections.abc import Mapping
 from typing import Any
 
+from interlock.exceptions import Whole
 from interlock.panel.commands import TEXT
 
 TEXTS = frozenset(
@@ -38,7 +39,7 @@ _JOIN = "\u200c\u200d"
 """Signs that join letters, or do not: nobody sees them, and some scripts need them."""
 
 
-class NotKnown(Exception):
+class NotKnown(Whole):
     """This is no command of a panel; the message says why."""
 
     def __init__(self, why: str = "") -> None:

@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from interlock.exceptions import Whole
 from interlock.planning.problem import Delay, Event, Operation, Plan, Problem, Use, planned
 
 MOST = 2**40
@@ -19,7 +20,7 @@ OPERATION = ("start_lb", "start_ub", "min_duration", "resources", "successors")
 COMPONENT = ("type", "train", "operation", "coeff", "increment", "threshold")
 
 
-class BadFile(ValueError):
+class BadFile(Whole, ValueError):
     """A file that is no such problem or solution; says where and why."""
 
     def __init__(self, place: str, why: str) -> None:

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from interlock.diag.extras import install
+from interlock.exceptions import Whole
 from interlock.record.log import Event
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ LARGEST = 1 << 63
 FIXED = ("log", "n", "t", "kind")
 
 
-class NoTables(Exception):
+class NoTables(Whole):
     """The extra `record` is not installed; says how to get it."""
 
     def __init__(self) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from interlock.dataclass import dataclass
+from interlock.exceptions import Whole
 from interlock.model.elements import RouteId, SectionId
 from interlock.model.portable import beside
 from interlock.table.cells import TraversalKey
@@ -18,7 +19,7 @@ class TooManyPlaces(Exception):
     """An errand leads to more places than can be looked at."""
 
 
-class NoVoyage(Exception):
+class NoVoyage(Whole):
     """No chain of routes makes an errand; says which leg, and in `fix` what could be done."""
 
     def __init__(self, text: str, fix: str) -> None:
