@@ -19,6 +19,7 @@ from interlock.logic.controller import Controller
 from interlock.logic.eval import Machine
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
+from interlock.model.portable import portable
 from interlock.proof.equivalence.cabinet import compare_delivery
 from interlock.proof.equivalence.tags import BadTags, read_tags
 from interlock.st.ast import Assign, Bool, Declaration, If, Name, Unit
@@ -438,6 +439,19 @@ def test_two_stations_in_one_controller_have_no_name_in_common() -> None:
         assert all(x in own | tags | {"Main"} for x in re.findall(r'"(\w+)"', text))
         found.append(own | tags)
     assert not found[0] & found[1]
+
+
+@pytest.mark.parametrize("name", ["22", "007", "2号井", "东山矿"])
+def test_a_station_whose_name_begins_with_a_digit_in_plc_text_is_written_for_every_tool(name: str) -> None:
+    """A tag is called by the station, in quotes, and may begin so in TIA Portal; every Chinese name does."""
+    made = grown(Path("layouts/fig2_2.yaml").read_text("utf-8").replace("name: fig2_2", f"name: {name}"))
+    assert made is not None and portable(name)[0].isdigit()
+    layout, table, _ = made
+    controller = lower(layout, table)
+    a = allocate(layout, controller)
+    for dialect in VENDORS:
+        files = write_delivery(controller, a, BY_NAME[dialect], [])
+        assert not compare_delivery(controller, a, BY_NAME[dialect], files, tags_xlsx(layout, a)), dialect
 
 
 @pytest.mark.parametrize("dialect", ["scl300", "awl"])

@@ -42,7 +42,8 @@ from interlock.st.style import COMMENT, IEC, SPACE, Style
 
 _UNITS = {"ms": 1, "s": 1000, "m": 60_000, "h": 3_600_000}
 _GOOD = r"""
-    [Tt](?:[Ii][Mm][Ee])?\#[0-9]+(?:ms|s|m|h)\b | \#?[A-Za-z_][A-Za-z0-9_]*+(?:\.[A-Za-z_][A-Za-z0-9_]*+)*+
+    [Tt](?:[Ii][Mm][Ee])?\#[0-9]+(?:ms|s|m|h)\b
+    | (?:[A-Za-z_]|\#[A-Za-z0-9_])[A-Za-z0-9_]*+(?:\.[A-Za-z_][A-Za-z0-9_]*+)*+
     | := | <> | <= | >= | [-+*/=<>();:.,\[\]&]
     | (?:0|[1-9][0-9]*)(?:\.[0-9]+)?(?![A-Za-z0-9_]) | %[IQ]X[0-9]+\.[0-7] | "[A-Za-z0-9_]+" | \{[^{}]*\}"""
 _TOKEN = re.compile(
