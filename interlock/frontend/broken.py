@@ -7,16 +7,17 @@ that place.  Each rule here looks at the parser's error and at the lines, and po
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import yaml
 
 from interlock.diag import Sink, Span
+from interlock.frontend.signs import CLOSING, OPENING, WIDE, odd_indent, spelled
 
-_WIDE = dict(zip("：，；｛｝［］（）＂＇“”‘’　", ":,;{}[]()\"'\"\"'' ", strict=True))
 LINE_ENDS = "\x85\u2028\u2029"
 """Characters that end a line for YAML, and for no editor: whoever reads the file would not see where a line begins."""
-_NO_SPACE = re.compile(r"(?:^|[{,\[]\s*|-\s+)\s*([A-Za-z0-9_/-]+):(?=[^\s,}\]/])")
+_KEY = r"([\w/-]+#?)"
+_NO_SPACE = re.compile(rf"(?:^|[{{,\[]\s*|-\s+)\s*{_KEY}:(?=[^\s,}}\]/])")
 
 Found = tuple[str, Span, str]
 
@@ -36,6 +37,8 @@ def report_broken(
                 "indent with spaces, never with tabs",
             )
         return
+    if report_indent(file, lines, range(min(_line(error) + 1, len(lines))), sink):
+        return
     for rule in _RULES:
         for message, span, fix in rule(file, lines, error, quoted):
             sink.add("IL1004", f"broken YAML: {message}", span, fix)
@@ -46,6 +49,20 @@ def report_broken(
     sink.add(
         "IL1004", f"broken YAML: {what}", span, "check the indentation, the colons and the brackets up to this place"
     )
+
+
+def report_indent(file: str, lines: Sequence[str], which: Iterable[int], sink: Sink) -> bool:
+    """Report those of some lines, counted from 0, that are indented with spaces that are none to YAML; whether there
+    are any."""
+    any_ = False
+    for i in which:
+        found = odd_indent(lines[i])
+        if found is not None:
+            start, width, kind = found
+            said = f"broken YAML: a {kind} space stands where a line is indented"
+            sink.add("IL1004", said, Span(file, i + 1, start + 1, width), "indent with plain spaces")
+            any_ = True
+    return any_
 
 
 def report_control(file: str, lines: Sequence[str], what: str, sink: Sink) -> None:
@@ -84,12 +101,26 @@ def _conflict(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quot
             return
 
 
+def _round(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
+    """`q1: (lane: inclined)`: the braces of a mapping, round or full-width."""
+    for i in _lines(lines, error):
+        found = re.match(rf"\s*(?:- )?\s*{_KEY}\s*[:：]\s*(.*)$", lines[i].split(" #")[0].rstrip())
+        value = found[2] if found is not None else ""
+        if found is None or value[:1] not in set(OPENING) - set("[{［") or value[-1:] not in CLOSING:
+            continue
+        inner = spelled(value)
+        if all(re.match(r"[a-z_]+: ", part) for part in inner.split(", ")):
+            span = Span(file, i + 1, found.start(2) + 1, len(value))
+            fix = f"write `{found[1]}: {{{inner}}}`"
+            yield f"the values of `{found[1]}` stand in braces, not in `{value[0]} {value[-1]}`", span, fix
+
+
 def _wide(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
     """A sign of an East Asian keyboard where YAML wants an ASCII one."""
     for i in _lines(lines, error):
-        for k, c in enumerate(lines[i]):
-            if c in _WIDE and '"' not in lines[i][:k]:
-                plain = "a space" if _WIDE[c] == " " else f"`{_WIDE[c]}`"
+        for k, c in enumerate(lines[i].split(" #")[0]):
+            if c in WIDE and '"' not in lines[i][:k]:
+                plain = "a space" if WIDE[c] == " " else f"`{WIDE[c]}`"
                 yield f"the full-width sign `{c}` means nothing here", Span(file, i + 1, k + 1), f"write {plain}"
 
 
@@ -110,7 +141,7 @@ def _other_sign(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, qu
             span = Span(file, k + 1, begun.start(1) + 1, len(begun[1].rstrip()))
             yield "a comment begins with `#`", span, f"write `#` for `{begun[1].rstrip()}`"
     for i in _lines(lines, error):
-        found = re.match(r"\s*([A-Za-z0-9_/-]+)\s*(=)\s*([{\[].*)$", lines[i])
+        found = re.match(rf"\s*{_KEY}\s*(=)\s*([{{\[].*)$", lines[i])
         if found is not None:
             span = Span(file, i + 1, found.start(2) + 1)
             yield "a colon is wanted here, not `=`", span, f"write `{found[1]}: {found[3][:40].rstrip()}`"
@@ -257,7 +288,7 @@ def _indent(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted
         fix = f"remove `{value}`: what stands in the lines below belongs to `{key}` then"
         yield f"`{key}` has a list beside it, and entries of its own in the lines below", span, fix
         return
-    if own != theirs:
+    if own != theirs and (value or own < theirs):
         span = Span(file, i + 1, 1, max(1, own))
         further = "write above it the key to which it belongs" if own > theirs else "as what it belongs to"
         yield f"the line is indented by {own}, the line above by {theirs}", span, f"indent it by {theirs}, or {further}"
@@ -269,7 +300,7 @@ def _no_comma(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quot
     if mark is None or mark.line >= len(lines) or "expected ','" not in (error.problem or ""):
         return
     line = lines[mark.line]
-    found = re.search(r"([^\s,{\[]+)\s+([A-Za-z0-9_/-]+)$", line[: mark.column])
+    found = re.search(rf"([^\s,{{\[]+)\s+{_KEY}$", line[: mark.column])
     if found is not None and line[mark.column : mark.column + 1] == ":":
         rest = re.split(r"[,}]", line[mark.column + 1 :])[0].strip()
         span = Span(file, mark.line + 1, found.start(2) + 1, len(found[2]))
@@ -311,7 +342,7 @@ def _two_colons(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, qu
     if mark is None or "mapping values are not allowed" not in (error.problem or "") or mark.line >= len(lines):
         return
     line = lines[mark.line]
-    found = re.match(r"\s*(?:- )?\s*([A-Za-z0-9_/-]+):\s+(.+)$", line.split(" #")[0].rstrip())
+    found = re.match(rf"\s*(?:- )?\s*{_KEY}:\s+(.+)$", line.split(" #")[0].rstrip())
     if found is None:
         return
     span = Span(file, mark.line + 1, found.start(2) + 1, len(found[2]))
@@ -328,6 +359,7 @@ def _depth(line: str) -> int:
 
 _RULES = (
     _conflict,
+    _round,
     _wide,
     _no_break,
     _other_sign,

@@ -13,6 +13,8 @@ from typing import Annotated
 from pydantic import AfterValidator, BeforeValidator, Field, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
+from interlock.frontend.signs import parted
+
 _UNSEEN = "\u115f\u1160\u3164\uffa0"  # letters to Unicode, and drawn as nothing
 _NO_XML = "\ufffe\uffff"  # beside control characters
 _WORD = rf"[^\W_{_UNSEEN}]+#?"
@@ -89,6 +91,11 @@ def name_fix(text: str) -> str:
     bare = composed.strip("\u201c\u201d\u2018\u2019\u300c\u300d")
     if bare != text and NAME.fullmatch(bare):
         return f"write `{bare}`, " + ("in composed letters" if bare == composed else "without the curly quotes")
+    parts = parted(composed)
+    if parts and all(map(NAME.fullmatch, parts)):
+        if len(parts) == 2 and "。" in text and parts[1] in _ENDS.split("|"):
+            return f"write `{'.'.join(parts)}`, with an ASCII point"
+        return f"write `{', '.join(parts)}`, with ASCII commas" + ("" if "。" not in text else " between names")
     near = re.sub(r"[^\w /-]+", "_", _seen(bare)).strip("_-/ ")
     if NAME.fullmatch(near):
         return f"write it like `{near}`"

@@ -15,6 +15,7 @@ from interlock.diag import Sink, Span
 from interlock.diag.suggest import Suggestion, did_you_mean, nearest
 from interlock.frontend.examples import BARE, EXAMPLES, LISTS, WHOLE, example_at
 from interlock.frontend.scalars import NAME, number_fix, number_text
+from interlock.frontend.signs import CLOSING, OPENING, spelled
 from interlock.frontend.yaml_tree import Mapping, Node, Scalar, Sequence, stands_beside
 
 Loc = tuple[str | int, ...]
@@ -142,7 +143,7 @@ def _unknown_key(
         return before
     before, wide, rest = (part.strip() for part in key.partition("："))
     if wide and before in known:  # `from：q3`
-        fix = f"write `{before}: {rest}`"
+        fix = f"write `{before}: {spelled(rest)}`"
         said = "the full-width sign `：` ends no key"
         sink.add("IL1011", said, span, fix, cause="full-width", note=f"`{key}`")
         return before
@@ -297,6 +298,10 @@ def _shape_fix(path: Loc, want: str, node: Node) -> str:
         called = named[1] if named is not None else first
         shown = called.text if isinstance(called, Scalar) and NAME.fullmatch(called.text) else "name"
         return f"write `{shown}: {{...}}` lines below `{key}`: the name of each before its values, no dashes"
+    if isinstance(node, Scalar) and node.text[:1] in OPENING and node.text[-1:] in CLOSING:
+        inner = spelled(node.text)
+        if all(": " in part for part in inner.split(", ")):
+            return f"write `{key}: {{{inner}}}`, in braces"
     example = example_at(path) or f"{key}: {{key: value, ...}}"
     return f"write it like `{example}`; `interlock explain IL1012` shows the shapes"
 
@@ -336,8 +341,8 @@ def _flow(node: Node) -> str:
 
 
 def _bare(text: str) -> str:
-    """A text without brackets of another kind around it."""
-    return text[1:-1].strip() if text[:1] + text[-1:] in ("()", "<>") else text
+    """A text without brackets of another kind around it, and with the commas of YAML."""
+    return text[1:-1].strip() if text[:1] + text[-1:] == "<>" else spelled(text)
 
 
 def node_at(root: Node, path: Loc) -> Node:

@@ -29,6 +29,7 @@ from interlock.frontend.scalars import (
 from interlock.frontend.schema import LayoutFile
 
 _ITEM = re.compile(r"(.*\S)\s+(\S+)")
+_DIVIDED = re.compile("[;；，、]")
 _TO_999 = re.compile(r"[1-9]\d{0,2}")
 _THREE = re.compile(r"\d{3}(\.\d*)?")
 
@@ -38,7 +39,7 @@ def section_and_length(ctx: Context, text: str, span: Span, example: str = "q1")
     words, match = text.split(), _ITEM.fullmatch(text.strip())
     unit = "".join(words[-2:]) if len(words) > 2 and number_text(words[-2]) and not number_text(words[-1]) else ""
     shape = len(words) == 2 or (words and (number_text(words[-1]) or slip_of(words[-1])))
-    if match is None or not shape or (len(words) > 2 and ";" in text):
+    if match is None or not shape or (len(words) > 2 and _DIVIDED.search(text)):
         fix = f"write `section length`, for instance `{example} 400`"
         if len(words) == 1 and number_text(words[0]):
             fix = f"name the section before its length, for instance `{example} {words[0]}`"
@@ -47,8 +48,8 @@ def section_and_length(ctx: Context, text: str, span: Span, example: str = "q1")
             fix = number_fix(text_).replace("write ", f"write `{name} ", 1).replace(":", "`:", 1)
             said = f"the length of {name}, '{text_}', is not a number"
             ctx.add("IL1013", said, span, fix, cause=slip_of(unit), note=text)
-        elif ";" in text:
-            fix = f"write `{', '.join(part.strip() for part in text.split(';'))}`"
+        elif _DIVIDED.search(text):
+            fix = f"write `{', '.join(part.strip() for part in _DIVIDED.split(text))}`"
             ctx.add("IL1012", f"'{text}': what follows one another is divided by commas", span, fix)
         else:
             said = f"'{text}': " if words else "nothing is written: "

@@ -14,9 +14,10 @@ import yaml
 
 from interlock.dataclass import dataclass
 from interlock.diag import Sink, Span
-from interlock.frontend.broken import LINE_ENDS, report_broken, report_control
+from interlock.frontend.broken import LINE_ENDS, report_broken, report_control, report_indent
 
 MAX_DEPTH = 12
+_WRITE_OUT = "write the value out; a layout is read by people from top to bottom"
 _LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
@@ -66,7 +67,7 @@ def _admitted(event: yaml.ScalarEvent | yaml.CollectionStartEvent, span: Span, d
             "IL1006",
             f"the anchor &{event.anchor} is not allowed",
             span,
-            "write the value out; a layout is read by people from top to bottom",
+            _WRITE_OUT,
         )
     elif event.tag and event.tag != "!":
         sink.add("IL1019", f"the tag {event.tag} is not allowed", span, "remove the tag")
@@ -93,6 +94,7 @@ def parse(file: str, text: str, sink: Sink) -> Node | None:
     stack: list[tuple[Node, Scalar | None]] = []  # container, pending key
     documents = 0
     quoted: Span | None = None
+    begun: dict[int, None] = {}  # lines in which a text begins with a sign that is no letter, and no space to YAML
     try:
         for event in yaml.parse(text, Loader=_LOADER):
             if isinstance(event, yaml.DocumentStartEvent):
@@ -107,12 +109,7 @@ def parse(file: str, text: str, sink: Sink) -> Node | None:
                     return None
                 continue
             if isinstance(event, yaml.AliasEvent):
-                sink.add(
-                    "IL1006",
-                    f"the alias *{event.anchor} is not allowed",
-                    _span(file, event, lines),
-                    "write the value out; a layout is read by people from top to bottom",
-                )
+                sink.add("IL1006", f"the alias *{event.anchor} is not allowed", _span(file, event, lines), _WRITE_OUT)
                 return None
             if isinstance(event, (yaml.ScalarEvent, yaml.CollectionStartEvent)):
                 span = _span(file, event, lines)
@@ -123,6 +120,8 @@ def parse(file: str, text: str, sink: Sink) -> Node | None:
                     return None
                 if not stack and root is None:
                     root = node
+                if isinstance(node, Scalar) and node.text[:1].isspace():
+                    begun[span.line - 1] = None
                 if not isinstance(node, Scalar):
                     stack.append((node, None))
                 if isinstance(event, yaml.ScalarEvent) and event.style in ("'", '"'):
@@ -134,6 +133,8 @@ def parse(file: str, text: str, sink: Sink) -> Node | None:
         return None
     except yaml.YAMLError as error:
         report_control(file, lines, str(error).splitlines()[0], sink)
+        return None
+    if report_indent(file, lines, begun, sink):
         return None
     if root is None or (isinstance(root, Scalar) and not root.text.strip()):
         sink.add("IL1007", "the file is empty", Span(file, 1, 1), _IF_EMPTY.get(PurePath(file).suffix, _IF_EMPTY[""]))
