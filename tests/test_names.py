@@ -3,8 +3,13 @@
 from __future__ import annotations
 
 import csv
+import hashlib
 import itertools
+import random
 import re
+import string
+import sys
+import unicodedata
 from pathlib import Path
 
 import pytest
@@ -235,3 +240,37 @@ def test_names_are_listed_where_a_written_one_is_as_long_as_its_name() -> None:
     assert made is not None and other is not None and underlined is not None
     assert names_csv(made[0]) == names_csv(underlined[0]) == ""
     assert "section,Ladegleis Sü 3,Ladegleis_c6nm" in names_csv(other[0])
+
+
+def as_the_page_says(name: str) -> str:
+    """A name in PLC text, from "Names in PLC text" of the language's page alone."""
+    if re.fullmatch("[A-Za-z0-9/ _-]{1,14}", name) and name.lower() not in ("trig", "edge"):
+        return name.translate(dict.fromkeys(map(ord, "-/ "), "_"))
+    read = []
+    for sign in unicodedata.normalize("NFKD", re.sub("[-/ ]", "_", name)):
+        words = unicodedata.name(sign, "").split()
+        if not sign.isalnum() or sign.isascii():
+            read.append(sign if sign.isalnum() or sign == "_" else "")
+        elif "LETTER" in words[:-1] and set(words[-1]) <= set(string.ascii_uppercase):
+            small = words[words.index("LETTER") - 1] == "SMALL"
+            read.append(words[-1].lower() if small else words[-1])
+        else:
+            read.append(f"{ord(sign):X}")
+    first, second, third = hashlib.sha256(name.encode()).digest()[:3]
+    number = f"{first * 65536 + second * 256 + third:024b}"
+    groups = [number[-5:], number[-10:-5], number[-15:-10], number[-20:-15]]
+    signs = "".join("abcdefghijkmnpqrstuvwxyz23456789"[int(g, 2)] for g in groups)
+    return "".join(read)[:9].strip("_") + "_" + signs
+
+
+def test_names_in_plc_text_are_as_the_page_says() -> None:
+    """Of every letter and digit of Unicode, and of names with what joins them, is decomposed or left out."""
+    for number in range(sys.maxunicode + 1):
+        sign = chr(number)
+        if sign.isalnum():
+            assert portable(f"A{sign}") == as_the_page_says(f"A{sign}") == safe(f"A{sign}"), ascii(sign)
+    parts = [*"北主斜ЖжßéÄｲア㈱αΩاא한²³ⅣñØøłĐıİ#Ab1-/ _٣ᄀ𝔄x７①½ªǆ", "ｶﾞ", "e\u0301", "ＴＲＩＧ", "trig"]
+    chance = random.Random(5)
+    for _ in range(20_000):
+        name = "".join(chance.choices(parts, k=chance.randint(1, 17)))
+        assert portable(name) == as_the_page_says(name) == safe(name), ascii(name)

@@ -67,8 +67,10 @@ def readable(sign: str) -> str:
     base = unicodedata.normalize("NFKD", sign)
     if base != sign:
         return "".join(map(readable, base))
+    if not sign.isalnum():
+        return "?"
     called = unicodedata.name(sign, "")
     letter = called.rpartition(" LETTER ")[2].rpartition(" ")[2] if " LETTER " in called else ""
     if letter.isalpha() and letter.isascii():
         return letter.lower() if " SMALL LETTER " in called else letter
-    return f"{ord(sign):X}" if sign.isalnum() else "?"
+    return f"{ord(sign):X}"
