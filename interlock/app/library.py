@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import field
 from importlib.util import find_spec
 from pathlib import Path
+from types import MappingProxyType
 
 from interlock.app.check import Checked, audited, check_file, derived, second_opinion
 from interlock.dataclass import dataclass
@@ -56,6 +57,13 @@ class Compiled:
     """Every claim is proved, every route driven by its witness, and every text equals the controller."""
     diagnostics: tuple[Diagnostic, ...]
     files: Mapping[str, bytes] = field(repr=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "files", MappingProxyType(dict(self.files)))
+
+    def __reduce__(self) -> tuple[object, ...]:
+        """For another process: a view of a dictionary cannot be pickled."""
+        return Compiled, (self.layout, self.proof, self.proved, self.diagnostics, dict(self.files))
 
     def write(self, folder: str | os.PathLike[str]) -> Path:
         """Write the files to a folder that bears the layout's name, in a folder of outputs; returns it.
@@ -132,8 +140,8 @@ def prove(
 
     `jobs` processes (forks); `engine` is minisat, z3 or cvc5 (extra `recheck`); what does not follow is searched for
     in runs of `search_depth` scans, for `search_seconds` a claim.  Raises ValueError for another engine, for a number
-    that leaves nothing to be done, and for the controller of another layout; ModuleNotFoundError for an engine whose
-    extra is not installed.
+    that leaves nothing to be done, and for the controller of another layout; TypeError for an argument of another kind;
+    ModuleNotFoundError for an engine whose extra is not installed.
     """
     from interlock.proof.engines import ENGINES
     from interlock.proof.prover import prove as decide
@@ -144,7 +152,9 @@ def prove(
     _one_of((engine,), ENGINES, "engine")
     if engine in _ENGINES:
         _needs(*_ENGINES[engine], f"the engine {engine}")
-    _positive(jobs=jobs, search_depth=search_depth, search_seconds=search_seconds)
+    _positive(jobs=jobs, search_depth=search_depth)
+    _positive(float, search_seconds=search_seconds)
+    _called(progress)
     inside = {s for s, section in layout.track.section.items() if not section.approach}
     if controller.name != layout.name or set(controller.symbols.ways.ends) != inside:
         raise ValueError(f"the controller is that of another layout, not of {layout.name}")
@@ -153,16 +163,27 @@ def prove(
         return decide(System(layout, controller), limits, progress)
 
 
-def _positive(**numbers: float) -> None:
+def _positive(kind: type[int] | type[float] = int, **numbers: float) -> None:
+    """Raises TypeError for what is no number of a kind (a whole one is one of any), ValueError for one below."""
     for name, x in numbers.items():
+        if not isinstance(x, (int, kind)):
+            what = "a whole number" if kind is int else "a number"
+            raise TypeError(f"{name} is {what}, and {x!r} is of type {type(x).__name__}")
         if not x > 0:
             raise ValueError(f"{name} is {x}; it must be above 0")
+
+
+def _called(progress: object) -> None:
+    if not callable(progress):
+        said = f"progress is a function (stage, done, total), and {progress!r} is of type {type(progress).__name__}"
+        raise TypeError(said)
 
 
 def compile(layout: Layout, *, jobs: int = 1, dialects: tuple[str, ...] = (), progress: Progress = quiet) -> Compiled:
     """Derive, audit, lower and prove a layout, write its texts, read them back and compare them: all outputs.
 
-    Raises `LayoutError`, and ValueError for `jobs` below 1 and for a dialect that is none.  `dialects`: other tools'
+    Raises `LayoutError`, ValueError for `jobs` below 1 and for a dialect that is none, and TypeError for an argument of
+    another kind.  `dialects`: other tools'
     forms of the PLC text, beside the portable one; `c99` (extra `c99`) is the C runtime, and ModuleNotFoundError where
     that extra is not installed.
     """
@@ -175,6 +196,7 @@ def compile(layout: Layout, *, jobs: int = 1, dialects: tuple[str, ...] = (), pr
     if C99 in dialects:
         _needs("pycparser", "c99", f"the dialect {C99}")
     _positive(jobs=jobs)
+    _called(progress)
     begun = derived(layout.name, layout, Source(layout.name, ""), Sink())
     proved, files = build_derived(begun, limits=Limits(jobs=jobs), progress=progress, dialects=dialects)
     if proved.proof is None:

@@ -10,7 +10,7 @@ import shutil
 import tempfile
 import zipfile
 from collections.abc import Mapping
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 MANIFEST = "manifest.json"
 
@@ -64,7 +64,11 @@ def _same(name: str, there: bytes, wanted: bytes) -> bool:
 
 def write_folder(target: Path, files: Mapping[str, bytes]) -> None:
     """Replace a folder by the files: all of them, or (on an error) none, and then the folder is as it was.  Raises
-    OSError."""
+    OSError, and ValueError for a name that leads out of the folder."""
+    for name in files:
+        place = PurePosixPath(name)
+        if place.is_absolute() or ".." in place.parts or not place.parts:
+            raise ValueError(f"{name!r} is no place in a folder")
     target.parent.mkdir(parents=True, exist_ok=True)
     fresh = Path(tempfile.mkdtemp(prefix=f".{target.name}.", dir=target.parent))
     try:

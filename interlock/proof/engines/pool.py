@@ -101,7 +101,8 @@ class Begun:
 
 
 def _forks() -> bool:
-    return "fork" in multiprocessing.get_all_start_methods()
+    """Whether this process can be forked: not by every system, nor a worker of somebody's pool, which ends with it."""
+    return "fork" in multiprocessing.get_all_start_methods() and not multiprocessing.current_process().daemon
 
 
 def run(tasks: Sequence[Task], jobs: int, done: Callable[[int], None] = lambda n: None) -> list[Any]:
