@@ -350,7 +350,7 @@ def _shift(
     railway: Railway, file: str, obstacles: frozenset[object], sink: Sink, texts: dict[str, str]
 ) -> tuple[Setting | None, Given]:
     """The fleet of a dispatch file, each train with one order, in turn."""
-    orders = load(file, railway.layout, sink, texts)
+    orders = load(file, railway.layout, sink, texts, "--orders")
     if orders is None:
         return None, Given()
     derived = Derivation(railway, orders, sink).run()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Callable, Collection
 from functools import lru_cache
+from unicodedata import normalize
 
 from interlock.dataclass import dataclass
 
@@ -49,7 +50,8 @@ def did_you_mean(
 
 
 def nearest(name: str, known: Collection[str]) -> str | None:
-    """The known name that is most like a name, upper and lower case alike; None when none is near."""
+    """The known name that is most like a name, upper and lower case alike, and full-width signs as others; None when
+    none is near."""
     return _nearest(name, known if isinstance(known, tuple) else tuple(known))
 
 
@@ -59,6 +61,9 @@ def _nearest(name: str, known: tuple[str, ...]) -> str | None:
     own = name.strip().lower()
     if own in lowered:
         return lowered[own]
+    same, wanted = {normalize("NFKC", n): n for n in lowered}, normalize("NFKC", own)
+    if wanted in same:
+        return lowered[same[wanted]]
     names = list(lowered)
     if len(names) > _MANY:
         names = [n for n in names if abs(len(n) - len(own)) <= 2 and (n[:1] == own[:1] or n[-1:] == own[-1:])]

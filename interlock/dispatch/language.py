@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 from typing import Annotated, Any, Literal
+from unicodedata import normalize
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 from pydantic_core import PydanticCustomError
@@ -16,7 +17,7 @@ from interlock.dataclass import dataclass
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.load import read
-from interlock.frontend.scalars import Amount, Name, Text, choice, number, slip_of, version
+from interlock.frontend.scalars import Amount, Name, Text, choice, number, number_fix, slip_of, version
 from interlock.frontend.validate import plain, report_shape, span_of
 from interlock.frontend.yaml_tree import Mapping, Node, parse
 from interlock.model.layout import Layout
@@ -39,6 +40,12 @@ _UNITS: dict[str, dict[str, float]] = {
     "seconds": {"s": 1, "min": 60},
     "m/s^2": {"m/s2": 1, "m/s^2": 1},
 }
+_UNITS["minutes"] |= {"分": 1, "分钟": 1, "小时": 60, "秒": 1 / 60}
+_UNITS["hours"] |= {"小时": 1, "时": 1, "分": 1 / 60, "分钟": 1 / 60}
+_UNITS["tonnes"] |= {"吨": 1, "公斤": 0.001}
+_UNITS["km/h"] |= {"km": 1, "公里": 1, "公里/小时": 1, "公里/时": 1, "千米/小时": 1, "米/秒": 3.6}
+_UNITS["metres"] |= {"米": 1, "公里": 1000, "千米": 1000}
+_UNITS["seconds"] |= {"秒": 1, "分": 60, "分钟": 60}
 """By the word of a quantity: units that are written with it, and how many of its own each is."""
 
 
@@ -47,10 +54,11 @@ def _as_number(text: str, what: str) -> float:
     try:
         return number(text)
     except PydanticCustomError as error:
-        if not text.isascii() or slip_of(text) == "a decimal comma":
+        plain = normalize("NFKC", text)
+        if number_fix(text).endswith("ASCII digits") or slip_of(text) == "a decimal comma":
             raise
         known = _UNITS.get(what.split()[0], {})
-        found = re.fullmatch(r"([+-]?\d+(?:\.\d+)?)\s*(\S+)", text)
+        found = re.fullmatch(r"([+-]?[0-9]+(?:\.[0-9]+)?)\s*(\S+)", plain)
         fix = f"write {what} as a plain decimal number, for instance 1.5"
         if found is not None and found[2].lower() in known:
             fix = f"write {float(found[1]) * known[found[2].lower()]:.10g}: {what}, without the unit"
@@ -215,10 +223,12 @@ def beside(layout: str) -> str:
     return str(Path(layout).with_suffix(SUFFIX))
 
 
-def load(path: str, layout: Layout, sink: Sink, texts: dict[str, str]) -> Orders | None:
-    """Read a dispatch file for a layout; None with every problem reported.  Its text is added to `texts`."""
+def load(path: str, layout: Layout, sink: Sink, texts: dict[str, str], option: str = "--dispatch") -> Orders | None:
+    """Read a dispatch file for a layout; None with every problem reported.  Its text is added to `texts`.  `option`
+    names another file on the command line."""
     if not Path(path).exists():
-        fix = "write it beside the layout, or name another one; `interlock explain dispatch` has its keys"
+        named = f"write it beside the layout, or name another one with `{option} FILE`"
+        fix = f"{named}; `interlock explain dispatch` has its keys"
         sink.add("IL1001", f"there is no dispatch file {path}", None, fix)
         return None
     text, _ = read(path, sink)

@@ -114,10 +114,12 @@ def length_behind(text: str, name: str) -> str:
     return rest if number_text(rest) else ""
 
 
-def number(text: str) -> float:
-    """A finite number in plain decimal notation; raises PydanticCustomError otherwise."""
+def number(text: str, wanted: str = "") -> float:
+    """A finite number in plain decimal notation, of a quantity if one is `wanted`; raises PydanticCustomError
+    otherwise."""
     if not _NUMBER.fullmatch(text):
-        context = {"v": text, "cause": slip_of(text)} | ({"fix": fix} if (fix := number_fix(text)) else {})
+        fix = number_fix(text, wanted) or QUANTITIES.get(wanted, "")
+        context = {"v": text, "cause": slip_of(text)} | ({"fix": fix} if fix else {})
         raise PydanticCustomError("number", "'{v}' is not a number", context)
     return float(text)
 
@@ -138,7 +140,34 @@ _UNITS = {
     "mph": (1.609344, "speeds are km/h"),
     "m/s2": (1.0, "braking is m/s^2"),
 }
-_WITH_UNIT = re.compile(r"([+-]?\d+(?:[.,]\d+)?)\s*([A-Za-z/]+2?)")
+_UNITS |= {
+    **dict.fromkeys(("米",), _UNITS["m"]),
+    **dict.fromkeys(("公里", "千米"), _UNITS["km"]),
+    **dict.fromkeys(("厘米",), _UNITS["cm"]),
+    **dict.fromkeys(("秒", "秒钟"), _UNITS["s"]),
+    **dict.fromkeys(("分", "分钟"), _UNITS["min"]),
+    **dict.fromkeys(("时", "小时"), _UNITS["h"]),
+    **dict.fromkeys(("公里/小时", "公里/时", "千米/小时", "千米/时"), _UNITS["km/h"]),
+    **dict.fromkeys(("米/秒",), _UNITS["m/s"]),
+}
+_WITH_UNIT = re.compile(r"([+-]?[0-9]+(?:[.,][0-9]+)?)\s*([A-Za-z/]+2?|[\u4e00-\u9fff/]+)")
+QUANTITIES = {
+    "metres": "write metres as a plain decimal number, for instance 350 or 12.5",
+    "seconds": "write seconds as a plain decimal number, for instance 30",
+    "km/h": "write km/h as a plain decimal number, for instance 25",
+}
+"""How a number of each is written."""
+
+
+def _with_unit(text: str, wanted: str = "") -> tuple[float, str] | None:
+    """A number with a unit, in the unit of the language, and the words for that; None for others, and where another
+    quantity is `wanted`.  `20 km` is a speed where one is wanted."""
+    found = _WITH_UNIT.fullmatch(unicodedata.normalize("NFKC", text))
+    unit = found[2].lower() if found is not None else ""
+    if found is None or unit not in _UNITS:
+        return None
+    factor, what = _UNITS["km/h" if wanted == "km/h" and _UNITS[unit] == _UNITS["km"] else unit]
+    return (float(found[1].replace(",", ".")) * factor, what) if what.endswith(wanted) else None
 
 
 def number_text(text: str) -> bool:
@@ -150,12 +179,13 @@ def slip_of(text: str) -> str:
     """What kind of slip makes a number unreadable, so that many of them are told once; empty if it is its own."""
     if re.fullmatch(r"[+-]?\d+,\d+", text):
         return "a decimal comma"
-    found = _WITH_UNIT.fullmatch(text)
+    found = _WITH_UNIT.fullmatch(unicodedata.normalize("NFKC", text))
     return f"the unit {found[2].lower()}" if found and found[2].lower() in _UNITS else ""
 
 
-def number_fix(text: str) -> str:
-    """How a number with a comma, a unit or digits of another script is written; empty where nobody can tell."""
+def number_fix(text: str, wanted: str = "") -> str:
+    """How a number with a comma, a unit or digits of another script is written, of a quantity if one is `wanted`; empty
+    where nobody can tell."""
     plain = "".join(str(unicodedata.digit(c, c)) for c in unicodedata.normalize("NFKC", text))
     if plain != text and _NUMBER.fullmatch(plain):
         return f"write {plain}, in ASCII digits"
@@ -166,17 +196,14 @@ def number_fix(text: str) -> str:
         )
     if slip_of(text) == "a decimal comma":
         return f"write {text.replace(',', '.')}: decimals follow a point"
-    found = _WITH_UNIT.fullmatch(text)
-    if found is not None and found[2].lower() in _UNITS:
-        factor, what = _UNITS[found[2].lower()]
-        return f"write {float(found[1].replace(',', '.')) * factor:.10g}: {what}, without the unit"
-    return ""
+    found = _with_unit(text, wanted)
+    return f"write {found[0]:.10g}: {found[1]}, without the unit" if found is not None else ""
 
 
 def _length(value: object) -> object:
     if not isinstance(value, str):
         raise PydanticCustomError("number", "a length in metres is expected")
-    x = number(value)
+    x = number(value, "metres")
     if not math.isfinite(x) or not 0 < x <= MAX_LENGTH_M:
         raise PydanticCustomError("range", "{v} m is not a possible length", {"v": value})
     return x
@@ -241,7 +268,7 @@ def _hold(value: object) -> float:
     """Seconds for which something is held longer."""
     if not isinstance(value, str):
         raise PydanticCustomError("number", "a number is expected")
-    x = number(value)
+    x = number(value, "seconds")
     if not 0 <= x <= LONGEST_HOLD_S:
         fix = f"write seconds, 0 to {LONGEST_HOLD_S}; 30 are usual"
         raise PydanticCustomError(
@@ -265,8 +292,11 @@ def _speed(value: object) -> int:
         raise PydanticCustomError("number", "a number is expected")
     kmh = _kmh(value)
     fix = "write whole km/h, from 5 to 400" + (f": {math.floor(kmh)}" if kmh else "")
-    if slip_of(value) and kmh != math.floor(kmh):
-        raise PydanticCustomError("number", "'{v}' is not a number", {"v": value, "cause": slip_of(value), "fix": fix})
+    if not number_text(value):
+        advice = number_fix(value, "km/h")
+        advice = advice if kmh == math.floor(kmh) and advice else fix
+        context = {"v": value, "cause": slip_of(value), "fix": advice}
+        raise PydanticCustomError("number", "'{v}' is not a number", context)
     x = number(value)
     if x != round(x) or not 5 <= x <= 400:
         raise PydanticCustomError("range", "{v} is no speed (whole km/h, 5 to 400)", {"v": value, "fix": fix})
@@ -277,7 +307,7 @@ def _towards(value: object) -> float:
     """A speed for which something is made, with decimals if need be."""
     if not isinstance(value, str):
         raise PydanticCustomError("number", "a number is expected")
-    x = number(value)
+    x = number(value, "km/h")
     if not 0 < x <= FASTEST:
         fix = f"write km/h, above 0 and at most {FASTEST}"
         raise PydanticCustomError(
@@ -288,10 +318,9 @@ def _towards(value: object) -> float:
 
 def _kmh(text: str) -> float:
     """The km/h that a text means with decimals or a unit of speed, if they are a speed that can be stated; else 0."""
-    found = _WITH_UNIT.fullmatch(text)
-    factor, what = _UNITS.get(found[2].lower(), (1.0, "")) if found is not None else (1.0, "speeds are km/h")
-    amount = found[1].replace(",", ".") if found is not None else text
-    kmh = round(float(amount) * factor, 6) if number_text(amount) and what == "speeds are km/h" else 0.0
+    amount = text.replace(",", ".")
+    found = (float(amount), "") if number_text(amount) else _with_unit(text, "km/h")
+    kmh = round(found[0], 6) if found is not None else 0.0
     return kmh if 5 <= kmh <= 400 else 0.0
 
 
@@ -438,7 +467,7 @@ def _within(value: object) -> object:
     """Seconds of a heartbeat: two cycles of 100 ms at least."""
     if not isinstance(value, str):
         raise PydanticCustomError("number", "a number is expected")
-    x = number(value)
+    x = number(value, "seconds")
     if not 0.2 <= x <= 1:
         fix = "write seconds, 0.2 to 1; where it takes longer, nobody knows what has happened meanwhile"
         raise PydanticCustomError("range", "{v} s is no time for a heartbeat", {"v": value, "fix": fix})

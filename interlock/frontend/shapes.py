@@ -14,7 +14,7 @@ from pydantic import ValidationError
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import Suggestion, did_you_mean, nearest
 from interlock.frontend.examples import BARE, EXAMPLES, LISTS, WHOLE, example_at
-from interlock.frontend.scalars import NAME, number_fix, number_text
+from interlock.frontend.scalars import NAME, QUANTITIES, number_fix, number_text
 from interlock.frontend.signs import CLOSING, OPENING, spelled
 from interlock.frontend.yaml_tree import Mapping, Node, Scalar, Sequence, stands_beside
 
@@ -237,12 +237,20 @@ def _value(root: Node, kind: str, path: Loc, on_key: bool, text: str, ctx: Map[s
     advice: str | Suggestion = ctx.get("fix", _FIX.get(code, ""))
     if code == "IL1017":
         advice = _one_of(value, ctx.get("known", ()))
+    elif kind == "number" and (wanted := _quantity(path)):
+        advice = number_fix(value, wanted) or QUANTITIES[wanted]
     elif code == "IL2009":
         advice = _REASON.get(str(path[0]), advice)
     cause = ctx.get("cause", "")
     if code in ("IL1016", "IL1017") and value:  # one name or word that cannot be, wherever it is used
         cause = f"{text} {value}"
     sink.add(code, f"{where}: {text}", span_of(root, path, key=on_key), advice, cause=cause, note=f"{where}: {value}")
+
+
+def _quantity(path: Loc) -> str:
+    """What a principle counts, as its name says; empty for others."""
+    of = {"m": "metres", "s": "seconds", "kmh": "km/h"}
+    return of.get(str(path[-1]).rpartition("_")[2], "") if path[0] == "principles" else ""
 
 
 def _one_of(value: str, known: tuple[str, ...]) -> str | Suggestion:
