@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -142,3 +143,36 @@ def test_pairs_that_fail_are_played_in_json_too(tmp_path: Path, monkeypatch: pyt
     monkeypatch.setattr(module, "write_stories", lambda tried, folder: (folder / "x.html",))
     done = run("availability", "layouts/fig2_2.yaml", "--traces", str(tmp_path), "--format", "json")
     assert json.loads(done.stdout)["pages"] == [str(tmp_path / "x.html")]
+
+
+NOT_DONE = [
+    ("check", "nowhere.yaml"),
+    ("compile", "layouts/fig2_2.yaml", "-o", "/proc/x"),
+    ("dispatch", "layouts/fig2_2.yaml"),
+    ("simulate", "layouts/fig2_2.yaml"),
+    ("blocks", "layouts/fig2_2.yaml"),
+    ("why", "layouts/fig2_2.yaml", "X9"),
+    ("draw", "layouts/fig2_2.yaml", "-o", "nodir/x.svg"),
+    ("export", "layouts/fig2_2.yaml", "-o", "nodir/x.aig"),
+    ("explain", "R99"),
+    ("play", "nowhere.json"),
+    ("certify", "layouts/fig2_2.yaml", "--check", "-o", "/proc/x"),
+    ("record", "nowhere.jsonl"),
+]
+
+
+@pytest.mark.parametrize("arguments", NOT_DONE, ids=" ".join)
+def test_diagnostics_go_to_the_standard_output_and_what_json_calls_an_error_to_the_standard_error(
+    arguments: tuple[str, ...],
+) -> None:
+    """As the README says."""
+    asked = run(*arguments, "--format", "json")
+    found = json.loads(asked.stdout)
+    body = found[0] if isinstance(found, list) else found
+    plain = run(*arguments)
+    said = [bool(re.search(r"\berror(\[IL\d{4}\])?: ", x)) for x in (plain.stdout, plain.stderr)]
+    if body.get("error"):
+        assert said == [False, True] and body["error"].splitlines()[0] in plain.stderr
+    else:
+        assert said == [True, False] and body["diagnostics"][0]["message"] in " ".join(plain.stdout.split())
+    assert plain.exit_code == asked.exit_code != 0
