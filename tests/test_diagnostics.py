@@ -401,3 +401,15 @@ def test_entries_that_may_say_nothing_may(room: str) -> None:
     more = f"  {entry}: {{}}\n"
     text = LOOP.replace("boundaries:\n", f"boundaries:\n{more}") if room == "boundaries" else f"{LOOP}{room}:\n{more}"
     assert not any(x.startswith(("IL1010", "IL1012")) for x in told_of(text))
+
+
+def test_a_signal_beside_a_section_in_two_pieces_does_not_hide_that() -> None:
+    """Both tracks of a loop called by one section: the signals at it stand at two joints, since it is split."""
+    text = Path("layouts/passing_loop.yaml").read_text("utf-8").replace("3G", "IG")
+    text = re.sub(r"^  [SX]3:.*\n", "", text, flags=re.MULTILINE)
+    sink = Sink()
+    layout, _ = load_text("loop.yaml", text, sink)
+    assert layout is None
+    assert [(d.code, d.message) for d in sink.diagnostics] == [
+        ("IL3009", "section IG is split into 2 pieces that do not touch")
+    ]

@@ -15,6 +15,7 @@ from interlock.frontend.context import Context
 from interlock.frontend.doors import as_door, check_doors
 from interlock.frontend.mistaken import ends_of_layout, for_a_section, is_end
 from interlock.frontend.parts import points_of
+from interlock.frontend.pieces import report_split
 from interlock.frontend.ports import Wiring
 from interlock.frontend.scalars import item_parts, length_behind
 from interlock.frontend.schema import ChoiceSpec, RouteSpec, SignalSpec
@@ -113,6 +114,7 @@ def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
             leading.setdefault(e.section, []).append((node, e))
     taken: dict[tuple[NodeId, str], str] = {}
     signals: list[Signal] = []
+    split: frozenset[SectionId] | None = None
     for name, spec in ctx.file.signals.items():
         places = [
             (node, into)
@@ -131,12 +133,14 @@ def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
             )
             continue
         if len(places) > 1:
-            ctx.add(
-                "IL3006",
-                f"{called('signal', name)}: {spec.from_} and {spec.into} meet in {len(places)} places",
-                ctx.at("signals", name, "into"),
-                _parted(spec) if spec.at else "add `at: POINT`, naming a point next to the joint meant",
-            )
+            split = report_split(ctx, wiring.edges) if split is None else split
+            if not split & {spec.from_, spec.into}:
+                ctx.add(
+                    "IL3006",
+                    f"{called('signal', name)}: {spec.from_} and {spec.into} meet in {len(places)} places",
+                    ctx.at("signals", name, "into"),
+                    _parted(spec) if spec.at else "add `at: POINT`, naming a point next to the joint meant",
+                )
             continue
         node, into = places[0]
         if (node, into.section) in taken:
