@@ -5,6 +5,8 @@ from __future__ import annotations
 import copy
 import json
 import re
+import sys
+import unicodedata
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
 from operator import attrgetter
@@ -26,6 +28,7 @@ from interlock.emit.tables.document import CELLS, ONLY_STATED, ROUTE, table_json
 from interlock.emit.tables.schema import table_schema
 from interlock.frontend import load_text
 from interlock.frontend.published import WITHOUT, json_schema, language_keys
+from interlock.frontend.scalars import NAME, PATTERNS
 from interlock.frontend.schema import LayoutFile
 from interlock.model.principles import KNOBS, MEANING
 from interlock.table.cells import Because, HostileClass, HostileRoutes
@@ -323,3 +326,51 @@ def test_a_table_that_says_something_else_is_refused() -> None:
         other = copy.deepcopy(body)
         spoil(other)
         assert problems(other, TABLE)
+
+
+def test_the_schema_takes_every_name_that_the_language_takes_and_few_others() -> None:
+    """Of every sign of Unicode in a name.  What it takes for a letter, and is none, are marks and rare symbols."""
+    (pattern,) = {p for p, called in PATTERNS.items() if called == "name"}
+    name = re.compile(pattern)
+    wrong = []
+    for number in range(sys.maxunicode + 1):
+        text = f"a{chr(number)}1"
+        tool, schema = (x.fullmatch(text) is not None for x in (NAME, name))
+        assert schema or not tool, ascii(text)
+        if schema and not tool and unicodedata.category(text[1]) not in ("Cn", "Co", "Cs"):
+            wrong.append(text[1])
+    common = [c for c in wrong if c < "\u0300" or unicodedata.category(c)[0] == "Z" or "\u2000" <= c < "\u2100"]
+    assert not common and not set(wrong) & set("，、；：。！？（）［］｛｝【】《》「」・～＃／－＿＝＋№℃·×÷§°±→←●★")
+    assert len(wrong) < 9_000, len(wrong)
+
+
+NAMES = [
+    "q1",
+    "底1",
+    "𠮷1",
+    "q1#",
+    "q，1",
+    "№1",
+    "①",
+    "ª",
+    "é",
+    "e\u0301x",
+    "x\u200dy",
+    "Ⅳ",
+    "a·b",
+    "a\u3000b",
+    "a１",
+    "_a",
+    "a__b",
+]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_name_is_one_to_the_schema_and_to_the_language(name: str) -> None:
+    text = (
+        "interlock: 1\nname: x\nboundaries: {W: {approach: a0 600}}\nbuffers: [B]\n"
+        f"tracks: {{t: [W, {name} 400, B]}}\nsignals: {{S1: {{from: W, into: {name}}}}}\n"
+    )
+    sink = Sink()
+    load_text("name.yaml", text, sink)
+    assert sink.has_errors == bool(problems(yaml.load(text, yaml.BaseLoader) | {"interlock": 1}, LANGUAGE))

@@ -368,7 +368,16 @@ def choice(kind: str, known: tuple[str, ...]) -> BeforeValidator:
 
 # JSON Schema sees what a YAML reader makes of a scalar: a name may look like a number, a text like anything
 _TEXT_SCHEMA = {"type": ["string", "number", "boolean", "null"]}
-_LETTER = r"[0-9A-Za-z\u00AA-\uFFFF]"  # every script; patterns of JSON Schema know no classes of letters
+# patterns of JSON Schema know no classes of letters, nor all of them signs beyond U+FFFF: what is no letter is listed,
+# by blocks; marks and rare symbols pass
+_LETTER = (
+    r"[^\u0000-\u002F\u003A-\u0040\u005B-\u0060\u007B-\u00A9\u00AB-\u00B1\u00B4\u00B6-\u00B8\u00BB\u00BF\u00D7"
+    r"\u00F7\u02C2-\u02C5\u02D2-\u02DF\u02E5-\u02EB\u02ED\u02EF-\u02FF\u0300-\u036F\u115F\u1160\u1680\u180E"
+    r"\u2000-\u206F\u207A-\u207E\u208A-\u208E\u20A0-\u20FF\u2103-\u2106\u2108\u2109\u2116-\u2118\u2190-\u245F"
+    r"\u249C-\u24B5\u2500-\u2775\u2794-\u2BFF\u2E00-\u2E2E\u2E30-\u3004\u3008-\u3020\u3030\u303D-\u3040"
+    r"\u3099-\u309C\u30A0\u30FB\u3164\uE000-\uF8FF\uFE00-\uFE6F\uFEFF-\uFF0F\uFF1A-\uFF20\uFF3B-\uFF40"
+    r"\uFF5B-\uFF65\uFFA0\uFFE0-\uFFFF]"
+)
 _PLAIN = f"{_LETTER}+#?(?:[ _/-]{_LETTER}+#?)*"
 _NAME_SCHEMA = {"type": ["string", "integer"], "pattern": f"^{_PLAIN}$"}
 _FOLDER_SCHEMA = {"type": ["string", "integer"], "maxLength": LONGEST_FOLDER, "pattern": f"^{_PLAIN.replace('/', '')}$"}
