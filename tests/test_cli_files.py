@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
@@ -262,3 +263,37 @@ def test_slips_with_files_are_told_with_the_way_out(tmp_path: Path) -> None:
     assert drawn.exit_code == 2 and "call it halt.svg" in drawn.output and not (tmp_path / "halt.pdf").exists()
     far = run("run", str(layout), "--modbus", "localhost:99999")
     assert far.exit_code == 2 and "between 1 and 65535" in far.output
+
+
+def test_a_certificate_without_outputs_is_refused_before_the_proof(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def never(*args: object, **more: object) -> None:
+        raise AssertionError("proved")
+
+    monkeypatch.setattr("interlock.app.certify.build_derived", never)
+    args = ("certify", "layouts/fig2_2.yaml", "--outputs", str(tmp_path / "g"), "-o", str(tmp_path / "p"))
+    done = run(*args)
+    said = " ".join(done.stdout.split())
+    assert done.exit_code == 1 and "IL5003" in said and f"{tmp_path}/g/fig2_2: there are no outputs" in said
+    assert f"run `interlock compile layouts/fig2_2.yaml -o {tmp_path}/g`" in said
+    (body,) = json.loads(run(*args, "--format", "json").stdout)
+    assert not body["ok"] and [d["code"] for d in body["diagnostics"]] == ["IL5003"]
+
+
+@pytest.mark.parametrize(
+    ("asked", "again"),
+    [
+        (("all",), "--dialect all"),
+        (("all", "iec", "codesys"), "--dialect all"),
+        (("codesys", "codesys"), "--dialect codesys"),
+    ],
+)
+def test_the_command_that_writes_outputs_again_names_each_dialect_once(
+    asked: tuple[str, ...], again: str, tmp_path: Path
+) -> None:
+    options = [x for d in asked for x in ("--dialect", d)]
+    done = run("compile", "layouts/fig2_2.yaml", "-o", str(tmp_path), "--check", "--format", "json", *options)
+    (body,) = json.loads(done.stdout)
+    fixes = {d["fix"] for d in body["diagnostics"] if d["code"] == "IL5003"}
+    assert fixes == {f"run `interlock compile layouts/fig2_2.yaml -o {tmp_path} {again}`"}

@@ -7,7 +7,7 @@ import time
 from dataclasses import replace
 from pathlib import Path
 
-from interlock.app.check import derive_file
+from interlock.app.check import Checked, derive_file
 from interlock.app.compile import ELSEWHERE, build_derived, finish
 from interlock.app.proved import Proved
 from interlock.app.texts import C99
@@ -57,10 +57,20 @@ def certify_file(
     return replace(_certified(path, outputs, proofs, check, progress), seconds=time.monotonic() - began)
 
 
+def _no_outputs(path: str, outputs: Path, derived: Checked, name: str) -> Certified:
+    """Nothing is there to which a certificate could be tied."""
+    said = f"{outputs / name}: there are no outputs, to which a certificate is tied"
+    fix = f"run `interlock compile {path} -o {outputs}`"
+    note = Diagnostic("IL5003", Severity.ERROR, said, derived.source.at("name"), fix)
+    return Certified(Proved(derived), notes=(note,))
+
+
 @interning()
 def _certified(path: str, outputs: Path, proofs: Path, check: bool, progress: Progress) -> Certified:
     progress("deriving", 0, 0)
     derived = derive_file(path)
+    if derived.ok and derived.layout is not None and not (outputs / derived.layout.name / OUTPUTS).exists():
+        return _no_outputs(path, outputs, derived, derived.layout.name)
     others = written_for(outputs / derived.layout.name) if derived.layout is not None else ()
     proved, files = build_derived(derived, progress=progress, dialects=others)
     layout, table = proved.checked.layout, proved.checked.table

@@ -41,6 +41,7 @@ from interlock.logic.lower import lower
 from interlock.logic.plant import assumed_of
 from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.verdict import Progress, quiet
+from interlock.st.dialects import BY_NAME
 from interlock.table.national import national_sheets
 
 
@@ -163,6 +164,12 @@ ELSEWHERE = "move away what is yours, or choose another folder with -o"
 """What to do where a folder is not replaced."""
 
 
+def _named(tools: Sequence[str]) -> list[str]:
+    """Dialects as an option names them: `all` for those of the PLC text."""
+    rest = [d for d in tools if d not in BY_NAME]
+    return ["all", *rest] if BY_NAME.keys() <= set(tools) else list(tools)
+
+
 def compile_file(
     path: str,
     out: Path,
@@ -187,7 +194,7 @@ def compile_file(
     span = proved.checked.source.at("name")
     notes = list(proved.notes)
     if check:
-        again = " ".join((f"interlock compile {path} -o {out}", *(f"--dialect {d}" for d in tools)))
+        again = " ".join((f"interlock compile {path} -o {out}", *(f"--dialect {d}" for d in _named(tools))))
         notes += [
             Diagnostic("IL5003", Severity.ERROR, f"{target}: {d}", span, f"run `{again}`")
             for d in differences(target, files)

@@ -53,9 +53,7 @@ def command(layouts: tuple[str, ...], outputs: Path, out: Path, jobs: int, check
     for r in results if form != "json" else ():
         if not r.proved.green:
             show_proof(r.proved, form, False)
-            continue
-        source = r.proved.checked.source
-        show(r.notes, source.texts, form)
+        show(r.notes, r.proved.checked.source.texts, form)
         if r.ok:
             click.echo(f"{r.proved.checked.path}: {click.style(done, fg='green')}  {r.summary}, {r.seconds:.1f} s")
             click.echo(f"  {'current' if check else 'written'}: {_folder(r, out)}")

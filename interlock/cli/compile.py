@@ -63,7 +63,8 @@ def command(
     form: str,
 ) -> None:
     """Derive the tables, prove the controller, and write all outputs."""
-    tools = (*dialects, *BY_NAME) if "all" in dialects else dialects
+    asked = (*dialects, *BY_NAME) if "all" in dialects else dialects
+    tools = tuple(dict.fromkeys(d for d in asked if d != "all"))
     if C99 in dialects and find_spec("pycparser") is None:
         raise click.UsageError(f"c99 needs the extra `c99`: {install('c99')}")
     clashes = names_twice(layouts) if len(layouts) > 1 else ()
