@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 
 import pytest
@@ -455,6 +456,27 @@ def test_no_wagons_run_from_a_lane_that_leads_to_a_trap_alone() -> None:
     )
     text = text.replace("q4 100, N]", "q4 100, E]").replace("buffers: [N]", "traps: [T]")
     assert head_on(text) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "offered"),
+    [
+        (TURNED, True),
+        (TURNED.replace("reverse: side.start}", "reverse: side.start, machine: M}"), True),
+        (TURNED.replace("reverse: side.start}", "reverse: side.start, work: hand}"), False),
+        (DERAILER, True),
+    ],
+    ids=["a point", "with a machine of another name", "by hand, locked the other way", "a derailer"],
+)
+def test_the_demand_that_is_offered_can_be_written_and_helps(text: str, offered: bool) -> None:
+    """It named the machine of the point, and a hand-worked point in the position in which no key holds it."""
+    found = grown(text)
+    assert found is not None
+    (told,) = [d for d in found[2].diagnostics if d.code == "IL7019"]
+    line = re.search(r"`(demand: .*)`$", told.fix or "")
+    assert (line is not None) is offered
+    if line is not None:
+        assert head_on(f"{text}{line[1]}\n") == []
 
 
 AGAINST = """

@@ -24,7 +24,7 @@ SHOWN = 3
 @dataclass(frozen=True)
 class _Lane:
     """An inclined lane that is met beyond the end of a route: over which sections, and over which point from a leg,
-    which would keep wagons off in the other position."""
+    which would keep wagons off in the other position, and may be demanded there."""
 
     section: SectionId
     over: tuple[SectionId, ...] = ()
@@ -74,8 +74,14 @@ def _lanes(
         turned = None if point is None or position is None else (point, position.other)
         if (far, edge) in faced or (turned is not None and (turned[0].machine, turned[1]) in laid):
             continue
-        onward = _Lane(met.section, tuple(dict.fromkeys((*met.over, e.section))), met.point or turned)
+        demanded = turned if turned is not None and _may_lie(layout, *turned) else None
+        onward = _Lane(met.section, tuple(dict.fromkeys((*met.over, e.section))), met.point or demanded)
         todo += [(x, far, onward) for x in onward_edges(layout, far, edge)]
+
+
+def _may_lie(layout: Layout, point: Point, position: Position) -> bool:
+    """Whether a route may demand a point in a position: one that is worked by hand is locked in normal only (R10)."""
+    return position is Position.NORMAL or point.machine not in layout.machines.by_hand
 
 
 def _caught(layout: Layout, edge: EdgeId, node: NodeId) -> bool:
@@ -106,7 +112,7 @@ def _report(lane: _Lane, end: str, those: Sequence[Path], sink: Sink) -> None:
     fix += "the routes have turned away by a `demand`"
     if lane.point is not None:
         p, x = lane.point
-        fix += f"; or have {p.machine} turned away: `demand: [{{point: {p.machine}, lies: {_WORD[x]}, "
+        fix += f"; or have {p.id} turned away: `demand: [{{point: {p.id}, lies: {_WORD[x]}, "
         fix += f"routes: {{to: {end}}}, reason: runaways from {lane.section}}}]`"
     sink.add(
         "IL7019",
