@@ -27,7 +27,6 @@ from interlock.proof.witnesses.together import How
 from interlock.table.cells import Because, Exclusion, HostileRoutes
 from interlock.table.rows import RouteRow, TraversalRow
 from tests.campaigns.availability import derived, space_to_the_point, under, weakened
-from tests.grow_all import grow_all
 from tests.layouts import SHIPPED, built, grown
 
 CASES = ("bare_signal", "both_ways", "door", "parallel", "scissors_apart", "through", "triangle")
@@ -119,9 +118,10 @@ def test_pairs_that_are_tried_are_those_that_the_table_does_not_call_hostile() -
 
 
 def test_points_that_a_train_has_left_otherwise_on_its_way_are_no_fault_of_a_table() -> None:
-    made = grown(grow_all(86059))  # a point is worked with a derailer, which lies in a section of an overlap
-    assert made is not None
-    layout, table, _ = made
+    """A point is worked with a derailer, which lies in a section of an overlap."""
+    checked = check_file("tests/layouts_for_tests/left_otherwise.yaml")
+    layout, table = checked.layout, checked.table
+    assert layout is not None and table is not None
     found = availability(closed_loop(layout, lower(layout, table)), table)
     assert [(p.first, p.second, p.failure) for p in found.pairs if p.failure and p.manner is not Manner.NONE] == []
     (pair,) = [p for p in found.pairs if (p.first, p.second) == ("22X#-36G#", "32G#-26G#")]

@@ -132,7 +132,9 @@ def test_json_says_what_is_said_to_people(tmp_path: Path, certified_loop: Path) 
     assert verified[0]["ok"] and verified[0]["wall_seconds"] > 0
     tried = run("availability", loop)
     assert f"in {json.loads(run('availability', loop, '--format', 'json').stdout)['runs']} runs" in tried.output
-    refuted = run("certify", "layouts/refuted/wrong_waiver.yaml", "-o", str(tmp_path / "p"), "--format", "json")
+    wrong, outputs = "layouts/refuted/wrong_waiver.yaml", str(tmp_path / "g")
+    assert run("compile", wrong, "-o", outputs, "--unproved").exit_code == 1
+    refuted = run("certify", wrong, "--outputs", outputs, "-o", str(tmp_path / "p"), "--format", "json")
     claims = {c["id"]: c for c in json.loads(refuted.stdout)[0]["claims"]}
     assert refuted.exit_code == 1 and claims["T-FLANK"]["verdict"] == "REFUTED" and claims["T-FLANK"]["story"]
 

@@ -96,10 +96,10 @@ def test_an_overlap_that_is_never_given_up_is_planned_as_kept(tmp_path: Path) ->
     assert "fix: give trains an `approach` section, or detection, before a, or shorten the overlap of A" in text
 
 
-def test_no_train_turns_in_an_overlap_that_is_held_while_it_stands_there() -> None:
-    """R4: the overlap of N2 over the siding is not given up while the train is in it, and shuts its points."""
+def test_a_train_turns_in_the_last_section_of_an_overlap_which_its_own_route_keeps() -> None:
+    """R4: the overlap of N2 over the siding is given up while the train stands in it, and its points let it back."""
     code, text = run("tests/layouts_for_tests/overlaps.yaml", "1:W>sid>W", "--length", "20", "--timings", "3")
-    assert code == 0 and "  1          N1-N2\n" in text and "each granted within" in text, text
+    assert code == 0 and "  1          N1-N2.o2\n" in text and "each granted within" in text, text
     assert "with the rule: 0 of 3 timings stand for ever" in text
 
 

@@ -15,6 +15,7 @@ from interlock.app.turns import NoHorizon
 from interlock.dispatch.commands import BadOrder
 from interlock.dispatch.plan.errands import NoVoyage
 from interlock.logic.cabinet import BadAddress
+from interlock.model.too_many import TooManyWays
 from interlock.panel.commands import Refused
 from interlock.panel.entry import NotKnown
 from interlock.planning.displib import BadFile
@@ -42,6 +43,7 @@ MADE: list[Exception] = [
     BadFile("line 3", "this is no JSON"),
     Refused("it is locked", "X", "q1"),
     NotKnown("it has no route"),
+    TooManyWays("signals", "X1", "1,025 ways lead from it", "put a signal on the way"),
 ]
 
 

@@ -53,7 +53,7 @@ HARM = {
     "conditions ignored": ("incline_hoist", 10),
     "lost inputs ignored": ("depot", 1),
     "health ignored": ("pit_bottom", 2),
-    "devices count as closed": ("flank_lab", 2),
+    "devices count as closed": ("flank_lab", 1),
     "zone never full": ("heishan", 7),
     "direction always given": ("passing_loop", 0),
 }

@@ -11,6 +11,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import TypeVar
 
+from interlock.exceptions import Whole
+
 MOST_THROUGH = 256
 """Ways through a section from one of its ends."""
 MOST_OVERLAPS = 256
@@ -23,7 +25,7 @@ MOST_ROUTES = 20_000
 T = TypeVar("T")
 
 
-class TooManyWays(Exception):
+class TooManyWays(Whole):
     """There are more ways than are listed; `room` and `name`: of which element of the layout file, `text`: what leads
     where, `fix`: what to do."""
 
