@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -20,7 +21,9 @@ from interlock.emit.python.runtime import runtime_py
 from interlock.frontend import load_text
 from interlock.logic.cabinet import allocate
 from interlock.logic.controller import Controller
+from interlock.logic.expr import var
 from interlock.logic.lower import lower
+from interlock.model.elements import MachineId, Position
 from interlock.model.layout import Layout
 from interlock.proof.mutation.weakenings import KINDS
 from interlock.table.rows import InterlockingTable
@@ -138,6 +141,15 @@ def test_a_controller_that_is_wrong_is_noticed(kind: str, said: str) -> None:
     layout, table, _ = built("junction")
     found = [noticed(layout, table, weak) for _, weak in next(k for k in KINDS if k.name == kind).make(layout, table)]
     assert any(said in x for x in found) if said else not any(found)
+
+
+def test_points_that_are_driven_when_the_controller_is_switched_on_are_noticed() -> None:
+    layout, table, controller = built("junction")
+    drive = controller.symbols.machines.drive[MachineId("101"), Position.REVERSE]
+    right = next(o for o in controller.outputs if o.name == drive)
+    running = var(controller.symbols.start.running)
+    wrong = tuple(replace(o, expr=running) if o is right else o for o in controller.outputs)
+    assert noticed(layout, table, replace(controller, outputs=wrong)).startswith("S1 switch the controller on")
 
 
 def test_after_a_change_only_what_is_new_is_tested_again() -> None:

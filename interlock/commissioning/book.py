@@ -60,7 +60,9 @@ def _start(bench: Bench) -> Iterator[Step]:
     bench.scans(FEW)
     came = [f"{g} does not show stop" for g in not_at_stop(bench)]
     came += [f"{s} is not locked" for s in y.sections.restart if not bench.locked(s)]
-    expect = "every signal shows stop, every section is indicated as locked, no points move"
+    points = [(m, x) for m, x in y.machines.drive if m not in bench.layout.machines.device]
+    came += [f"{m} is driven" for m, x in points if bench.on(y.machines.drive[m, x])]
+    expect = "every signal shows stop, every section is indicated as locked, no points are driven"
     yield _started("switch the controller on, all clear", expect, came)
     bench.wait(rules.restart_delay_s + SETTLED_S)
     clear = bench.moment()
