@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
@@ -537,3 +538,28 @@ def test_a_derailer_behind_a_one_way_section_keeps_them_off() -> None:
     assert "a vehicle can reach 5.R" in {f.text for f in audit(layout, weak)}
     found = prove(System(layout, lower(layout, weak)), Limits(search_depth=0))
     assert {"T-FLANK", "S-FLANK"} <= {c.id for c in found.claims if c.verdict is not Verdict.PROVED}
+
+
+def test_a_signal_alone_before_an_inclined_lane_is_told_unless_a_condition_speaks_of_the_hoist() -> None:
+    """The signal is the flank protection, and the proof trusts it; wagons that run away do not read it (IL7020)."""
+    whole = Path("layouts/incline_hoist.yaml").read_text(encoding="utf-8")
+    bare = whole[: whole.index("conditions:")]
+
+    def told(text: str) -> list[str]:
+        made = grown(text)
+        assert made is not None and not made[2].has_errors
+        return [
+            d.message.split(" keeps")[0] + d.message.split(" off")[1] for d in made[2].diagnostics if d.code == ALONE
+        ]
+
+    assert told(whole) == []
+    assert told(bare) == [
+        "nothing but signal XN1 at stop PU.normal, beside XU-UB and XU3-U: wagons pass a signal",
+    ]
+    hoist = "conditions: {HOIST: {text: hoist stopped, signals: [XU, XU3]}}\n"
+    assert told(bare + hoist) == []
+    catcher = "derailers:\n  D: {section: u2, outer: slope.start, inner: PU.normal}\npoints:"
+    assert told(bare.replace("points:", catcher).replace("normal: slope.start, ", "normal: D.inner, ")) == []
+
+
+ALONE = "IL7020"

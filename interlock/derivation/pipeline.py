@@ -31,7 +31,7 @@ from interlock.derivation.practice import check_practice
 from interlock.derivation.protecting import check_protecting
 from interlock.derivation.reached import check_reached
 from interlock.derivation.routes import Path, find_routes
-from interlock.derivation.runaways import check_runaways
+from interlock.derivation.runaways import check_runaways, check_signals_alone
 from interlock.derivation.shown import check_shown
 from interlock.derivation.starts import check_starts
 from interlock.derivation.through import check_through
@@ -129,6 +129,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     check_practice(layout, paths, by_key, sink)
     check_protecting(layout, demands, by_key, sink)
     check_runaways(layout, paths, demands, sink)
+    check_signals_alone(layout, rows, sink)
     check_through(layout, paths, hostile, voyages, sink)
     check_shown(layout, rows, sink)
     check_starts(layout, rows, sink)

@@ -1,7 +1,10 @@
-"""Inclined lanes beyond the ends of routes: what runs away from there meets a train head-on (R5).
+"""Inclined lanes from which nothing but a signal, or nothing at all, keeps wagons off (R5).
 
-Warning IL7019.  Protection is asked for beside a way, not beyond its end.  What keeps wagons off there is a signal that
-faces them, or a derailer or point that the route has turned away; an overlap moves the end on, since it is clear.
+Warning IL7019: beyond the end of a route, where no rule asks for protection, what runs away meets a train head-on.
+What keeps wagons off there is a signal that faces them, or a derailer or point that the route has turned away; an
+overlap moves the end on, since it is clear.
+
+Warning IL7020: beside a way the protection is a signal alone.  The proof trusts it (A-STANDS), wagons do not read it.
 """
 
 from __future__ import annotations
@@ -13,9 +16,11 @@ from interlock.derivation.added import Demands
 from interlock.derivation.routes import Path
 from interlock.diag import Element, Sink
 from interlock.diag.called import called
-from interlock.model.elements import BufferKind, EdgeId, MachineId, NodeId, Point, Position, SectionId
+from interlock.model.elements import BufferKind, EdgeId, MachineId, NodeId, Point, Position, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.traversal import Traversal, onward_edges
+from interlock.table.cells import ProviderKind
+from interlock.table.rows import RouteRow
 
 SHOWN = 3
 """So many routes are named."""
@@ -40,22 +45,51 @@ def check_runaways(layout: Layout, paths: Sequence[Path], demands: Demands, sink
         last = p.parts[-1]
         ways = (*p.run, *last.overlap)
         laid = {(d.machine, d.position) for q in p.parts for d in demands[q.id]}
-        for lane in _lanes(layout, ways[-1], {t.section for t in ways}, laid):
+        for lane in _lanes(layout, _from_end(layout, ways[-1]), {t.section for t in ways}, laid):
             met.setdefault((lane.section, last.exit), (lane, []))[1].append(p)
     for (_, end), (lane, those) in met.items():
         _report(lane, end, those, sink)
 
 
+def check_signals_alone(layout: Layout, rows: Sequence[RouteRow], sink: Sink) -> None:
+    """Report places beside routes without a condition that a signal alone guards from an inclined lane."""
+    if sink.has_errors or not any(e.inclined for e in layout.track.edges):
+        return
+    met: dict[tuple[SectionId, str, str], list[RouteRow]] = {}
+    for r in rows:
+        laid = {(d.machine, d.position) for d in r.locking.points}
+        own = {x.section for x in r.clear.sections}
+        held = [(c, p.name) for c in r.locking.flank for p in c.providers if p.kind is ProviderKind.SIGNAL]
+        for cell, signal in () if r.conditions.external else held:
+            s = layout.signalling.signal[SignalId(signal)]
+            for lane in _lanes(layout, _onward(layout, s.into, s.node), own, laid):
+                met.setdefault((lane.section, signal, cell.requester), []).append(r)
+    for (section, signal, place), those in met.items():
+        _report_alone(section, signal, place, those, sink)
+
+
+_Start = tuple[EdgeId, NodeId, _Lane]
+
+
+def _onward(layout: Layout, edge: EdgeId, node: NodeId) -> list[_Start]:
+    """The edges that lead on from where an edge ends at a node."""
+    start = _Lane(layout.track.section_of(edge))
+    return [(x, node, start) for x in onward_edges(layout, node, edge)]
+
+
+def _from_end(layout: Layout, end: Traversal) -> list[_Start]:
+    """The edges beyond the end of a way, where no signal faces what comes from there."""
+    if (end.exit, end.edges[-1]) in layout.signalling.facing:
+        return []
+    return _onward(layout, end.edges[-1], end.exit)
+
+
 def _lanes(
-    layout: Layout, end: Traversal, own: Collection[SectionId], laid: Collection[tuple[MachineId, Position]]
+    layout: Layout, starts: Sequence[_Start], own: Collection[SectionId], laid: Collection[tuple[MachineId, Position]]
 ) -> Iterator[_Lane]:
-    """The first inclined lanes from which wagons come to the end of a way.  `own`: what is clear for the route; `laid`:
-    how it has machines lie."""
-    faced = layout.signalling.facing
-    todo: list[tuple[EdgeId, NodeId, _Lane]] = []
-    if (end.exit, end.edges[-1]) not in faced:
-        start = _Lane(end.section)
-        todo = [(x, end.exit, start) for x in onward_edges(layout, end.exit, end.edges[-1])]
+    """The first inclined lanes from which wagons come, with no signal in between.  `own`: what is clear for the route;
+    `laid`: how it has machines lie."""
+    faced, todo = layout.signalling.facing, list(starts)
     seen, found = set[tuple[EdgeId, NodeId]](), set[SectionId]()
     while todo:
         edge, node, met = todo.pop()
@@ -102,9 +136,26 @@ def _caught(layout: Layout, edge: EdgeId, node: NodeId) -> bool:
     return True
 
 
-def _report(lane: _Lane, end: str, those: Sequence[Path], sink: Sink) -> None:
+def _some(those: Sequence[Path] | Sequence[RouteRow]) -> str:
     names = [p.id for p in those[:SHOWN]]
-    routes = " and ".join(names) if len(those) <= SHOWN else f"{', '.join(names)} and {len(those) - SHOWN} more"
+    return " and ".join(names) if len(those) <= SHOWN else f"{', '.join(names)} and {len(those) - SHOWN} more"
+
+
+def _report_alone(section: SectionId, signal: str, place: str, those: Sequence[RouteRow], sink: Sink) -> None:
+    text = (
+        f"nothing but signal {signal} at stop keeps wagons that run away from {called('section', section)}, an "
+        f"inclined lane, off {place}, beside {_some(those)}: wagons pass a signal"
+    )
+    entries = ", ".join(dict.fromkeys(r.entry for r in those))
+    fix = (
+        f"between {section} and {place} put a derailer, or a point before a trap; or state what keeps wagons on the "
+        f"lane as a condition of these routes: `conditions: {{HOIST: {{text: hoist stopped, signals: [{entries}]}}}}`"
+    )
+    sink.add("IL7020", text, None, fix, about=Element("sections", section))
+
+
+def _report(lane: _Lane, end: str, those: Sequence[Path], sink: Sink) -> None:
+    routes = _some(those)
     over = f"over {', '.join(lane.over)}" if lane.over else "at once"
     fix = (
         f"between {lane.section} and {end} put a signal that faces them, or a derailer or a point before a trap, which "
