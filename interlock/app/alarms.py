@@ -134,10 +134,20 @@ def _of_lamps(y: Symbols) -> Iterator[Possible]:
             yield _lamp(word, g, name)
     for g, name in lamps.identifier.items():
         yield _lamp("identifier", g, name)
+    for g, name in lamps.second.items():
+        yield _lamp("second yellow", g, name)
+    for g, name in lamps.speed.items():
+        yield Possible(
+            f"speed indicator {g}",
+            f"ALARM_SPEED_LAMP_{portable(g)}",
+            f"the speed indicator of {g} is out",
+            (f"g:{g}",),
+            _missing(name),
+        )
 
 
 def _lamp(word: str, g: str, proof: str) -> Possible:
-    variable = f"ALARM_{word.upper()}_LAMP_{portable(g)}"
+    variable = f"ALARM_{word.upper().replace(' ', '_')}_LAMP_{portable(g)}"
     return Possible(f"{word} lamp {g}", variable, f"the {word} lamp of {g} is out", (f"g:{g}",), _missing(proof))
 
 

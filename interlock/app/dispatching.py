@@ -13,6 +13,7 @@ from interlock.dispatch.plan.railway import Railway
 from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
 from interlock.logic.names import Name
+from interlock.logic.symbols import lamps
 from interlock.model.elements import SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.proof.system.loop import closed_loop
@@ -113,7 +114,7 @@ class Ground:
         self._watched = [
             *sym.sections.clear.values(),
             *sym.indication.values(),
-            *sym.aspects.lamps,
+            *lamps(sym.aspects),
             sym.requests.seen[sym.requests.request],
         ]
         self._before: dict[str, int] = {}

@@ -50,6 +50,7 @@ FROM_OUTSIDE = frozenset(
         *(names.CLEAR, names.HEALTHY, names.CONTACT, names.CONDITION),
         *(names.LINE_CLEAR, names.NEIGHBOUR_GIVES, names.NEIGHBOUR_HAS),
         *(names.STOP_LAMP, names.CLEAR_LAMP, names.CAUTION_LAMP, names.IDENTIFIER_LAMP),
+        *(names.SECOND_LAMP, names.SPEED_LAMP),
     )
 )
 """Inputs that tell of the railway: while inputs are not valid nothing is known of what they stand for."""

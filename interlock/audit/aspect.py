@@ -20,23 +20,30 @@ def aspect(layout: Layout, trip: Trip, slowest: int | None) -> tuple[Shows, Sign
         return Shows.IDENTIFIER, None
     if trip.shunt:
         return Shows.SHUNT, None
+    if rule is Caution.TURNOUT and _two_yellows(layout, trip):
+        return Shows.TWO_YELLOWS, None
     if rule is not Caution.NEVER and slowest is not None and slowest < layout.principles.slow_below_kmh:
-        return Shows.CAUTION, None
-    if rule is Caution.TURNOUT and any(_reversed(layout, t) for t in trip.parts[:-1]):
         return Shows.CAUTION, None
     trip = trip.run
     last = trip.moves[-1]
     out = layout.track.boundary_at.get(last.node)
     if rule is Caution.NEVER or (out is not None and (out.approach is not None or out.block != "none")):
         return Shows.CLEAR, None
-    if rule is Caution.TURNOUT and _reversed(layout, trip):
-        return Shows.CAUTION, None
     onward = [e.id for e in layout.track.edges_at[last.node] if e.id != last.edge]
     facing = [layout.signalling.facing.get((last.node, e)) for e in onward]
     ahead = [g for g in facing if g is not None and g.kind != "shunt"]
     if not ahead or ahead[0].id in layout.signalling.stops:
         return Shows.CAUTION, None
     return Shows.NEXT, ahead[0].id
+
+
+def _two_yellows(layout: Layout, trip: Trip) -> bool:
+    """Whether the trip leads over a reversed point and not out onto a line that is checked, or does so before the last
+    signal that it passes."""
+    *before, last = trip.parts
+    out = layout.track.boundary_at.get(last.moves[-1].node)
+    departs = out is not None and (out.approach is not None or out.block != "none")
+    return any(_reversed(layout, t) for t in before) or (_reversed(layout, last) and not departs)
 
 
 def _reversed(layout: Layout, trip: Trip) -> bool:

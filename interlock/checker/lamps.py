@@ -10,8 +10,9 @@ from interlock.checker.railway import Calling, Path, Run, Signal, safe
 from interlock.checker.words import fact
 from interlock.verify import need
 
-MAIN, CALL_ON, WHITE, IDENTIFIER = ("YP", "YY"), ("YO",), ("YW",), ("YI",)
-"""Outputs of clear and caution, of the call-on aspect beside stop, of the shunt aspect, of the identifier light."""
+MAIN, CALL_ON, WHITE, IDENTIFIER, SECOND = ("YP", "YY"), ("YO",), ("YW",), ("YI",), ("YU",)
+"""Outputs of clear and caution, of the call-on aspect beside stop, of the shunt aspect, of the identifier light, of the
+second yellow lamp beside caution."""
 
 
 class Lamps(Ahead):
@@ -72,7 +73,7 @@ class Lamps(Ahead):
 
     def w_lamps_for_others(self, g: Signal) -> list[str]:
         """Lamps that speak to movements of which the layout does not let a signal speak."""
-        trains = [*self.lamps(g, MAIN), *self.w_speed_lamps(g)]
+        trains = [*self.lamps(g, (*MAIN, *SECOND)), *self.w_speed_lamps(g)]
         return [*([] if g.main else trains), *([] if g.shunt else self.lamps(g, WHITE))]
 
     def w_lamps_but_identifier(self, g: Signal) -> list[str]:
@@ -96,6 +97,28 @@ class Lamps(Ahead):
         """Indicators of more than a path permits."""
         kmh = self.lengths.path_kmh(p)
         return [n for n, v in self._speeds[c.name].items() if kmh is not None and v > kmh and not c.shunt]
+
+    def w_second_lamps(self, g: Signal) -> list[str]:
+        return self.lamps(g, SECOND)
+
+    def w_caution_lamps(self, g: Signal) -> list[str]:
+        return self.lamps(g, ("YY",))
+
+    def w_turned_inside(self, g: Signal) -> list[Path]:
+        """The paths of trains over a reversed point into a track inside the layout that ask for two yellows (R11)."""
+        return [p for p in self.w_train_paths(g) if self._two_yellows(p)]
+
+    def w_runs_turned(self, g: Signal) -> list[Run]:
+        """How trains may run past identifier lights, where some part asks for two yellows."""
+        return [u for u in self.w_runs(g) if any(map(self._two_yellows, u.parts))]
+
+    def _two_yellows(self, p: Path) -> bool:
+        turned = any(d.position == "R" for w in p.ways for _, d in w.points)
+        return turned and not self._onto_checked_line(p) and self.r.drawn.rules["caution"] == "turnout"
+
+    def _onto_checked_line(self, p: Path) -> bool:
+        v = self.r.drawn.boundaries.get(p.last.exit)
+        return v is not None and (v.get("block", "none") != "none" or bool(v.get("approach")))
 
     def w_limited_paths(self, g: Signal) -> list[Path]:
         """The paths of trains for which the layout states a speed."""
@@ -159,9 +182,7 @@ class Lamps(Ahead):
 
     def w_line_checked(self, p: Path) -> Formula:
         """A departure is tied to the line beyond (R12), and is not too slow for clear (R11)."""
-        v = self.r.drawn.boundaries.get(p.last.exit)
-        tied = v is not None and (v.get("block", "none") != "none" or bool(v.get("approach")))
-        return fact(tied and not self._slow(p))
+        return fact(self._onto_checked_line(p) and not self._slow(p))
 
     def _slow(self, p: Path) -> bool:
         kmh = self.lengths.path_kmh(p)

@@ -148,7 +148,7 @@ def _at_rest(y: Symbols) -> dict[Name, int]:
     """Inputs by which all is well, and nobody asks for anything."""
     lamps = y.lamp_proof
     well = [y.valid, *y.sections.clear.values(), *y.sections.healthy.values(), *y.condition.values()]
-    for proofs in (lamps.stop, lamps.clear, lamps.caution, lamps.identifier):
+    for proofs in (lamps.stop, lamps.clear, lamps.caution, lamps.second, lamps.identifier, lamps.speed):
         well += proofs.values()
     well += [t.clear for t in y.token.values()]
     return dict.fromkeys(well, 1) | dict.fromkeys(y.sections.blocked.values(), 0)

@@ -9,6 +9,7 @@ from interlock.commissioning.row import Row
 from interlock.dataclass import dataclass
 from interlock.diag.called import called
 from interlock.model.elements import MachineId, Position, SectionId
+from interlock.table.cells import RouteKind, Shows
 
 
 @dataclass(frozen=True)
@@ -32,10 +33,27 @@ def needs(row: Row) -> Iterator[Need]:
     for part in row.parts:
         for x in part.conditions.external:
             yield Need(f"condition {x.condition} not fulfilled", {str(y.condition[x.condition]): 0}, x.because.rule)
+    yield from _lamps(row)
     for s in dict.fromkeys((*(s for part in row.parts for s, _ in part.path.locked), *row.overlap)):
         if s in y.sections.blocked:
             yield Need(f"{called('section', s)} blocked by the operator", {str(y.sections.blocked[s]): 1}, "R3")
     yield Need("inputs lost, since a substation does not answer", {str(y.valid): 0}, "R16")
+
+
+def _lamps(row: Row) -> Iterator[Need]:
+    """What must be able to light: the most restrictive proceed, the indicator of a speed, identifier lights past which
+    the route leads."""
+    g, lamps = row.row.entry, row.bench.symbols.lamp_proof
+    if row.row.kind is RouteKind.MAIN and g in lamps.clear:
+        word, proof = ("caution", lamps.caution[g]) if g in lamps.caution else ("clear", lamps.clear[g])
+        yield Need(f"the {word} lamp of {g} out", {str(proof): 0}, "R11")
+        if row.row.signal.aspect.shows is Shows.TWO_YELLOWS:
+            yield Need(f"the second yellow lamp of {g} out", {str(lamps.second[g]): 0}, "R11")
+        if row.row.signal.speed.kmh is not None:
+            yield Need(f"the speed indicator of {g} out", {str(lamps.speed[g]): 0}, "R11")
+    for part in row.parts[1:]:
+        if part.entry in lamps.identifier:
+            yield Need(f"the identifier lamp of {part.entry} out", {str(lamps.identifier[part.entry]): 0}, "R11")
 
 
 def to_open(row: Row) -> Iterator[Need]:

@@ -72,12 +72,9 @@ class Row:
             return (a.shunt[g],), "shunt"
         if shows is Shows.CALL_ON:
             return (a.call_on[g], a.stop[g]), "call-on beside stop"
-        clear = g not in a.caution or shows is Shows.CLEAR
-        lamp, word, kmh = (
-            (a.clear if clear else a.caution)[g],
-            "clear" if clear else "caution",
-            self.row.signal.speed.kmh,
-        )
-        if kmh is not None and (g, kmh) in a.speed:
-            return (lamp, a.speed[g, kmh]), f"{word} and {kmh} km/h"
-        return (lamp,), word
+        clear, kmh = g not in a.caution or shows is Shows.CLEAR, self.row.signal.speed.kmh
+        lamps: tuple[Name, ...] = ((a.clear if clear else a.caution)[g],)
+        word = "clear" if clear else "caution"
+        if shows is Shows.TWO_YELLOWS:
+            lamps, word = (*lamps, a.second[g]), str(shows)
+        return (lamps, word) if kmh is None else ((*lamps, a.speed[g, kmh]), f"{word} and {kmh} km/h")

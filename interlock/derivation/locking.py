@@ -107,29 +107,35 @@ def derive_aspect(layout: Layout, path: Path) -> AspectCell:
         return AspectCell(Shows.SHUNT, None, Because("R11", f"{path.entry} calls a shunting movement"))
     if rule is Caution.NEVER:
         return AspectCell(Shows.CLEAR, None, Because("R11", "signals have two aspects"))
+    if rule is Caution.TURNOUT and (over := _turned_into_a_track(layout, path)):
+        return AspectCell(Shows.TWO_YELLOWS, None, Because("R11", over))
     speed = derive_speed(layout, path)
     if speed.kmh is not None and speed.kmh < layout.principles.slow_below_kmh:
         text = speed.because.text if speed.because.rule == "R4" else f"{speed.kmh} km/h along the path"
         return AspectCell(Shows.CAUTION, None, Because("R11", text))
-    if path.onward is not None and rule is Caution.TURNOUT:
-        before = (t for q in path.parts[:-1] for t in q.ways)
-        turned = [p for t in before for p, x in t.points if x is Position.REVERSE]
-        if turned:
-            why = f"over {', '.join(turned)} reversed, before {path.parts[-1].entry}"
-            return AspectCell(Shows.CAUTION, None, Because("R11", why))
     last = path.parts[-1]
     boundary = layout.track.boundary_at.get(last.ways[-1].exit)
     if boundary is not None and boundary.checked:
         return AspectCell(Shows.CLEAR, None, Because("R11", f"the line beyond {last.exit} is checked"))
-    turned = [p for t in path.run for p, x in t.points if x is Position.REVERSE]
-    if rule is Caution.TURNOUT and turned:
-        return AspectCell(Shows.CAUTION, None, Because("R11", f"into a track over {', '.join(turned)} reversed"))
     if last.exit_kind is not ExitKind.SIGNAL:
         return AspectCell(Shows.CAUTION, None, Because("R11", f"nothing is known beyond {last.exit}"))
     next_ = SignalId(last.exit)
     if not layout.signalling.opens(next_, False):
         return AspectCell(Shows.CAUTION, None, Because("R11", f"trains end at {next_}: it never opens for one"))
     return AspectCell(Shows.NEXT, next_, Because("R11", f"{next_} is the next main signal"))
+
+
+def _turned_into_a_track(layout: Layout, path: Path) -> str:
+    """Whether a train comes over a reversed point and not out onto a checked line, in words; the track before an
+    identifier light is no line."""
+    last = path.parts[-1]
+    before = [p for q in path.parts[:-1] for t in q.ways for p, x in t.points if x is Position.REVERSE]
+    if before:
+        return f"over {', '.join(before)} reversed, before {last.entry}"
+    turned = [p for t in last.ways for p, x in t.points if x is Position.REVERSE]
+    boundary = layout.track.boundary_at.get(last.ways[-1].exit)
+    out = boundary is not None and boundary.checked
+    return f"into a track over {', '.join(turned)} reversed" if turned and not out else ""
 
 
 def derive_speed(layout: Layout, path: Path) -> SpeedCell:

@@ -27,7 +27,14 @@ from interlock.model.portable import portable
 SPARE = 0.1
 
 _LAMPS = (
-    *(names.STOP_ASPECT, names.CAUTION_ASPECT, names.CLEAR_ASPECT, names.SHUNT_ASPECT, names.CALL_ASPECT),
+    *(
+        names.STOP_ASPECT,
+        names.CAUTION_ASPECT,
+        names.SECOND_YELLOW,
+        names.CLEAR_ASPECT,
+        names.SHUNT_ASPECT,
+        names.CALL_ASPECT,
+    ),
     names.IDENTIFIER_ASPECT,
 )
 
@@ -146,6 +153,8 @@ def _wires(layout: Layout, controller: Controller) -> Iterator[tuple[str, str, s
         sym.lamp_proof.clear,
         sym.lamp_proof.caution,
         sym.lamp_proof.identifier,
+        sym.lamp_proof.second,
+        sym.lamp_proof.speed,
     ):
         for g, name in lamps.items():
             yield name, "I", g

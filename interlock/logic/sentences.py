@@ -62,6 +62,8 @@ SENTENCES: dict[Family, Sentence] = {
     names.STOP_LAMP: Sentence("the stop lamp of {0} is out", "", rules.SIGNALS),
     names.CLEAR_LAMP: Sentence("the clear lamp of {0} is out", "", rules.SIGNALS),
     names.IDENTIFIER_LAMP: Sentence("the identifier lamp of {0} is out", "", rules.SIGNALS),
+    names.SECOND_LAMP: Sentence("the second yellow lamp of {0} is out", "", rules.SIGNALS),
+    names.SPEED_LAMP: Sentence("the speed indicator of {0} is out", "", rules.SIGNALS),
     names.CAUTION_LAMP: Sentence("the caution lamp of {0} is out", "", rules.SIGNALS),
     names.CANCELLING: Sentence("", "the route from {0} is being cancelled", rules.APPROACH_LOCKING),
     names.OVERLAP: Sentence("overlap {1} of {0} is not held", "overlap {1} of {0} is held there", rules.OVERLAPS),

@@ -96,6 +96,8 @@ class LampProofSymbols:
     clear: Mapping[SignalId, Name]
     caution: Mapping[SignalId, Name]
     identifier: Mapping[SignalId, Name]
+    second: Mapping[SignalId, Name]
+    speed: Mapping[SignalId, Name]
 
 
 @dataclass(frozen=True)
@@ -104,6 +106,7 @@ class AspectSymbols:
 
     clear: Mapping[SignalId, Name]
     caution: Mapping[SignalId, Name]
+    second: Mapping[SignalId, Name]
     call_on: Mapping[SignalId, Name]
     identifier: Mapping[SignalId, Name]
     shunt: Mapping[SignalId, Name]
@@ -118,14 +121,6 @@ class AspectSymbols:
         trains = (self.clear, self.caution, self.call_on, self.identifier)
         aspects = (self.shunt,) if shunt else trains
         return tuple(aspect[g] for aspect in aspects if g in aspect)
-
-    @property
-    def lamps(self) -> Iterator[Name]:
-        """The outputs that are lit at signals and distants, stop lamps among them."""
-        for aspect in (self.clear, self.caution, self.call_on, self.shunt, self.stop):
-            yield from aspect.values()
-        yield from self.identifier.values()
-        yield from (*self.distant_clear.values(), *self.distant_caution.values())
 
     def main_lamps(self, g: SignalId) -> tuple[Name, ...]:
         """The outputs that show clear or caution at a main signal."""
@@ -143,6 +138,13 @@ class AspectSymbols:
     def shows(self, g: SignalId) -> Expr:
         """Whether the controller shows anything but stop at a signal."""
         return disj((self.signal(g), self.signal(g, shunt=True)))
+
+
+def lamps(a: AspectSymbols) -> Iterator[Name]:
+    """The outputs that are lit at signals and distants, stop lamps among them; not the speeds."""
+    for aspect in (a.clear, a.caution, a.second, a.call_on, a.shunt, a.stop, a.identifier):
+        yield from aspect.values()
+    yield from (*a.distant_clear.values(), *a.distant_caution.values())
 
 
 @dataclass(frozen=True)

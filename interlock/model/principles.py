@@ -130,9 +130,10 @@ MEANING: dict[str, str] = {
         "is not counts as occupied"
     ),
     "lamp_proof": (
-        "whether the lamps of stop, clear, caution and identifier are reported (R11, Chinese practice; white, call-on "
-        "and speed lamps are not): a signal opens only while its stop lamp is intact, shows caution while its clear "
-        "lamp is not, and stop while no main lamp is left"
+        "whether the lamps of stop, clear, caution and identifier and speed indicators are reported (R11, Chinese "
+        "practice; white and call-on lamps are not): a signal opens only while its stop lamp is intact, shows caution "
+        "while its clear lamp is not, and stop while no main lamp is left, or the second yellow lamp or the indicator "
+        "that it has to light"
     ),
     "local_requests": (
         "whether routes are asked for on the spot too, and which of two requests in one scan is taken: the local "
@@ -179,7 +180,7 @@ MEANING: dict[str, str] = {
     "caution": (
         "when an open main signal shows caution instead of clear (R11): `never` (two aspects), `next` while the "
         "next main signal does not show proceed, or `turnout`, also into a track inside the layout over a reversed "
-        "point (Chinese practice: one yellow, two yellows)"
+        "point (Chinese practice), which it tells by a second yellow lamp"
     ),
 }
 """What each knob means, with its unit and source; the language page and editors show it."""

@@ -10,6 +10,16 @@ from interlock.model.portable import portable
 from interlock.panel.stock import Impossible
 from interlock.simulate.world import World
 
+_LAMPS = {
+    "stop": ("RL_", "stop lamp"),
+    "clear": ("GL_", "clear lamp"),
+    "caution": ("CL_", "caution lamp"),
+    "second yellow": ("UL_", "second yellow lamp"),
+    "identifier": ("NL_", "identifier lamp"),
+    "speed": ("VL_", "speed indicator"),
+}
+"""What is lit at a signal: how the input begins that reports it, and its name."""
+
 
 class Faults:
     """What somebody lets fail on a railway with these substations, and puts right again."""
@@ -65,7 +75,7 @@ class Faults:
             for signal, lamps in self.lamp_inputs().items():
                 for what, proof in lamps.items():
                     if proof == name:
-                        return f"the {what} lamp of {signal}"
+                        return f"the {_LAMPS[what][1]} of {signal}"
         found = next((c.id for c in self._world.layout.signalling.conditions if names.CONDITION(c.id) == name), name)
         return f"{'substation' if kind == 'station' else kind} {found}"
 
@@ -73,7 +83,7 @@ class Faults:
         """By signal: the inputs that report its lamps."""
         out: dict[str, dict[str, str]] = {}
         for g in self._world.layout.signalling.signals:
-            for what, prefix in (("stop", "RL_"), ("clear", "GL_"), ("caution", "CL_"), ("identifier", "NL_")):
+            for what, (prefix, _) in _LAMPS.items():
                 if (name := f"{prefix}{portable(g.id)}") in self._world.reports.inputs:
                     out.setdefault(str(g.id), {})[what] = name
         return out

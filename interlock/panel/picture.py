@@ -273,9 +273,10 @@ _Signal = tuple[
     tuple[tuple[str, Name, Name], ...],
     Name | None,
     tuple[tuple[int, Name], ...],
+    Name | None,
 ]
 """A signal, lamps by word, cancellation, approach locking, its routes (name, set, locked), proof of its stop lamp, what
-its speed indicator shows in km/h."""
+its speed indicator shows in km/h, its second yellow lamp."""
 
 
 def _of_signal(y: Symbols, g: SignalId) -> _Signal:
@@ -299,6 +300,7 @@ def _of_signal(y: Symbols, g: SignalId) -> _Signal:
         tuple((str(r.id), r.active, r.locked) for r in y.routes.of_signal.get(g, [])),
         y.lamp_proof.stop.get(g),
         tuple((kmh, n) for (of, kmh), n in y.aspects.speed.items() if of == g),
+        y.aspects.second.get(g),
     )
 
 
@@ -422,14 +424,14 @@ class Picture:
 
     def _of_signals(self, cycle: Cycle, shown: Shown) -> None:
         state, inputs, outputs = cycle.memory.state, cycle.inputs, cycle.outputs
-        for key, lamps, cancelling, timer, routes, lamp, speeds in self._signals:
+        for key, lamps, cancelling, timer, routes, lamp, speeds, second in self._signals:
             aspect = next((word for word, n in lamps if outputs.get(n)), "dark")
             going = bool(cancelling and state.get(cancelling))
             left = self.left(cycle, timer)
             active = next(([r, int(bool(state.get(b)))] for r, a, b in routes if state.get(a)), None)
             out = None if lamp is not None and not cycle.valid else int(lamp is not None and not inputs.get(lamp, 0))
             kmh = next((v for v, n in speeds if outputs.get(n)), None)
-            shown[key] = [aspect, int(going), left, active, out, kmh]
+            shown[key] = [aspect, int(going), left, active, out, kmh, int(bool(second and outputs.get(second)))]
         for key, clear, caution in self._distants:
             aspect = "clear" if outputs.get(clear or "") else "caution" if outputs.get(caution or "") else "dark"
             shown[key] = [aspect, 0, None, None, 0, None]

@@ -200,7 +200,8 @@ class Lanes:
         values[sym.valid] = m
         values |= dict.fromkeys(sym.sections.blocked.values(), 0)
         proof = sym.lamp_proof
-        lamps = (*proof.stop.values(), *proof.clear.values(), *proof.caution.values(), *proof.identifier.values())
+        told = (proof.stop, proof.clear, proof.caution, proof.second, proof.identifier, proof.speed)
+        lamps = [n for of in told for n in of.values()]
         return values | dict.fromkeys((*sym.condition.values(), *sym.sections.healthy.values(), *lamps), m)
 
     def _step(self, wanted: list[tuple[Lane, Wish]]) -> None:

@@ -94,7 +94,12 @@ class Simulator:
             *sym.lamp_proof.clear.values(),
             *sym.lamp_proof.caution.values(),
         )
-        lamps = (*lamps, *sym.lamp_proof.identifier.values())
+        lamps = (
+            *lamps,
+            *sym.lamp_proof.identifier.values(),
+            *sym.lamp_proof.second.values(),
+            *sym.lamp_proof.speed.values(),
+        )
         for name in (*sym.condition.values(), *sym.sections.healthy.values(), *lamps):
             values[name] = 1
         for b, wire in sym.token.items():

@@ -61,6 +61,7 @@ class Drivers:
         self._clear_out = [f"GL_{n}" for n in names]
         self._identifier_out = [f"NL_{n}" for n in names]
         self._caution_out = [f"CL_{n}" for n in names]
+        self._speed_out = [f"VL_{n}" for n in names]
         line_speed = rules.line_speed_kmh / 3.6
         self._shunt_speed = min(rules.shunt_speed_kmh / 3.6, line_speed)
         self._line_speed = line_speed
@@ -231,7 +232,8 @@ class Drivers:
         if t.speed == 0.0 or not shunting:
             driver.shunting = shunting
         if not shown.get(self.lit[view.target][5]):  # what the signal before has told him goes on
-            told = told_kmh(self.speeds, view.target, shown)
+            dark = self._speed_out[view.target] in self._world.reports.out
+            told = inf if dark else told_kmh(self.speeds, view.target, shown)
             driver.reads_kmh = told if driver.read != view.target else max(driver.reads_kmh, told)
         elif driver.read != view.target:
             driver.reads_kmh = driver.called_kmh

@@ -17,7 +17,9 @@ class Inputs:
         self.changed_ms: int | None = None
         """Since when an input is other than the controller has read it."""
         for name in values:  # nothing is pressed, blocked or out of order
-            values[name] = int(name.startswith(("RL_", "GL_", "CL_", "NL_", "E_", "SH_", "VALID", "CLR_")))
+            values[name] = int(
+                name.startswith(("RL_", "GL_", "CL_", "NL_", "UL_", "VL_", "E_", "SH_", "VALID", "CLR_"))
+            )
         self._clear = [f"CLR_{portable(s)}" for s in track.sections]
         self._count = [0] * len(track.sections)
         self._held: dict[int, int] = {}

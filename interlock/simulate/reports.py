@@ -20,10 +20,10 @@ class Reports:
         sections = world.track.sections
         self.inputs: dict[str, int] = {name: restrictive for name, (restrictive, _) in given.items()}
         for name in self.inputs:
-            if name.startswith(("RL_", "GL_", "CL_", "NL_", "E_", "SH_", "VALID")):
+            if name.startswith(("RL_", "GL_", "CL_", "NL_", "UL_", "VL_", "E_", "SH_", "VALID")):
                 self.inputs[name] = 1
         self.conditions = [n for n in self.inputs if n.startswith("E_")]
-        self.lamps = [n for n in self.inputs if n.startswith(("RL_", "GL_", "CL_", "NL_"))]
+        self.lamps = [n for n in self.inputs if n.startswith(("RL_", "GL_", "CL_", "NL_", "UL_", "VL_"))]
         self.clear = [f"CLR_{portable(s)}" for s in sections]
         self.wired = [n in self.inputs for n in self.clear]
         self._all_wired = [n for n in self.clear if n in self.inputs]

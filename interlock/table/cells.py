@@ -310,6 +310,7 @@ class Shows(StrEnum):
 
     CLEAR = "clear"
     CAUTION = "caution"
+    TWO_YELLOWS = "two yellows"
     NEXT = "clear if the next signal is open"
     SHUNT = "shunt"
     CALL_ON = "call-on"

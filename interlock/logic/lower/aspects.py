@@ -26,14 +26,22 @@ def cautions(d: Draft) -> bool:
 
 
 def lamp_terms(d: Draft, r: RouteRow) -> list[Term]:
-    """Proceed needs a lamp to show it; the most restrictive proceed lamp is the last (R11)."""
+    """Proceed needs a lamp to show it; the most restrictive proceed lamp is the last.  Two yellows need both lamps, and
+    a speed its indicator (R11)."""
     if d.layout.principles.lamp_proof and r.kind is RouteKind.IDENTIFIER:
         note = f"identifier lamp of {r.entry} intact"
         return [Term(var(names.IDENTIFIER_LAMP(r.entry)), "proceed lamp intact", note)]
     if not d.layout.principles.lamp_proof or r.kind is not RouteKind.MAIN:
         return []
     lamp, word = (names.CAUTION_LAMP, "caution") if cautions(d) else (names.CLEAR_LAMP, "clear")
-    return [Term(var(lamp(r.entry)), "proceed lamp intact", f"{word} lamp of {r.entry} intact")]
+    terms = [Term(var(lamp(r.entry)), "proceed lamp intact", f"{word} lamp of {r.entry} intact")]
+    if r.signal.aspect.shows is Shows.TWO_YELLOWS:
+        note = f"second yellow lamp of {r.entry} intact"
+        terms.append(Term(var(names.SECOND_LAMP(r.entry)), "second yellow intact", note))
+    if r.signal.speed.kmh is not None:
+        note = f"speed indicator of {r.entry} intact"
+        terms.append(Term(var(names.SPEED_LAMP(r.entry)), "speed indicator intact", note))
+    return terms
 
 
 def _opens(d: Draft, g: SignalId, family: names.Family) -> Expr:
@@ -69,6 +77,7 @@ def symbols(d: Draft) -> AspectSymbols:
     return AspectSymbols(
         clear=each(names.CLEAR_ASPECT, mains),
         caution=each(names.CAUTION_ASPECT, mains if cautions(d) else []),
+        second={g: names.SECOND_YELLOW(g) for g in two_yellows(d)},
         call_on=each(names.CALL_ASPECT, calls),
         identifier=each(names.IDENTIFIER_ASPECT, [g for g in signals if d.routes.identifies(g.id)]),
         shunt=each(names.SHUNT_ASPECT, [g for g in signals if g.shunt]),
@@ -77,6 +86,12 @@ def symbols(d: Draft) -> AspectSymbols:
         distant_clear={x.id: names.DISTANT_CLEAR(x.id) for x in d.layout.signalling.distants},
         distant_caution={x.id: names.DISTANT_CAUTION(x.id) for x in d.layout.signalling.distants},
     )
+
+
+def two_yellows(d: Draft) -> list[SignalId]:
+    """The signals that show two yellows for some route."""
+    shown = {r.entry for r in d.table.routes if r.signal.aspect.shows is Shows.TWO_YELLOWS}
+    return [g for g in d.routes.open_for_trains if g in shown]
 
 
 def speeds(d: Draft, g: SignalId) -> dict[int, names.Name]:
@@ -110,6 +125,11 @@ def outputs(d: Draft) -> None:
                         f"{said}: caution (yellow)",
                     )
                 )
+        two = [r for r in routes if r.signal.aspect.shows is Shows.TWO_YELLOWS]
+        if two:
+            shown = disj([*(var(names.SHOWING(r.number)) for r in two), *_passing(two, RouteKind.MAIN)])
+            note = f"{said}: second yellow lamp, over points reversed"
+            d.outputs.append(Output(names.SECOND_YELLOW(signal.id), shown, False, note))
         for kmh, name in speeds(d, signal.id).items():
             over = [r for r in routes if r.kind is RouteKind.MAIN and r.signal.speed.kmh == kmh]
             shown = disj([*(var(names.SHOWING(r.number)) for r in over), *_passing(over, RouteKind.MAIN)])

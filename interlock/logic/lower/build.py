@@ -207,6 +207,8 @@ def _lamp_proof(d: Draft, signals: Sequence[SignalId]) -> LampProofSymbols:
         clear={g: names.CLEAR_LAMP(g) for g in lit},
         caution={g: names.CAUTION_LAMP(g) for g in lit if aspects.cautions(d)},
         identifier={g: names.IDENTIFIER_LAMP(g) for g in signals if lit and d.routes.identifies(g)},
+        second={g: names.SECOND_LAMP(g) for g in (aspects.two_yellows(d) if lit else ())},
+        speed={g: names.SPEED_LAMP(g) for g in lit if aspects.speeds(d, g)},
     )
 
 

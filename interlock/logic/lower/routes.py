@@ -39,6 +39,10 @@ def inputs(d: Draft) -> None:
                 d.inputs.append(Input(names.CAUTION_LAMP(lit), f"caution lamp of {lit} intact, or not lit"))
         for passed in filter(d.routes.identifies, d.routes.of_signal):
             d.inputs.append(Input(names.IDENTIFIER_LAMP(passed), f"identifier lamp of {passed} intact, or not lit"))
+        for yellow in aspects.two_yellows(d):
+            d.inputs.append(Input(names.SECOND_LAMP(yellow), f"second yellow lamp of {yellow} intact, or not lit"))
+        for told in filter(lambda g: aspects.speeds(d, g), d.routes.open_for_trains):
+            d.inputs.append(Input(names.SPEED_LAMP(told), f"speed indicator of {told} intact, or not lit"))
     for c in d.layout.signalling.conditions:
         d.inputs.append(Input(names.CONDITION(c.id), f"external {called('condition', c.id)}: {c.text or 'holds'}"))
 

@@ -68,7 +68,7 @@ function signal(still, state, rest, name, [aspect, cancelling, left, active, lam
     const on = state[`a:${r.id}`]?.[0];
     out.push(act(`${r.id}: ${on ? "no longer automatic" : "automatic"}`, {do: "automatic", route: r.id, on: !on}));
   }
-  for (const [what, input] of Object.entries(still.lamps[name] ?? {})) out.push(fault(sys, "lamp", input, `${what} lamp out`));
+  for (const [what, input] of Object.entries(still.lamps[name] ?? {})) out.push(fault(sys, "lamp", input, `${what} ${what === "speed" ? "indicator" : "lamp"} out`));
   return {lines, acts: out, entry: routes.length > 0};
 }
 

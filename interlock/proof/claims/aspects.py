@@ -157,6 +157,29 @@ def _slow(f: Facts, path: SignalPath) -> bool:
     return kmh is not None and kmh < f.layout.principles.slow_below_kmh
 
 
+def two_yellows(f: Facts, signal: SignalId, first: SignalPath) -> Iterator[tuple[str, str, Expr]]:
+    """A main signal that opens over a reversed point into a track inside the layout lights its second yellow lamp, and
+    so it does where such a path lies beyond the signals past which a train runs (R11)."""
+    if f.layout.principles.caution is not Caution.TURNOUT:
+        return
+    second = f.sym.aspects.second.get(signal)
+    lit = FALSE if second is None else f.after(var(second))
+    opens = f.after(conj((disj(map(var, f.sym.aspects.main_lamps(signal))), lie(f, first.ways))))
+    if turned_inside(f, first):
+        yield "S-ASPECT", " two yellows", implies(opens, lit)
+        return
+    for run in runs_past(f, first):
+        if any(turned_inside(f, p) for p in run.parts):
+            yield "S-ASPECT", f"{run.called} two yellows", implies(conj((opens, f.after(run.lit(f)))), lit)
+
+
+def turned_inside(f: Facts, path: SignalPath) -> bool:
+    """Whether a path leads over a reversed point, and not out onto a checked line."""
+    turned = any(x is Position.REVERSE for t in path.ways for _, x in t.points)
+    boundary = f.layout.track.boundary_at.get(path.ways[-1].exit)
+    return turned and not (boundary is not None and boundary.checked)
+
+
 def distants(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for d in f.layout.signalling.distants:
         shown = f.after(var(f.sym.aspects.distant_clear[d.id]))

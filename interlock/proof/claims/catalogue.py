@@ -27,6 +27,7 @@ from interlock.proof.claims.aspects import (
     overlap_ready,
     past_identifier,
     shows_open,
+    two_yellows,
 )
 from interlock.proof.claims.excluded import excluded
 from interlock.proof.claims.flank import flank, scissors
@@ -90,17 +91,19 @@ CLAIMS: dict[str, str] = {
     "neighbour has it not.",
     "S-BLOCKED": "No proceed is shown over a blocked section.",
     "S-LOST-INPUT": "When inputs are lost, every signal shows stop at once, and nothing is granted or released.",
-    "S-ASPECT": "Clear is shown only when the next signal is open, and by a distant only when its signal shows clear.",
+    "S-ASPECT": "Clear is shown only when the next signal is open, and by a distant only when its signal shows clear; "
+    "where the principles ask for two yellows, a main signal that opens shows the second one over every path with a "
+    "reversed point that does not lead out onto a checked line.",
     "S-SPEED": "No signal shows a higher speed than its path permits, as the points lie; where the layout states a "
     "speed for the path, a main signal that opens shows one.",
     "S-ENTRY": "A main signal that is open to a signal shows a speed, and none above the one for which the overlap "
     "there is made, as its points lie.",
     "S-LAMP": "Where lamps are reported: a signal opens only while its stop lamp is intact, shows a main aspect only "
-    "while a lamp for it is, and its identifier light only while that is.  (White, call-on and speed lamps are not "
-    "reported.)",
+    "while a lamp for it is, its identifier light only while that is, a second yellow lamp only while it "
+    "is intact, and a speed only while its indicator is.  (White and call-on lamps are not reported.)",
     "S-STOP": "At every signal stop is lit exactly when no main, white or identifier lamp is; no two of these are lit "
-    "at once, a speed only beside a main lamp, none that speaks to movements of which the layout does not let the "
-    "signal speak, and a distant signal shows either clear or caution.",
+    "at once, a speed only beside a main lamp, a second yellow only beside the first, none that speaks to movements of "
+    "which the layout does not let the signal speak, and a distant signal shows either clear or caution.",
     "S-AGAIN": "A signal that closed while its route stayed set, or in whose path a section was blocked or a point was "
     "trailed meanwhile, opens only in the scan after one in which it was asked for again.",
     "S-REQUEST": "A route is set only in the scan in which its number comes after 0, or while its switch for automatic "
@@ -285,6 +288,12 @@ def _signal(
     if signal in f.sym.lamp_proof.identifier and not shunt:
         lit = implies(after(f.sym.aspects.identifies(signal)), var(f.sym.lamp_proof.identifier[signal]))
         yield "S-LAMP", f"{who} identifier", lit
+    if signal in f.sym.lamp_proof.second and not shunt:
+        lit = implies(after(var(f.sym.aspects.second[signal])), var(f.sym.lamp_proof.second[signal]))
+        yield "S-LAMP", f"{who} second yellow", lit
+    if signal in f.sym.lamp_proof.speed and not shunt:
+        told = after(disj(var(n) for (g, _), n in f.sym.aspects.speed.items() if g == signal))
+        yield "S-LAMP", f"{who} speed", implies(told, var(f.sym.lamp_proof.speed[signal]))
     if signal in f.sym.cancellation.cancelling:
         yield "S-CANCELLED", who, implies(var(f.sym.cancellation.cancel[signal]), neg(shows))
 
@@ -316,6 +325,7 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
     if not shunt and f.layout.principles.caution is not Caution.NEVER:
         clear = conj((clear_aspect(f, signal), after(lie(f, path.ways))))
         yield "S-ASPECT", "", implies(clear, allows_clear(f, path))
+        yield from two_yellows(f, signal, path)
     if not shunt:
         yield from past_identifier(f, signal, path, here)
     secured = devices_closed(f, path.ways)

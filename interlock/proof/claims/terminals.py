@@ -33,6 +33,9 @@ def _lamps(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         others += [var(f.sym.aspects.identifier[g])] if g in f.sym.aspects.identifier else []
         speeds = [var(name) for (h, _), name in f.sym.aspects.speed.items() if h == g]
         one = conj((at_most_one(others), implies(disj(speeds), disj(mains))))
+        if g in f.sym.aspects.second:
+            first = var(f.sym.aspects.caution[g]) if g in f.sym.aspects.caution else FALSE
+            one = conj((one, implies(var(f.sym.aspects.second[g]), first)))
         yield "S-STOP", g, after(conj((iff(var(stop), neg(disj(others))), one)))
         for name in _not_for(f, g):
             yield "S-STOP", f"{g} never {name}", neg(after(var(name)))
@@ -46,7 +49,8 @@ def _lamps(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 def _not_for(f: Facts, g: SignalId) -> list[Name]:
     """Lamps of a signal that speak to trains, or to shunting movements, of which the layout does not let it speak."""
     signal = f.layout.signalling.signal[g]
-    trains = [*f.sym.aspects.main_lamps(g), *(name for (h, _), name in f.sym.aspects.speed.items() if h == g)]
+    second = [f.sym.aspects.second[g]] if g in f.sym.aspects.second else []
+    trains = [*f.sym.aspects.main_lamps(g), *second, *(name for (h, _), name in f.sym.aspects.speed.items() if h == g)]
     return [*([] if signal.main else trains), *([] if signal.shunt else f.sym.aspects.proceed_lamps(g, shunt=True))]
 
 

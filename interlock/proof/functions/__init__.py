@@ -36,7 +36,8 @@ FUNCTIONS: dict[str, str] = {
     "F-LOCK": "A route is locked as soon as its ways and its overlap lie and are clear, and not before (R3).",
     "F-OPEN": "A signal whose route is locked and wanted stays at stop only for a reason that R3 names; "
     "one whose route is not locked yet stays at stop.",
-    "F-CLEAR": "A main signal that is open shows clear wherever R11 allows it.",
+    "F-CLEAR": "A main signal that is open shows clear wherever R11 allows it, and two yellows only where it asks for "
+    "them.",
     "F-SPEED": "A main signal shows the speed of the path for which it is open (R11).",
     "F-WANT": "A signal is wanted from when its route is set until it is cancelled, something in its way is blocked or "
     "was trailed or, once it has been open, a condition is lost; then again when it is asked for while that is not so "

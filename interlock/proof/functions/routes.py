@@ -9,9 +9,9 @@ from interlock.logic.names import Name
 from interlock.logic.symbols import RouteSymbols
 from interlock.model.elements import Position, SectionId, SignalId, of_sections
 from interlock.model.overlap import route_speed
-from interlock.model.principles import Closes
+from interlock.model.principles import Caution, Closes
 from interlock.proof.claims.added import route_fits
-from interlock.proof.claims.aspects import allows_clear
+from interlock.proof.claims.aspects import allows_clear, turned_inside
 from interlock.proof.claims.paths import SignalPath
 from interlock.proof.functions.shared import Option, held_beside, over_held
 from interlock.proof.functions.words import Way, Words
@@ -80,17 +80,8 @@ def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
     yield "F-WANT", r.id, implies(conj((active, stays)), kept)
     yield "F-WANT", f"{r.id} at first", implies(conj((w.signals.set_now(r), free)), after(want))
     yield "F-WANT", f"{r.id} at last", implies(after(want), after(active))
-    main = not (r.shunt or r.call_on or r.path.identifier)
-    if r.entry in sym.aspects.caution and main:
-        yield (
-            "F-CLEAR",
-            r.id,
-            implies(conj((after(shows), _may_show_clear(w, r))), after(var(sym.aspects.clear[r.entry]))),
-        )
-    speed = _speed(w, r)
-    if speed is not None and (r.entry, speed) in sym.aspects.speed and main:
-        is_open = after(disj(map(var, r.open_while)))
-        yield "F-SPEED", r.id, implies(is_open, after(var(sym.aspects.speed[r.entry, speed])))
+    if not (r.shunt or r.call_on or r.path.identifier):
+        yield from _aspects(w, r, after(shows))
     if r.added is not None:
         yield "F-ADDED", r.id, _holds_added(w, r, r.added)
     if r.path.hold_begun is not None and r.path.hold_timer is not None:
@@ -160,6 +151,21 @@ def _passing(w: Words, r: RouteSymbols, name: Name) -> Expr:
     return implies(conj((begun, *there, *_in_order(w, r, True, clear=False))), w.after(var(name)))
 
 
+def _aspects(w: Words, r: RouteSymbols, shows: Expr) -> Iterator[tuple[str, str, Expr]]:
+    """What a main signal shows beside stop while it is open for a train route.  `shows`: it will be."""
+    aspects, is_open = w.sym.aspects, w.after(disj(map(var, r.open_while)))
+    if r.entry in aspects.caution:
+        clear = w.after(var(aspects.clear[r.entry]))
+        yield "F-CLEAR", r.id, implies(conj((shows, _may_show_clear(w, r))), clear)
+    if r.entry in aspects.second:
+        two = var(aspects.second[r.entry])
+        told = two if _two_yellows(w, r) else neg(two)
+        yield "F-CLEAR", f"{r.id} two yellows", implies(is_open, w.after(told))
+    speed = _speed(w, r)
+    if speed is not None and (r.entry, speed) in aspects.speed:
+        yield "F-SPEED", r.id, implies(is_open, w.after(var(aspects.speed[r.entry, speed])))
+
+
 def _may_show_clear(w: Words, r: RouteSymbols) -> Expr:
     """The path allows clear, and its lamp is intact (R11)."""
     path = SignalPath(r.entry, False, tuple(w.ways.way(s, n) for s, n in r.path.ways), None)
@@ -178,6 +184,27 @@ def _speed(w: Words, r: RouteSymbols) -> int | None:
     )
     beyond = None if r.path.onward is None else _speed(w, w.sym.routes.number[r.path.onward])
     return min((v for v in (own, beyond) if v is not None), default=None)
+
+
+def _two_yellows(w: Words, r: RouteSymbols) -> bool:
+    """Whether a train route leads over a reversed point, and not out onto a checked line, or does so past a signal."""
+    if w.layout.principles.caution is not Caution.TURNOUT:
+        return False
+    own = turned_inside(w.f, SignalPath(r.entry, False, tuple(w.ways.way(s, n) for s, n in r.path.ways), None))
+    return own or (r.path.onward is not None and _two_yellows(w, w.sym.routes.number[r.path.onward]))
+
+
+def _lamps(w: Words, r: RouteSymbols) -> Iterator[Name]:
+    """The inputs that must say that the lamps are intact by which a train is told of a route (R11)."""
+    proof, g = w.sym.lamp_proof, r.entry
+    if r.path.identifier:
+        yield from (proof.identifier[g],) if g in proof.identifier else ()
+        return
+    yield from (x for x in (proof.caution.get(g, proof.clear.get(g)),) if x is not None)
+    if g in proof.second and _two_yellows(w, r):
+        yield proof.second[g]
+    if g in proof.speed and _speed(w, r) is not None:
+        yield proof.speed[g]
 
 
 def _kept_clear(w: Words, r: RouteSymbols) -> list[SectionId]:
@@ -382,10 +409,6 @@ def _in_order(w: Words, r: RouteSymbols, wide: bool, clear: bool = True) -> Iter
             yield w.sections.long(boundary.approach)
     if not r.call_on:
         yield neg(f.seen.stale(r.path.ways[0][0]))
-        last = sym.lamp_proof.caution.get(r.entry, sym.lamp_proof.clear.get(r.entry))
-        if r.path.identifier:
-            last = sym.lamp_proof.identifier.get(r.entry)
-        if last is not None and not r.shunt:
-            yield var(last)
+        yield from () if r.shunt else map(var, _lamps(w, r))
     if r.path.overlap is not None:
         yield disj(var(name) for o, name in sym.overlaps.held.items() if o[0] == r.path.overlap[0])

@@ -46,7 +46,7 @@ LATE: dict[str, tuple[tuple[str, ...], bool]] = {
     "clear times that outlast a scan of occupation": (("RT",), True),
     "contacts that outlast their loss by a scan": (("DN", "DR"), True),
     "conditions that outlast their loss by a scan": (("E",), True),
-    "lamps that outlast their filament by a scan": (("RL", "GL", "CL"), True),
+    "lamps that outlast their filament by a scan": (("RL", "GL", "CL", "NL", "UL", "VL"), True),
     "valid inputs that outlast their loss by a scan": (("VALID",), True),
 }
 """What is read late, by the beginnings of its names; True: as well as in time, so that what is lost is lost late."""

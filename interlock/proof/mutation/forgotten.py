@@ -108,6 +108,14 @@ def speeds_dark(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
         yield f"{kmh} km/h at {g}", c.with_outputs(dark)
 
 
+def second_dark(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A second yellow lamp is never lit."""
+    c: Controller = lower(layout, table)
+    for g, name in c.symbols.aspects.second.items():
+        dark = tuple(replace(o, expr=FALSE) if o.name == name else o for o in c.outputs)
+        yield str(g), c.with_outputs(dark)
+
+
 def let_go(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     """What the author added is given up when the train has passed its signal."""
     c = lower(layout, table)

@@ -15,6 +15,7 @@ from functools import cached_property
 from interlock.dataclass import dataclass
 from interlock.logic import names
 from interlock.logic.names import Form, Kind, Name, Owner
+from interlock.logic.symbols import lamps
 from interlock.model.elements import SectionId, SignalId
 from interlock.model.traversal import Topology
 from interlock.proof.system.loop import ClosedLoop
@@ -94,7 +95,7 @@ class Neighbourhood:
     @cached_property
     def lamps(self) -> frozenset[Name]:
         """What signals show: names of the state."""
-        return frozenset(x for x in self._symbols.aspects.lamps if x in self._known)
+        return frozenset(x for x in lamps(self._symbols.aspects) if x in self._known)
 
     @cached_property
     def places(self) -> Mapping[Name, tuple[int, ...]]:

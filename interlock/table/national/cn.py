@@ -34,7 +34,7 @@ from interlock.model.elements import (
 )
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology, Traversal, topology
-from interlock.table.cells import ExitKind, OverlapCell, Role, RouteKind
+from interlock.table.cells import ExitKind, OverlapCell, Role, RouteKind, Shows
 from interlock.table.national.cn_notation import DEVICE, HEADINGS, LEGEND, NOT_PRINTED, OVERLAP, lying, order
 from interlock.table.national.reading import Reading
 from interlock.table.national.sheet import Cell, Heading, Sheet, route_rows
@@ -339,13 +339,14 @@ class _Form:
         return out
 
     def _aspect(self, r: RouteRow) -> str:
-        """Shunt white; received U with all points normal, else UU; departing as the block permits."""
+        """Shunt white; received UU over a reversed point, where the signal has a second yellow lamp, else U; departing
+        as the block permits."""
         if r.kind is RouteKind.SHUNT:
             return "B"
         if self._departing(r):
             block = self.layout.track.boundary_at[self._way(r.path.traversals[-1]).exit].block
             return "L、U、LU" if block is BlockKind.AUTOMATIC else "L"
-        return "UU" if Position.REVERSE in self._path(r).values() else "U"
+        return "UU" if r.signal.aspect.shows is Shows.TWO_YELLOWS else "U"
 
     def _indicator(self, r: RouteRow) -> str:
         """A route indicator tells a branching direction of departure."""

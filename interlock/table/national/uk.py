@@ -107,7 +107,13 @@ def _sequence(r: RouteRow) -> str:
     shows, ahead = r.signal.aspect.shows, r.signal.aspect.next
     if shows is Shows.NEXT:
         return f"Y → {ahead} at R; G → {ahead} at Y or G"
-    told = {Shows.CLEAR: "G", Shows.CAUTION: "Y", Shows.SHUNT: "PL", Shows.CALL_ON: "R with PL"}
+    told = {
+        Shows.CLEAR: "G",
+        Shows.CAUTION: "Y",
+        Shows.TWO_YELLOWS: "Y with a second lamp",
+        Shows.SHUNT: "PL",
+        Shows.CALL_ON: "R with PL",
+    }
     return told.get(shows, "identifier")
 
 

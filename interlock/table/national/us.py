@@ -80,7 +80,13 @@ def _over(x: Reading, r: RouteRow) -> str:
     return ", ".join(f"{p} {lies}" for p, lies in told)
 
 
-_ALWAYS = {Shows.CLEAR: "clear", Shows.CAUTION: "caution", Shows.SHUNT: "shunt", Shows.CALL_ON: "call-on"}
+_ALWAYS = {
+    Shows.CLEAR: "clear",
+    Shows.CAUTION: "caution",
+    Shows.TWO_YELLOWS: "two yellows",
+    Shows.SHUNT: "shunt",
+    Shows.CALL_ON: "call-on",
+}
 _ALWAYS |= {Shows.IDENTIFIER: "identifier"}
 
 
