@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from interlock.commissioning.approach import Place, further, settings
 from interlock.commissioning.bench import FEW, SCAN_MS, Bench, Moment, not_at_stop, occupied
 from interlock.commissioning.needs import Need, needs, to_open
 from interlock.commissioning.row import Row
@@ -164,28 +165,72 @@ class RouteTests:
 
     def _cancelled(self, opened: Moment) -> Iterator[Step]:
         bench, row = self._bench, self._row
-        delay, hold = row.row.locking.approach.delay_s, max(part.locking.hold for part in row.parts)
-        cancel = {str(bench.symbols.cancellation.cancel[row.row.entry]): 1}
+        coming, blind = row.row.locking.approach.coming, bench.layout.track.undetected
         if not row.always_locked and not row.calls_on:
             bench.back(opened)
-            bench.scan(cancel)
+            bench.scan(self._cancel)
             came = ["it stays at proceed"] if self._proceed() else []
-            bench.wait(SLACK_S + hold)
+            bench.wait(SLACK_S + self._hold)
             came += ["it stays locked"] if bench.on(row.symbols.active) else []
             do = f"{self._at_proceed()}, no train before it: cancel {row.name}"
             yield self._step(do, "stop at once, and the route is given up at once", "R8", came)
+        elif row.rear and not row.calls_on and (coming.unseen or row.rear[0] in blind):
+            bench.back(opened)
+            yield self._given_up_late(", no train before it")
         bench.back(opened)
         bench.inputs |= occupied(bench.symbols, *row.rear)
         bench.scans(FEW)
-        bench.scan(cancel)
+        yield self._given_up_late(f", a train in {row.rear[0]}" if row.rear else "")
+        if not row.calls_on:
+            for place in further(coming, frozenset(blind)):
+                yield from self._from(opened, place)
+
+    def _from(self, opened: Moment, place: Place) -> Iterator[Step]:
+        """The same with a train farther off, for which the way is locked up to the signal; none where no routes lock
+        it while this one is set."""
+        bench, y = self._bench, self._bench.symbols
+        for routes in settings(self._table, self._row.row, place.ways):
+            bench.back(opened)
+            for r in routes:
+                self._ask(r)
+            if not all(bench.on(y.sections.lock.get(way)) for way in place.ways) or not self._proceed():
+                continue
+            if place.section is not None:
+                bench.inputs |= occupied(y, place.section)
+            bench.scans(FEW)
+            before = " and ".join(called("route", r.id) for r in routes)
+            train = "no train to be seen" if place.section is None else f"a train in {place.section} alone"
+            yield self._given_up_late(f", {before} set before it, {train}")
+            return
+
+    def _ask(self, r: RouteRow) -> None:
+        """Ask for a further route, and wait until its machines lie."""
+        bench = self._bench
+        bench.scan({str(bench.symbols.requests.request): r.number})
+        gap = bench.layout.principles.point_start_gap_s + 2 * SCAN_MS / 1000
+        machines = sum(len(part.locking.points) for part in self._table.parts(r))
+        bench.wait(2 * FEW * SCAN_MS / 1000 + machines * gap)
+
+    @property
+    def _cancel(self) -> dict[str, int]:
+        return {str(self._bench.symbols.cancellation.cancel[self._row.row.entry]): 1}
+
+    @property
+    def _hold(self) -> float:
+        """Seconds for which what was added to the route is held after it would let it go."""
+        return max(part.locking.hold for part in self._row.parts)
+
+    def _given_up_late(self, before: str) -> Step:
+        """It is cancelled while a train may come, and given up after its delay.  `before`: what is before its signal."""
+        bench, row, delay = self._bench, self._row, self._row.row.locking.approach.delay_s
+        bench.scan(self._cancel)
         came = ["it stays at proceed"] if self._proceed() else []
         bench.wait(max(0.0, delay - SLACK_S))
-        came += [] if bench.locked(row.path[0]) else ["it is given up too early"]
-        bench.wait(2 * SLACK_S + hold)
+        came += [] if bench.locked(row.path[0]) and bench.on(row.symbols.active) else ["it is given up too early"]
+        bench.wait(2 * SLACK_S + self._hold)
         came += ["it stays locked"] if bench.on(row.symbols.active) else []
-        before = f", a train in {row.rear[0]}" if row.rear else ""
         expect = f"stop at once; {row.path[0]} stays locked for {delay:g} s, and then the route is given up"
-        yield self._step(f"{self._at_proceed()}{before}: cancel {row.name}", expect, "R8", came)
+        return self._step(f"{self._at_proceed()}{before}: cancel {row.name}", expect, "R8", came)
 
     def _driven(self, opened: Moment) -> Iterator[Step]:
         """A train drives over the route; what it leaves is released behind it, after its delay."""
