@@ -85,7 +85,7 @@ def test_so_it_does_on_layouts_grown_at_random(seed: int) -> None:
 
 
 X1_A = """
-all clear, nothing set, machines the other way where they can be moved: ask for route X1-A
+all clear, nothing set, machines the other way where they can be moved: ask for route X1-A, by its number 1
   points P1 normal; signal X1 shows clear (YP_X1), every other signal stop; indicated as locked: DP
 signal X1 at proceed: section SA reported occupied, and then as before
   it shows stop in the same scan, and stays at stop afterwards
@@ -95,12 +95,14 @@ signal X1 at proceed: try to move P1 reverse
   nothing moves, and it stays at proceed
 signal X1 at proceed for route X1-A: ask for hostile route X3-C
   it is refused, and the signal stays at proceed
+all clear, nothing set: ask for route X1-A on the spot (LREQ), by its number 1
+  signal X1 opens
 signal X1 at proceed, no train before it: cancel route X1-A
   stop at once, and the route is given up at once
 signal X1 at proceed, a train in SC: cancel route X1-A
   stop at once; DP stays locked for 60 s, and then the route is given up
 the train over route X1-A comes into DP, and leaves SC
-  signal X1 shows stop; DP is locked
+  signal X1 shows stop at the first axle; DP is locked
 """
 
 
@@ -109,7 +111,7 @@ def test_a_route_is_tested_cell_by_cell() -> None:
     steps = [s for s in of(*built("fig2_2")) if s.of == "X1-A"]
     printed, looked_for = [f"{s.do}\n  {s.expect}\n" for s in steps], X1_A.strip().split("\n")
     pairs = [f"{do}\n{expect}\n" for do, expect in zip(looked_for[::2], looked_for[1::2], strict=True)]
-    assert len(steps) == 18 and all(s.tried for s in steps)
+    assert len(steps) == 20 and all(s.tried for s in steps)
     assert [x for x in printed if x in pairs] == pairs
 
 
@@ -117,8 +119,8 @@ def test_every_wire_is_tested_with_both_values_and_an_open_circuit() -> None:
     layout, table, controller = built("flank_lab")
     wires = [s for s in of(layout, table, controller) if s.sheet is Sheet.WIRES]
     channels = allocate(layout, controller).wires
-    assert {s.of for s in wires} == {f"{c.substation} {c.address}" for c in channels}
-    lamp = [f"{s.do}: {s.expect}" for s in wires if s.of == "main Q1.6"]
+    assert {s.of for s in wires} == {f"{c.substation} slot {c.slot} {c.address}" for c in channels}
+    lamp = [f"{s.do}: {s.expect}" for s in wires if s.of == "main slot 5 Q1.6"]
     assert len(lamp) == 2 and "nothing else" in lamp[0] and not any(s.tried for s in wires)
 
 

@@ -8,12 +8,14 @@ from itertools import count
 
 from interlock.commissioning.bench import FEW, Bench, not_at_stop, occupied
 from interlock.commissioning.machines import machines
+from interlock.commissioning.place import places
 from interlock.commissioning.routes import RouteTests
 from interlock.commissioning.step import Sheet, Step
 from interlock.commissioning.wires import wires
 from interlock.logic.cabinet import Allocation
 from interlock.logic.controller import Controller
 from interlock.model.elements import RouteId
+from interlock.model.figures import exact
 from interlock.model.layout import Layout
 from interlock.table.cells import RouteKind
 from interlock.table.rows import InterlockingTable
@@ -39,7 +41,7 @@ def book(
     start = list(_start(bench))
     rest = bench.moment()
     if only is None:
-        yield from _numbered("W", wires(allocation))
+        yield from _numbered("W", wires(allocation, places(layout, controller.symbols)))
         yield from _numbered("S", start)
         yield from _numbered("M", machines(bench, rest))
     asked = [r for r in table.routes if r.kind is not RouteKind.IDENTIFIER and (only is None or r.id in only)]
@@ -62,22 +64,24 @@ def _start(bench: Bench) -> Iterator[Step]:
     came += [f"{s} is not locked" for s in y.sections.restart if not bench.locked(s)]
     points = [(m, x) for m, x in y.machines.drive if m not in bench.layout.machines.device]
     came += [f"{m} is driven" for m, x in points if bench.on(y.machines.drive[m, x])]
-    expect = "every signal shows stop, every section is indicated as locked, no points are driven"
+    came += [f"{d} shows clear" for d, n in y.aspects.distant_clear.items() if bench.on(n)]
+    announced = ", every distant caution" if y.aspects.distant_clear else ""
+    expect = f"every signal shows stop{announced}, every section is indicated as locked, no points are driven"
     yield _started("switch the controller on, all clear", expect, came)
     bench.wait(rules.restart_delay_s + SETTLED_S)
     clear = bench.moment()
     bench.inputs |= occupied(y, *y.sections.restart)
     bench.scans(FEW, {str(y.sections.release_all): 1})
     bench.wait(SETTLED_S)
+    later = f"after the restart delay of {exact(rules.restart_delay_s)} s"
     came = [f"{s} is released" for s in y.sections.restart if not bench.locked(s)]
-    do = f"after the restart delay of {rules.restart_delay_s:g} s, every section occupied: release all clear sections"
-    yield _started(do, "every section stays locked", came)
+    yield _started(f"{later}, every section occupied: release all clear sections", "every section stays locked", came)
     bench.back(clear)
     for _ in range(2):  # a level crossing closes at the first, and the sections under it are released at the second
         bench.scans(FEW, {str(y.sections.release_all): 1})
         bench.wait(SETTLED_S)
     kept = [s for s in y.sections.restart if bench.locked(s) and s not in bench.layout.track.undetected]
-    do = "the same, every section clear"
+    do = f"{later}, every section clear: release all clear sections"
     yield _started(do, "no section with detection is locked", [f"{s} is locked" for s in kept])
 
 
@@ -88,4 +92,4 @@ def _started(do: str, expect: str, came: Collection[str]) -> Step:
 def _times(controller: Controller) -> Iterator[Step]:
     """Every delay, for a stopwatch."""
     for t in controller.timers:
-        yield Step(Sheet.TIMES, str(t.name), f"time it: {t.note}", f"no less than {t.preset_ms / 1000:g} s")
+        yield Step(Sheet.TIMES, str(t.name), f"time it: {t.note}", f"no less than {exact(t.preset_ms / 1000)} s")

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from interlock.commissioning.bench import FEW, Bench, Moment, occupied, undetected
+from interlock.commissioning.place import Place
 from interlock.commissioning.step import SLACK_S, Sheet, Step
 from interlock.diag.called import called
 from interlock.logic.names import Name
 from interlock.model.elements import MachineId, Position
+from interlock.model.figures import exact
 from interlock.model.times import supervision_s
 
 
@@ -28,7 +30,8 @@ def _one(bench: Bench, rest: Moment, m: MachineId, by_hand: Name) -> Iterator[St
     bench.back(rest)
     bench.scans(FEW, asked)
     came = [] if bench.lies[m] is Position.REVERSE else ["nothing moves"]
-    yield _step(m, f"{order} by hand", f"{there}, detected", came)
+    leads = Place(bench.layout).leads(m, Position.REVERSE)
+    yield _step(m, f"{order} by hand", f"{there}, detected{f' ({leads})' if leads else ''}", came)
     if m not in all_.device:  # what a road crosses may always be closed to it
         for s in all_.sections[m]:
             if inputs := occupied(y, s):
@@ -46,7 +49,8 @@ def _one(bench: Bench, rest: Moment, m: MachineId, by_hand: Name) -> Iterator[St
         came = ["the alarm comes too early"] if bench.on(alarm) else []
         bench.wait(2 * SLACK_S, asked | lost)
         came += [] if bench.on(alarm) else ["no alarm"]
-        yield _step(m, f"{order} by hand, and keep it from arriving", f"an alarm after {seconds:g} s ({alarm})", came)
+        told = f"an alarm after {exact(seconds)} s ({alarm})"
+        yield _step(m, f"{order} by hand, and keep it from arriving", told, came)
 
 
 def _step(m: MachineId, do: str, expect: str, came: list[str]) -> Step:

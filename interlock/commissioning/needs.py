@@ -8,7 +8,7 @@ from interlock.commissioning.bench import occupied, undetected
 from interlock.commissioning.row import Row
 from interlock.dataclass import dataclass
 from interlock.diag.called import called
-from interlock.model.elements import MachineId, Position, SectionId
+from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.table.cells import RouteKind, Shows
 
 
@@ -54,6 +54,13 @@ def _lamps(row: Row) -> Iterator[Need]:
     for part in row.parts[1:]:
         if part.entry in lamps.identifier:
             yield Need(f"the identifier lamp of {part.entry} out", {str(lamps.identifier[part.entry]): 0}, "R11")
+    for x in dict.fromkeys(x for part in row.parts for x in part.clear.space if x.lamp):
+        protecting = SignalId(x.name)
+        yield Need(
+            f"the stop lamp of {protecting}, which protects a flank, out",
+            {str(lamps.stop[protecting]): 0},
+            x.because.rule,
+        )
 
 
 def to_open(row: Row) -> Iterator[Need]:

@@ -14,7 +14,9 @@ from interlock.commissioning.row import Row
 from interlock.commissioning.step import SLACK_S, Sheet, Step
 from interlock.diag.called import called
 from interlock.logic.names import Name
-from interlock.model.elements import MachineId, SectionId
+from interlock.model.elements import MachineId, SectionId, SignalId
+from interlock.model.figures import exact
+from interlock.table.cells import RouteKind
 from interlock.table.rows import InterlockingTable, RouteRow
 
 
@@ -38,7 +40,9 @@ class RouteTests:
         yield from (self._stays(x) for x in (*needs(row), *to_open(row)))
         yield from (self._held(opened, m) for m in row.demands)
         yield from (self._refused(opened, self._table.route[h]) for h in row.row.locking.hostile.routes)
+        yield from self._on_the_spot()
         yield from self._cancelled(opened)
+        yield from self._kept_out(opened)
         if not row.calls_on:
             yield from self._driven(opened)
 
@@ -50,9 +54,9 @@ class RouteTests:
         seconds = 2 * FEW * SCAN_MS / 1000 + (rules.token_delay_s if row.tokens else 0)
         return seconds + len(row.demands) * (rules.point_start_gap_s + 2 * SCAN_MS / 1000)
 
-    def _open(self, lost: Need | None = None) -> bool:
+    def _open(self, lost: Need | None = None, at: str = "") -> bool:
         """The route is asked for at rest, with machines the other way; whether its signal opens: where something is
-        lost, in the time in which it opened without."""
+        lost, in the time in which it opened without.  `at`: where it is asked for, if not at the centre."""
         bench, row = self._bench, self._row
         bench.back(self._rest)
         for m, p in row.demands.items():
@@ -65,7 +69,7 @@ class RouteTests:
         if lost is not None:
             bench.inputs |= lost.inputs
         bench.scans(2)
-        bench.scan({str(bench.symbols.requests.request): row.row.number})
+        bench.scan({at or str(bench.symbols.requests.request): row.row.number})
         asks = [str(bench.symbols.token[b].manual) for b in row.tokens]
         inputs = {name: 1 for name in asks if lost is None or name not in lost.inputs}
         longest = self._longest_s() if lost is None else self._seconds + FEW * SCAN_MS / 1000
@@ -92,8 +96,23 @@ class RouteTests:
             do += f", the direction at {', '.join(row.tokens)} asked for by the manual change"
         expect = f"{moves}{row.signal} shows {words} ({', '.join(lamps)}), every other signal stop"
         expect += f"; indicated as locked: {', '.join(dict.fromkeys(s for p in row.parts for s, _ in p.path.locked))}"
+        expect += self._announced()
         came = self._not_as_set() if self._open() else [f"it does not open: {self._bench.why_not(row.symbols)}"]
-        return self._step(f"{do}: ask for {row.name}", expect, "R3", came)
+        return self._step(f"{do}: ask for {row.name}, by its number {row.row.number}", expect, "R3", came)
+
+    def _distants(self) -> dict[SignalId, bool]:
+        """The distants, and whether each shows clear while the signal is open."""
+        a, clear = self._bench.symbols.aspects, self._bench.symbols.aspects.clear.get(self._row.row.entry)
+        shown = clear is not None and clear in self._row.aspect()[0]
+        distants = self._bench.layout.signalling.distants
+        return {d.id: shown and d.of == self._row.row.entry for d in distants if d.id in a.distant_clear}
+
+    def _announced(self) -> str:
+        """What the distants show then, in words; nothing where there are none."""
+        shown = self._distants()
+        own = [f"{called('distant', d)} shows clear" for d, clear in shown.items() if clear]
+        others = "every other distant caution" if own else "every distant caution"
+        return "; ".join(["", *own, *([others] if len(own) < len(shown) else [])])
 
     def _not_as_set(self) -> list[str]:
         """What is otherwise than the row says, some scans after the signal has opened."""
@@ -107,7 +126,10 @@ class RouteTests:
             came.append(f"not at stop: {', '.join(others)}")
         if free := [s for part in row.parts for s, _ in part.path.locked if not bench.locked(s)]:
             came.append(f"not locked: {', '.join(free)}")
-        return came
+        a = bench.symbols.aspects
+        told = [d for d, clear in self._distants().items() if clear is not bench.on(a.distant_clear[d])]
+        told += [d for d, clear in self._distants().items() if clear is bench.on(a.distant_caution[d])]
+        return [*came, *(f"{called('distant', d)} shows otherwise" for d in dict.fromkeys(told))]
 
     def _lamps(self) -> tuple[Name, ...]:
         """All lamps of the signal."""
@@ -160,6 +182,31 @@ class RouteTests:
 
     def _at_proceed(self) -> str:
         return f"{self._row.signal} at proceed"
+
+    def _on_the_spot(self) -> Iterator[Step]:
+        """Asked for at the place on the spot, where there is one; and who is heard where both ask in one scan."""
+        bench, row, y = self._bench, self._row, self._bench.symbols.requests
+        if y.local_request is None:
+            return
+        here, centre = str(y.local_request), str(y.request)
+        came = [] if self._open(at=here) else [f"it does not open: {bench.why_not(row.symbols)}"]
+        do = f"all clear, nothing set: ask for {row.name} on the spot ({here}), by its number {row.row.number}"
+        yield self._step(do, f"{row.signal} opens", "R14", came)
+        others = (r for r in self._table.routes if r.id != row.row.id and r.kind is not RouteKind.IDENTIFIER)
+        other = next(others, None)
+        if other is None:
+            return
+        first = row.row if y.local_first else other
+        bench.back(self._rest)
+        bench.scans(2)
+        bench.scan({here: row.row.number, centre: other.number})
+        active = {r.id: bench.on(bench.symbols.routes.number[r.number].active) for r in (row.row, other)}
+        second = other if first is row.row else row.row
+        came = [f"{called('route', second.id)} is set"] if active[second.id] else []
+        asked = f"ask for {row.name} on the spot and for {called('route', other.id)} at the control centre in one scan"
+        heard = "what is asked on the spot" if y.local_first else "what is asked at the control centre"
+        expect = f"{called('route', second.id)} is not set: {heard} is heard alone"
+        yield self._step(f"all clear, nothing set: {asked}", expect, "R14", came)
 
     # --- giving it up, and driving over it ---
 
@@ -221,7 +268,7 @@ class RouteTests:
         return max(part.locking.hold for part in self._row.parts)
 
     def _given_up_late(self, before: str) -> Step:
-        """It is cancelled while a train may come, and given up after its delay.  `before`: what is before its signal."""
+        """It is cancelled while a train may come, and given up after its delay.  `before`: what stands before it."""
         bench, row, delay = self._bench, self._row, self._row.row.locking.approach.delay_s
         bench.scan(self._cancel)
         came = ["it stays at proceed"] if self._proceed() else []
@@ -229,8 +276,46 @@ class RouteTests:
         came += [] if bench.locked(row.path[0]) and bench.on(row.symbols.active) else ["it is given up too early"]
         bench.wait(2 * SLACK_S + self._hold)
         came += ["it stays locked"] if bench.on(row.symbols.active) else []
-        expect = f"stop at once; {row.path[0]} stays locked for {delay:g} s, and then the route is given up"
+        expect = f"stop at once; {row.path[0]} stays locked for {exact(delay)} s, and then the route is given up"
         return self._step(f"{self._at_proceed()}{before}: cancel {row.name}", expect, "R8", came)
+
+    def _kept_out(self, opened: Moment) -> Iterator[Step]:
+        """Routes that the author declares hostile are kept out until the train is wholly in the last section, and
+        longer where he asks for it."""
+        bench, row = self._bench, self._row
+        barred = dict.fromkeys(b.route for part in row.parts for b in part.locking.barred)
+        if not barred or row.calls_on:
+            return
+        hold, last = self._hold, (*row.rear, *row.path)[-2:]
+        bench.back(opened)
+        bench.inputs |= occupied(bench.symbols, *row.rear)
+        bench.scans(FEW)
+        for before, s in zip((None, *(*row.rear, *row.path)), (*row.rear, *row.path), strict=False):
+            bench.inputs |= occupied(bench.symbols, s)
+            bench.scans(FEW)
+            if before is not None and s != last[-1]:
+                bench.inputs |= dict.fromkeys(occupied(bench.symbols, before), 1)
+                bench.scans(FEW)
+        bench.wait(row.row.locking.release[0].delay_s + SLACK_S)
+        both = bench.moment()
+        where = " and ".join(last)
+        yield from (self._not_beside(both, self._table.route[h], f"its train in {where}") for h in barred)
+        if hold > SLACK_S and len(last) > 1:
+            bench.back(both)
+            bench.inputs |= dict.fromkeys(occupied(bench.symbols, last[0]), 1)
+            bench.wait(hold - SLACK_S)
+            gone = bench.moment()
+            where = f"its train wholly in {last[-1]} for less than {exact(hold)} s"
+            yield from (self._not_beside(gone, self._table.route[h], where) for h in barred)
+
+    def _not_beside(self, now: Moment, other: RouteRow, where: str) -> Step:
+        bench = self._bench
+        bench.back(now)
+        bench.scan({str(bench.symbols.requests.request): other.number})
+        bench.scans(FEW)
+        came = ["it is set"] if bench.on(bench.symbols.routes.number[other.number].active) else []
+        do = f"{self._row.name} set, {where}: ask for {called('route', other.id)}, declared hostile"
+        return self._step(do, "it is refused", "R6", came)
 
     def _driven(self, opened: Moment) -> Iterator[Step]:
         """A train drives over the route; what it leaves is released behind it, after its delay."""
@@ -243,21 +328,33 @@ class RouteTests:
         for k, s in enumerate(row.path):
             bench.inputs |= occupied(bench.symbols, s)
             bench.scans(FEW)
+            expect, came = list[str](), list[str]()
+            if k == 0:
+                closes, came = self._passed(left)
+                expect.append(closes)
             if left is not None:
                 bench.inputs |= dict.fromkeys(occupied(bench.symbols, left), 1)
                 bench.scan()
-            expect, came = [], []
             if k == 0:
-                expect.append(f"{row.signal} shows stop")
                 came += ["it stays at proceed"] if self._proceed() else []
             elif left in delay and left not in row.overlap:
-                expect.append(f"{left} is released after {delay[left]:g} s")
+                expect.append(f"{left} is released after {exact(delay[left])} s")
                 came += self._released(left, delay[left])
             expect.append(f"{s} is locked")
             came += [] if bench.locked(s) else [f"{s} is not locked"]
             leaves = "" if left is None else f", and leaves {left}"
             yield self._step(f"the train over {row.name} comes into {s}{leaves}", "; ".join(expect), "R9", came)
             left = s
+
+    def _passed(self, rear: SectionId | None) -> tuple[str, list[str]]:
+        """When the signal closes behind the first axle, in words, and what is otherwise while both sections are
+        occupied."""
+        row = self._row
+        if rear is None or row.row.signal.closing.whole is None:
+            at_once = ["it stays at proceed behind the first axle"] if self._proceed() else []
+            return f"{row.signal} shows stop at the first axle", at_once
+        closed = [] if self._proceed() else ["it shows stop at the first axle"]
+        return f"{row.signal} stays at proceed while {rear} is occupied, too, and then shows stop", closed
 
     def _released(self, s: SectionId, delay_s: float) -> list[str]:
         """What is wrong with the release of a section that was left now."""

@@ -9,6 +9,7 @@ from dataclasses import fields
 from enum import StrEnum
 
 from interlock.dataclass import dataclass
+from interlock.model.figures import exact
 
 
 class FlankChoice(StrEnum):
@@ -215,4 +216,4 @@ KNOBS: tuple[str, ...] = tuple(f.name for f in fields(Principles))
 
 def written(x: object) -> str:
     """A value of a principle as a layout states it."""
-    return ("yes" if x else "no") if isinstance(x, bool) else f"{x:g}" if isinstance(x, float) else str(x)
+    return ("yes" if x else "no") if isinstance(x, bool) else exact(x) if isinstance(x, float) else str(x)
