@@ -9,7 +9,9 @@ from pathlib import Path
 import pytest
 
 from interlock.app.check import check_file
-from interlock.app.diff import PRINTED, REASONED, Differences, diff
+from interlock.app.diff import Differences, diff
+from interlock.app.pin import pin_file
+from interlock.app.untold import PRINTED, REASONED
 from interlock.logic.lower import lower
 from interlock.table.columns import COLUMNS
 from tests.cli_runs import run
@@ -321,3 +323,89 @@ def test_no_other_facts_are_taken_for_printed(tmp_path: Path) -> None:
     assert other.found.elsewhere == ("excluded",) and other.shown.exit_code == 1
     assert {"title", "title_block", "labels", "drawing", "anchors"} == PRINTED
     assert {"excluded", "barred", "demanded", "waivers"} == REASONED
+
+
+@pytest.mark.parametrize(
+    ("more", "key"),
+    [
+        ("addresses: {CLR_q1: I4.0}\n", "addresses"),
+        ("substations: {KA: [A, AA], KB: []}\n", "substations"),
+        ("telegram: plain\n", "telegram"),
+        ("health: {main: {by: diagnosis}}\n", "health"),
+        ("exclude: [{from: A, kind: shunt, reason: r}]\n", "excluded"),
+        ("target: {cpu: s7-315t-2dp}\n", "target"),
+    ],
+)
+def test_what_is_told_by_nothing_is_not_passed_over_beside_what_is(tmp_path: Path, more: str, key: str) -> None:
+    e = Edited(tmp_path, ("kmh: 60", "kmh: 60, release_delay_s: 5"), ("signals:", f"{more}signals:"))
+    assert e.elements() == ["release_delay_s: 5, was 3"] and e.found.elsewhere == (key,)
+    assert f"besides, the layouts differ in {key}" in e.shown.output
+    body = json.loads(run("diff", str(e.old), str(e.new), "--format", "json").stdout)
+    assert body["elsewhere"] == [key]
+
+
+@pytest.mark.parametrize(
+    "edits",
+    [
+        [("q9", "q_9")],
+        [("P2", "P7")],
+        [("g1 500", "g1 300, g1b 200"), ("N1: {from: g1,", "N1: {from: g1b,")],
+        [("west: [W, q1 200]", "west: [W, q1 160, w1 40]")],
+        [("  N1: {from: g1, into: w2}\n", "")],
+        [("wa 400", "wa 350")],
+        [("legs: 30}\nsignals:", "legs: 30}\noverlaps: {N1: {length: 50}}\nsignals:")],
+    ],
+)
+def test_what_is_told_of_elements_is_not_told_twice(tmp_path: Path, edits: list[tuple[str, str]]) -> None:
+    assert Edited(tmp_path, *edits).found.elsewhere == ()
+
+
+def test_numbers_are_told_with_all_their_digits(tmp_path: Path) -> None:
+    e = Edited(tmp_path, ("kmh: 60", "kmh: 60, approach_release_s: 1234.569"), ("g1 500", "g1 500.0004"))
+    assert e.elements()[0].startswith("approach_release_s: 1234.569, was")
+    assert "section g1: 500.0004 m, was 500 m" in e.elements()
+
+
+@pytest.mark.parametrize(
+    ("was", "now", "told"),
+    [
+        (
+            ["q1: {CLR_q1: I0.4}", "q9: {CLR_q9: I0.5}"],
+            ["q1: {CLR_q1: I0.5}", "q9: {CLR_q9: I0.4}"],
+            ["channel CLR_q1: main I0.5, was main I0.4", "channel CLR_q9: main I0.4, was main I0.5"],
+        ),
+        (["3: Q0,"], ["6: Q0,"], ["card in slot 3 of main: Q0 removed", "card in slot 6 of main: Q0 added"]),
+        ([], [], []),
+    ],
+)
+def test_channels_that_are_pinned_otherwise_are_told(
+    tmp_path: Path, was: list[str], now: list[str], told: list[str]
+) -> None:
+    (tmp_path / "old").mkdir()
+    (tmp_path / "new").mkdir()
+    old, new = tmp_path / "old" / "base.yaml", tmp_path / "new" / "base.yaml"
+    for layout in (old, new):
+        layout.write_text(BASE, "utf-8")
+    pin_file(str(old)).write(False)
+    text = old.with_suffix(".pins").read_text("utf-8")
+    for before, after in zip(was, now, strict=True):
+        assert before in text
+        text = text.replace(before, after)
+    new.with_suffix(".pins").write_text(text, "utf-8")
+    found = diff(str(old), str(new))
+    assert [c.text for c in found.channels] == told and found.same is not bool(told)
+    shown = run("diff", str(old), str(new))
+    assert shown.exit_code == (1 if told else 0) and all(x in shown.output for x in told)
+    assert [c["what"] for c in json.loads(run("diff", str(old), str(new), "--format", "json").stdout)["channels"]] == [
+        x.partition(":")[0] for x in told
+    ]
+
+
+def test_that_nothing_is_pinned_any_more_is_told_once(tmp_path: Path) -> None:
+    (tmp_path / "old").mkdir()
+    (tmp_path / "new").mkdir()
+    old, new = tmp_path / "old" / "base.yaml", tmp_path / "new" / "base.yaml"
+    for layout in (old, new):
+        layout.write_text(BASE, "utf-8")
+    pin_file(str(old)).write(False)
+    assert [c.text for c in diff(str(old), str(new)).channels] == ["pins: none, was channels are pinned"]

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields
-from typing import Any
 
 from interlock.app.check import Checked, check_file
+from interlock.app.untold import untold
 from interlock.dataclass import dataclass
 from interlock.model.elements import (
     Boundary,
@@ -23,14 +22,11 @@ from interlock.model.elements import (
     Signal,
     Work,
 )
+from interlock.model.figures import exact, metres
 from interlock.model.layout import Layout
+from interlock.model.pins import Pins
 from interlock.model.principles import Principles, written
 from interlock.table.changes import Change, TableChanges, named_changes, table_changes
-
-PRINTED = frozenset({"title", "title_block", "labels", "drawing", "anchors"})
-"""Facts of a layout that are only printed: titles, what is written at boundaries, places on the plan."""
-REASONED = frozenset({"excluded", "barred", "demanded", "waivers"})
-"""Facts that come each with the author's `reason`."""
 
 
 @dataclass(frozen=True)
@@ -42,8 +38,10 @@ class Differences:
     table: TableChanges | None = None
     elements: tuple[Change, ...] = ()
     principles: tuple[Change, ...] = ()
+    channels: tuple[Change, ...] = ()
+    """Channels and cards that the files of pins beside the layouts give otherwise."""
     elsewhere: tuple[str, ...] = ()
-    """Facts in which the layouts differ although nothing above does."""
+    """Facts in which the layouts differ beside all that is told above."""
     printed: tuple[str, ...] = ()
     """Of those the ones that are only printed, which no controller knows of."""
 
@@ -55,7 +53,7 @@ class Differences:
     @property
     def same(self) -> bool:
         """Whether nothing differs but what is only printed."""
-        nothing = not self.elements and not self.principles and not self.elsewhere
+        nothing = not (self.elements or self.principles or self.channels or self.elsewhere)
         return self.table is not None and self.table.none and nothing
 
 
@@ -67,33 +65,38 @@ def diff(old: str, new: str) -> Differences:
     table = table_changes(a.table, b.table)
     elements = tuple(_elements(a.layout, b.layout))
     principles = tuple(_principles(a.layout, b.layout))
-    if not table.none or elements or principles:
-        return Differences(a, b, table, elements, principles)
-    elsewhere, printed = _untold(a.layout, b.layout)
-    return Differences(a, b, table, elements, principles, elsewhere, printed)
+    elsewhere, printed = untold(a.layout, b.layout, table, _described_otherwise(a.layout, b.layout))
+    channels = tuple(_channels(a.layout.hardware.pins, b.layout.hardware.pins))
+    return Differences(a, b, table, elements, principles, channels, elsewhere, printed)
 
 
-def _untold(old: Layout, new: Layout) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """The facts in which two layouts differ: those that may matter, and those that are only printed."""
-    if old.digest == new.digest:
-        return (), ()
-    was, now = json.loads(old.to_text()), json.loads(new.to_text())
-    differ = sorted(k for k in was.keys() | now.keys() if was.get(k) != now.get(k))
-    printed = tuple(k for k in differ if k in PRINTED or _for_reasons(k, was.get(k), now.get(k)))
-    return tuple(k for k in differ if k not in printed), printed
-
-
-def _for_reasons(key: str, was: Any, now: Any) -> bool:
-    """Whether nothing but the reasons that the author gives is different."""
-    if key not in REASONED or was is None or now is None:
-        return False
-    before, after = ([{k: v for k, v in x.items() if k != "reason"} for x in facts] for facts in (was, now))
-    return before == after
+def _described_otherwise(old: Layout, new: Layout) -> set[str]:
+    """The names of the elements of which something is told."""
+    pairs = [(texts(old), texts(new)) for texts in _KINDS.values()]
+    return {str(n) for was, now in pairs for n in was.keys() | now.keys() if was.get(n) != now.get(n)}
 
 
 def _elements(old: Layout, new: Layout) -> Iterator[Change]:
     for what, texts in _KINDS.items():
         yield from named_changes(what, texts(old), texts(new))
+
+
+def _channels(old: Pins, new: Pins) -> Iterator[Change]:
+    """What two files of pins say otherwise: of channels, of those that are reserved, and in which slot a card is."""
+    if bool(old) is not bool(new):
+        pinned = {True: "channels are pinned", False: "none"}
+        yield Change("pins", pinned[bool(old)], pinned[bool(new)])
+        return
+
+    def said(x: Pins) -> Iterator[tuple[str, str]]:
+        yield from ((f"channel {p.variable}", f"{p.substation} {p.address}") for p in x.channels)
+        yield from ((f"reserved channel {p.variable}", f"{p.substation} {p.address}") for p in x.reserved)
+        yield from ((f"card in slot {c.slot} of {c.substation}", f"{c.direction}{c.byte}") for c in x.cards)
+
+    was, now = dict(said(old)), dict(said(new))
+    for what in {**was, **now}:
+        if was.get(what) != now.get(what):
+            yield Change(what, was.get(what), now.get(what))
 
 
 def _principles(old: Layout, new: Layout) -> Iterator[Change]:
@@ -119,9 +122,9 @@ def _over(names: tuple[str, ...]) -> str:
 
 def _sections(layout: Layout) -> Described:
     def text(s: Section) -> tuple[str, ...]:
-        metres = sum(e.length for e in layout.track.edges_in.get(s.id, ()))
+        length = sum(e.length for e in layout.track.edges_in.get(s.id, ()))
         return _words(
-            "outside" if s.approach else f"{metres:g} m",
+            "outside" if s.approach else f"{metres(length)}",
             "" if s.detected else "without detection",
             "" if s.speed is None else f"{s.speed} km/h",
             "inclined" if s.lane is Lane.INCLINED else "",
@@ -144,7 +147,7 @@ def _one_way(layout: Layout, s: SectionId) -> str:
 
 def _supervision(layout: Layout, m: MachineId) -> str:
     own = dict(layout.pointwork.supervision)
-    return f"supervision {own[m]:g} s" if m in own else ""
+    return f"supervision {exact(own[m])} s" if m in own else ""
 
 
 def _overlap_ways(layout: Layout, s: Signal) -> tuple[str, ...]:
@@ -175,8 +178,8 @@ def _signals(layout: Layout) -> Described:
             "" if o is None else f"overlap {o.text}" + (", may swing" if o.swing else ""),
             *_overlap_ways(layout, s),
             f"overlap for {entry[s.id]} km/h" if s.id in entry else "",
-            f"overlap released after {own[s.id]:g} s" if s.id in own else "",
-            f"held {held[s.id]:g} s after a cancellation" if s.id in held else "",
+            f"overlap released after {exact(own[s.id])} s" if s.id in own else "",
+            f"held {exact(held[s.id])} s after a cancellation" if s.id in held else "",
         )
 
     return {s.id: text(s) for s in g.signals}
@@ -192,7 +195,7 @@ def _points(layout: Layout) -> Described:
             f"in {layout.track.section_of(p.toe)}",
             f"machine {p.machine}" if str(p.machine) != str(p.id) else "",
             "" if p.work is Work.MOTOR else "worked by hand",
-            f"fouling point {p.fouling:g} m",
+            f"fouling point {exact(p.fouling)} m",
             "" if p.speed is None else f"{p.speed} km/h",
             _supervision(layout, p.machine),
             "" if lie is None else f"blades at {' and '.join(lie.at)} to {lie.normal}, or to {lie.reverse}",
@@ -205,7 +208,7 @@ def _points(layout: Layout) -> Described:
 def _ends(layout: Layout) -> Described:
     def text(b: Boundary) -> tuple[str, ...]:
         block = "" if b.block == "none" else f"block {b.block}"
-        outside = "" if b.approach is None else f"approach {b.approach} {b.approach_m:g} m"
+        outside = "" if b.approach is None else f"approach {b.approach} {exact(b.approach_m)} m"
         button, shown = f"button {b.button}" if b.button else "", "route indicator" if b.indicator else ""
         return _words("" if b.kind == "both" else f"trains {b.kind}", outside, block, button, shown)
 

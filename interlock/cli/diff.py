@@ -23,8 +23,8 @@ from interlock.table.rows import RouteRow
 def command(old: str, new: str, form: str) -> None:
     """Print what has changed in the interlocking table from one layout to another, or to its next version.
 
-    Exit code 0: nothing, but for titles, labels, places on the plan and the author's reasons; 1: something, or one of
-    the layouts has errors.
+    Channels that the files of pins beside them give otherwise are told, too.  Exit code 0: nothing, but for titles,
+    labels, places on the plan and the author's reasons; 1: something, or one of the layouts has errors.
     """
     found = diff(old, new)
     if form == "json":
@@ -36,8 +36,17 @@ def command(old: str, new: str, form: str) -> None:
         lines = _lines(found.table, found) if form == "full" else _each(found.table, found)
         for line in lines:
             click.echo(line)
+        if _shown(found) and (besides := (*found.elsewhere, *found.printed)):
+            click.echo(f"besides, the layouts differ in {', '.join(besides)}")
         click.echo(f"{old} -> {new}: {_summary(found.table, found)}")
     sys.exit(OK if found.same else FINDINGS)
+
+
+def _shown(found: Differences) -> bool:
+    """Whether something of table, elements, principles or channels differs."""
+    return found.table is not None and not (
+        found.table.none and not found.elements and not found.principles and not found.channels
+    )
 
 
 def _summary(t: TableChanges, found: Differences) -> str:
@@ -46,12 +55,12 @@ def _summary(t: TableChanges, found: Differences) -> str:
     parts = [f"{number_of(n, 'route')} {what}" for what, n in said.items() if n]
     others = len(t.voyages) + len(t.automatic)
     parts += [number_of(others, "change") + " of voyages and automatic working"] if others else []
-    if not parts and (found.elements or found.principles):
+    if not parts and (found.elements or found.principles or found.channels):
         return "no cell of the table differs"
-    if found.elsewhere:
+    if found.elsewhere and not _shown(found):
         facts = ", ".join((*found.elsewhere, *found.printed))
         return f"table, elements and principles are equal, but the layouts are not: they differ in {facts}"
-    if found.printed:
+    if found.printed and not _shown(found):
         return f"nothing differs but what is only printed: {', '.join(found.printed)}"
     return ", ".join(parts) or "nothing differs"
 
@@ -65,7 +74,7 @@ def _told(r: RouteRow) -> str:
 
 def _lines(t: TableChanges, found: Differences) -> Iterator[str]:
     """Routes of which the very same differs are told together."""
-    yield from (c.text for c in (*found.principles, *found.elements))
+    yield from (c.text for c in (*found.principles, *found.elements, *found.channels))
     for what, rows in (("removed", t.removed), ("added", t.added)):
         yield from (f"route {r.id} {what}: {_told(r)}" for r in rows)
     yield from (f"route {c.route}, was called {c.was}" for c in t.routes if c.route != c.was)
@@ -99,7 +108,7 @@ def _together(cells: Sequence[Change]) -> list[str]:
 
 def _each(t: TableChanges, found: Differences) -> Iterator[str]:
     """One line for each change of each route."""
-    yield from (c.text for c in (*found.principles, *found.elements))
+    yield from (c.text for c in (*found.principles, *found.elements, *found.channels))
     for what, rows in (("removed", t.removed), ("added", t.added)):
         yield from (f"{r.id}: route {what}: {_told(r)}" for r in rows)
     for c in t.routes:
@@ -125,6 +134,7 @@ def _body(found: Differences) -> dict[str, Any]:
         "printed": [*found.printed],
         "principles": [*map(_change, found.principles)],
         "elements": [*map(_change, found.elements)],
+        "channels": [*map(_change, found.channels)],
         "removed": [*map(_row, t.removed)],
         "added": [*map(_row, t.added)],
         "routes": [
