@@ -10,7 +10,7 @@ from typing import Any
 
 import yaml
 
-from interlock.checker import claims, controller, outputs, plant, said
+from interlock.checker import claims, controller, outputs, pinned, plant, said
 from interlock.checker.doubted import doubts
 from interlock.checker.drawing import Unread
 from interlock.checker.railway import Railway, safe
@@ -54,8 +54,12 @@ def check(layout: Path, folder: Path) -> Checked:
         else [bundle.text]
     )
     need(not bundle.torn, bundle.torn)
+    program = f"{bundle.text.removesuffix('.st')}_io.st"
+    same, apart = pinned.compare(layout, program, bundle.outputs.get(program))
+    compared = [*compared, program] if same else compared
     read = f"read: {(folder / text).resolve()}"
-    return Checked((proof, *found.compared, read, outputs.unread(bundle, compared)), found.left)
+    told = (proof, *found.compared, *filter(None, [same]), read, outputs.unread(bundle, compared))
+    return Checked(told, (*found.left, *filter(None, [apart])))
 
 
 def agree(

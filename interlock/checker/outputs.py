@@ -111,7 +111,9 @@ def _spec() -> Any:
 def unread(b: Bundle, compared: Iterable[str]) -> str:
     """What of the files nobody compared, in one line.  compared: the outputs of which something was."""
     left = _spec()["outputs"]
-    here = {b.text: left["{text}"], **{n: left.get(n, left["{c}"]) for n in compared if n != b.text}}
+    program = f"{b.text.removesuffix('.st')}_io.st"
+    known = {b.text: left["{text}"], program: left["{io}"], **left}
+    here = {n: known.get(n, left["{c}"]) for n in (b.text, *compared)}
     parts = [f"of {n} {x['left']}" for n, x in sorted(here.items()) if x["left"]]
     whole = [n for n in b.outputs if n not in here and b.outputs[n] is not None]
     whole += [f"{n} of the certificate" for n in b.own if n not in _spec()["certificate"]]
