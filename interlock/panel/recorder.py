@@ -57,6 +57,16 @@ def _kept(now: Standing) -> dict[str, Any]:
     return {"blocks": list(now.blocks), "reminders": {k: list(v) for k, v in now.reminders.items()}}
 
 
+def _blocked(there: Standing) -> str:
+    """What whoever chooses another file has to block again, in words."""
+    if not there.blocks:
+        return ""
+    several = len(there.blocks) > 1
+    names = ", ".join(there.blocks)
+    what = f"sections {names} are" if several else f"section {names} is"
+    return f"; {what} blocked there: block {'them' if several else 'it'} again"
+
+
 class Recorder:
     """Writes a panel's record."""
 
@@ -86,7 +96,7 @@ class Recorder:
         self._left: Log | None = None
         """Where writing had to stop."""
         try:
-            self._open(str(ready.layout.name), ready.table.layout_digest)
+            self._open(str(ready.layout.name), ready.table.layout_digest, views(ready))
         except (OSError, ValueError):
             self._let_go()
             raise
@@ -100,10 +110,10 @@ class Recorder:
         }
         self._put("begin", **self._heading)
 
-    def _open(self, layout: str, digest: str) -> None:
+    def _open(self, layout: str, digest: str, shown: Views) -> None:
         """Begin the log, or go on with it: one of another kind, or of the layout as it was, would be told wrongly."""
         if not self.path.exists():
-            self._log, self.left_behind = Log.create(self.path), left_behind(self.path, layout)
+            self._log, self.left_behind = Log.create(self.path), left_behind(self.path, layout, shown)
             return
         self._log, found = Log.resume(self.path)
         first = found.events[0] if found.events else None
@@ -117,7 +127,7 @@ class Recorder:
                 wrong = f"{self.path} is the record of {layout} as it was before its layout was changed"
             if wrong:
                 self._log.close()
-                raise ValueError(f"{wrong}: choose another file")
+                raise ValueError(f"{wrong}: choose another file{_blocked(standing(found.events))}")
         self.releases = sum(e["kind"] == "release" for e in found.events)
         self.standing = standing(found.events)
 

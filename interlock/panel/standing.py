@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import re
+import json
 from collections.abc import Iterable, Mapping
 from dataclasses import field
 from pathlib import Path
+from typing import Any
 
 from interlock.dataclass import dataclass
 from interlock.record.log import Event, read_file
@@ -13,6 +14,11 @@ from interlock.record.log import Event, read_file
 KEPT = "kept"
 """The kind of an event that tells all of it: written before the operation that changes it, so that nothing is lost
 however the server ends."""
+
+LONGEST = 100_000_000
+"""Bytes of the first event of a record, with its plan, at most."""
+TAIL = 1_000_000
+"""Bytes at the end of a record in which its last event is looked for."""
 
 BLOCK, FREE = "block section ", "free section "
 """What an operation that blocks a section, or frees it, begins with: records of before have nothing else."""
@@ -42,15 +48,45 @@ def standing(events: Iterable[Event]) -> Standing:
     return Standing(tuple(blocks), reminders)
 
 
-def left_behind(path: Path, layout: str) -> tuple[str, tuple[str, ...]]:
-    """Where a record begins: the name of the one before it in the same folder, where a panel named that itself, and
-    the sections that were blocked at its end."""
-    named = re.compile(re.escape(layout) + r"-\d{8}-\d{6}\.log")
+def left_behind(path: Path, layout: str, shown: object) -> tuple[str, tuple[str, ...]]:
+    """Where a record begins: the name of the one in the same folder that ended last, whatever it is called, and the
+    sections that were blocked at its end.  It is of the same layout, which may have been changed since, or of one that
+    had another name and shows the same (`shown`: the views of this one)."""
+    found = []
     try:
-        found = max((p for p in path.parent.iterdir() if named.fullmatch(p.name) and p != path), default=None)
-        events = () if found is None else read_file(found).events
+        for p in path.parent.glob("*.log"):
+            if p != path and p.is_file() and _is_of(_first(p), layout, shown):
+                found.append((_ended_ms(p), p.name, p))
+        events = read_file(max(found)[2]).events if found else ()
     except OSError:
         return "", ()
-    if found is None or not events or "views" not in events[0] or events[0].get("layout") != layout:
-        return "", ()
-    return found.name, standing(events).blocks
+    return (max(found)[1], standing(events).blocks) if events else ("", ())
+
+
+def _is_of(begin: Mapping[str, Any], layout: str, shown: object) -> bool:
+    """Whether a record that begins so is one of a panel of this layout."""
+    return "views" in begin and (begin.get("layout") == layout or begin["views"] == shown)
+
+
+def _first(path: Path) -> Mapping[str, Any]:
+    """The first event of a record; empty where it is none."""
+    with path.open("rb") as f:
+        return _event(f.readline(LONGEST))
+
+
+def _ended_ms(path: Path) -> int:
+    """When the last event was written; where that cannot be read, when the file was."""
+    with path.open("rb") as f:
+        size = f.seek(0, 2)
+        f.seek(max(0, size - TAIL))
+        last = f.read().rpartition(b"\n")[0].rpartition(b"\n")[2]
+    t = _event(last).get("t")
+    return t if isinstance(t, int) else path.stat().st_mtime_ns // 1_000_000
+
+
+def _event(line: bytes) -> Mapping[str, Any]:
+    try:
+        event = json.loads(line)
+    except (ValueError, RecursionError):
+        return {}
+    return event if isinstance(event, dict) else {}
