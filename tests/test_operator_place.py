@@ -14,6 +14,7 @@ import pytest
 from click.testing import CliRunner
 from pymodbus.client import ModbusTcpClient
 
+import interlock
 from interlock.app.alarms import HAZARD, RECORD, TRAIN, Watch, listed, possible
 from interlock.app.run import Ready, prepare
 from interlock.cli.main import cli
@@ -39,6 +40,7 @@ from interlock.model.layout import Layout
 from interlock.panel.desk import Desk
 from interlock.panel.operating import Person
 from tests.layouts import SHIPPED, built
+from tests.test_diff import BASE
 
 WORDS = {1: 1, 2: 3, 3: 10_001, 4: 2}
 """What is said of the four routes."""
@@ -298,6 +300,19 @@ def test_a_table_is_told_from_that_of_another_layout() -> None:
         told = {r[2]: r[3] for r in place.registers.table()}
         assert [told[n].partition(":")[0] for n in ("TABLE_HIGH", "TABLE_LOW")] == [f"always {x}" for x in read]
     assert len({place_of(*built(n)[::2]).digest for n in ("fig2_1", "fig2_2", "mine11")}) == 3
+
+
+def test_a_code_that_says_something_else_is_told_from_before(tmp_path: Path) -> None:
+    """A screen that shows its own copy of the sentences would give a wrong reason for a refusal."""
+    hostile = "hostile: [{one: {from: LS}, other: {from: N2}, reason: the platform is narrow}]\nsignals:"
+    found = []
+    for name, text in (("old", BASE), ("new", BASE.replace("signals:", hostile))):
+        (tmp_path / f"{name}.yaml").write_text(text, "utf-8")
+        layout = interlock.load(str(tmp_path / f"{name}.yaml"))
+        found.append(place_of(layout, interlock.lower(layout, interlock.derive(layout))))
+    old, new = found
+    assert [row[:3] for row in old.table()[10:]] == [row[:3] for row in new.table()[10:]]
+    assert [c for c in old.codes if new.codes[c] != old.codes[c]] and old.digest != new.digest
 
 
 def test_without_a_panel_alarms_are_said_and_reach_the_registers(ready: Ready) -> None:

@@ -17,7 +17,8 @@ import io
 import socket
 import threading
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import field
 from functools import cached_property
 from hashlib import sha256
 from typing import Any
@@ -84,6 +85,8 @@ class Registers:
     """What and which: the route or the signal."""
     alarms: Sequence[tuple[str, str, str]]
     """Key, variable and meaning of each alarm, in the order of their discrete inputs, behind those of `bits`."""
+    codes: Mapping[int, str] = field(default_factory=dict)
+    """What each code of a word says."""
 
     def table(self) -> list[tuple[str, str, str, str]]:
         """A row for each register, discrete input and request."""
@@ -95,8 +98,10 @@ class Registers:
 
     @cached_property
     def digest(self) -> tuple[int, int]:
-        """Two registers that tell this table from others."""
-        said = sha256("\n".join(",".join(row[:3]) for row in self._rows()).encode()).digest()
+        """Two registers that tell this table, and what its codes say, from others."""
+        rows = [",".join(row[:3]) for row in self._rows()]
+        rows += [f"code {code}: {text}" for code, text in sorted(self.codes.items())]
+        said = sha256("\n".join(rows).encode()).digest()
         return int.from_bytes(said[:2], "big"), int.from_bytes(said[2:4], "big")
 
     def _rows(self) -> list[tuple[str, str, str, str]]:
@@ -142,6 +147,7 @@ def registers(controller: Controller, alarms: Sequence[tuple[str, str, str]]) ->
         [(str(o.name), o.note) for o in controller.outputs],
         requests,
         alarms,
+        {code: words.said(code) for code in words.reasons},
     )
 
 
