@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import html
 import json
 from dataclasses import replace
 from pathlib import Path
@@ -14,6 +15,7 @@ from interlock.app.check import check_file
 from interlock.app.commission import not_in
 from interlock.cli.main import cli
 from interlock.commissioning.book import book
+from interlock.commissioning.page import WITHOUT
 from interlock.commissioning.step import Sheet, Step
 from interlock.derivation import derive
 from interlock.diag import Sink
@@ -174,6 +176,7 @@ def test_the_command_writes_sheets_and_a_table(tmp_path: Path, monkeypatch: pyte
     rows = list(csv.reader(Path("fig2_2_tests.csv").read_text("utf-8").splitlines()))
     page = Path("fig2_2_tests.html").read_text("utf-8")
     assert all(row[0] in page for row in rows[1:-1]) and "not certified" in page
+    assert all(html.escape(x) in page for x in WITHOUT)
     Path("fig2_2_tests.csv").write_text("seen: all right", "utf-8")  # what a tester has filled in is not overwritten
     done = run.invoke(cli, ["commission", layout])
     assert done.exit_code == 1 and "--force" in done.output
@@ -181,7 +184,15 @@ def test_the_command_writes_sheets_and_a_table(tmp_path: Path, monkeypatch: pyte
     told = json.loads(one.stdout)
     assert told["ok"] and set(told["tests"]) == {"routes"} and told["files"] == ["one.csv"]
     none = run.invoke(cli, ["commission", layout, "--since", layout, "-o", "none.html"])
-    assert none.exit_code == 0 and "no test" in none.output
+    assert none.exit_code == 0 and "no test" in none.output and "every test of the old book applies" in none.output
+    longer = Path("longer.yaml")
+    longer.write_text(f"{Path(layout).read_text('utf-8')}\nprinciples: {{approach_release_s: 90}}\n", "utf-8")
+    since = run.invoke(cli, ["commission", str(longer), "--since", layout, "-o", "since.html", "--route", "X1-A"])
+    told = "1 test of the old book no longer applies as it was: X1-A 1"
+    assert told in since.output and f"{told}." in Path("since.html").read_text("utf-8")
+    as_json = ["commission", str(longer), "--since", layout, "-o", "since.csv", "--format", "json"]
+    told_of = json.loads(run.invoke(cli, as_json).stdout)
+    assert told_of["gone"]["X1-A"] == 1 and told_of["gone"]["times"] > 0
 
 
 @pytest.mark.parametrize(
@@ -201,3 +212,8 @@ def test_what_is_not_proved_has_no_book(tmp_path: Path) -> None:
     target = tmp_path / "x.html"
     done = CliRunner().invoke(cli, ["commission", "layouts/refuted/wrong_waiver.yaml", "-o", str(target)])
     assert done.exit_code == 1 and "REFUTED" in done.output and not target.exists()
+
+
+def test_what_no_test_tries_stands_in_the_documents_as_on_the_page() -> None:
+    said = " ".join(Path("interlock/docs/commissioning.md").read_text("utf-8").split())
+    assert [x for x in WITHOUT if x not in said] == []

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 
 from interlock.app.check import Checked
 from interlock.app.run import Ready, prepare
 from interlock.commissioning.book import book
-from interlock.commissioning.step import Step
+from interlock.commissioning.step import Sheet, Step
 from interlock.dataclass import dataclass
 from interlock.diag.suggest import did_you_mean
 from interlock.logic.expr import interning
@@ -60,3 +61,10 @@ def not_in(steps: Sequence[Step], old: Sequence[Step]) -> tuple[Step, ...]:
     """The tests that another book does not have in the same words."""
     known = {s.words for s in old}
     return tuple(s for s in steps if s.words not in known)
+
+
+def gone(steps: Sequence[Step], old: Sequence[Step], routes: Sequence[str] = ()) -> dict[str, int]:
+    """How many tests of an old book a new one does not have in the same words, by route, and by sheet for the others.
+    `routes`: those of which the new book is, if it is not of all."""
+    lost = Counter(s.of if s.sheet is Sheet.ROUTES else str(s.sheet) for s in not_in(old, steps))
+    return {what: n for what, n in lost.items() if not routes or what in routes}

@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 
 from interlock import __version__
-from interlock.app.commission import Commissioning, NoRoute, commission, not_in
+from interlock.app.commission import Commissioning, NoRoute, commission, gone, not_in
 from interlock.app.own import NotOurs, write_own
 from interlock.cli.common import (
     FINDINGS,
@@ -63,18 +63,23 @@ def command(
     found = _book(layout, routes, form)
     assert found.steps is not None and found.ready.layout is not None
     steps, of = found.steps, f" of route {', '.join(routes)}" if routes else ""
+    lost: dict[str, int] | None = None
     if since is not None:
         old = _book(since, (), form)
         assert old.steps is not None and old.ready.layout is not None
+        lost = gone(steps, old.steps, [*dict.fromkeys(s.of for s in steps)] if routes else ())
         steps, of = not_in(steps, old.steps), f"{of} that the book of layout {old.ready.layout.digest} does not have"
-    bodies = {".html": lambda: book_html(found.ready.layout, steps, __version__, of), ".csv": lambda: book_csv(steps)}
+    bodies = {
+        ".html": lambda: book_html(found.ready.layout, steps, __version__, of, _told_gone(lost)),
+        ".csv": lambda: book_csv(steps),
+    }
     for file in files:
         try:
             write_own(file, bodies[file.suffix.lower()]().encode(), Path(layout), force)
         except (NotOurs, OSError) as error:
             failed(told(error, file), form)
             sys.exit(FINDINGS)
-    _say(layout, steps, found.failed, files, form)
+    _say(layout, steps, found.failed, files, form, lost)
     sys.exit(FINDINGS if found.failed else OK)
 
 
@@ -94,7 +99,26 @@ def _book(layout: str, routes: tuple[str, ...], form: str) -> Commissioning:
     return found
 
 
-def _say(layout: str, steps: tuple[Step, ...], wrong: tuple[Step, ...], files: tuple[Path, ...], form: str) -> None:
+def _told_gone(lost: dict[str, int] | None) -> str:
+    """The tests of the old book that the new one does not have, in words; empty where nothing was compared."""
+    if lost is None:
+        return ""
+    if not lost:
+        return "every test of the old book applies"
+    several = sum(lost.values()) > 1
+    apply = "apply as they were" if several else "applies as it was"
+    by = ", ".join(f"{what} {n}" for what, n in lost.items())
+    return f"{number_of(sum(lost.values()), 'test')} of the old book no longer {apply}: {by}"
+
+
+def _say(
+    layout: str,
+    steps: tuple[Step, ...],
+    wrong: tuple[Step, ...],
+    files: tuple[Path, ...],
+    form: str,
+    lost: dict[str, int] | None,
+) -> None:
     count = Counter(str(s.sheet) for s in steps)
     tried = sum(s.tried for s in steps)
     if form == "json":
@@ -107,6 +131,7 @@ def _say(layout: str, steps: tuple[Step, ...], wrong: tuple[Step, ...], files: t
                 "otherwise": otherwise,
                 "files": [str(f) for f in files],
             }
+            | ({} if lost is None else {"gone": lost})
         )
         return
     for s in wrong[:MOST]:
@@ -115,5 +140,7 @@ def _say(layout: str, steps: tuple[Step, ...], wrong: tuple[Step, ...], files: t
     told_of = f"{number_of(len(steps), 'test')} ({parts})" if steps else "no test"
     ended = f"{len(wrong)} came out otherwise" if wrong else "all as expected"
     click.echo(f"{layout}: {told_of}; {tried} tried on the bench, {ended}")
+    if lost is not None:
+        click.echo(f"  {_told_gone(lost)}")
     for file in files:
         click.echo(f"  written: {file}")

@@ -24,6 +24,17 @@ TITLES = {
 }
 
 
+WITHOUT = (
+    "what voyages, automatic working, zones with a limit, swinging overlaps, priorities and releases by hand do",
+    "points that a declared hostile pair or a demand holds longer than the route itself",
+    "signals that show clear, and distants, while the next signal is open",
+    "approach locking from places up to which no route can be set together with the one that is tried",
+    "trains that are called on, behind their signal",
+    "numbers of scans, and lamps that go out while they are lit",
+)
+"""What no test of a book tries; the proof speaks of it."""
+
+
 def book_csv(steps: Sequence[Step]) -> str:
     """One row for each test, with room for what was seen, by whom and when."""
     out = io.StringIO()
@@ -33,8 +44,9 @@ def book_csv(steps: Sequence[Step]) -> str:
     return out.getvalue()
 
 
-def book_html(layout: Layout, steps: Sequence[Step], version: str, of: str = "") -> str:
-    """Sheets of A4 to be signed.  `version`: of this program; `of`: which tests these are, where they are not all."""
+def book_html(layout: Layout, steps: Sequence[Step], version: str, of: str = "", gone: str = "") -> str:
+    """Sheets of A4 to be signed.  `version`: of this program; `of`: which tests these are, where they are not all;
+    `gone`: which tests of an old book there are no more."""
     env = Environment(
         loader=PackageLoader("interlock.commissioning", "."),
         autoescape=select_autoescape(("j2",)),
@@ -49,6 +61,8 @@ def book_html(layout: Layout, steps: Sequence[Step], version: str, of: str = "")
         program=f"interlock {version}",
         sheets=sheets,
         of=of,
+        gone=gone,
+        without=WITHOUT,
         count=len(steps),
         by_sheet=[(TITLES[k], n) for k, n in Counter(s.sheet for s in steps).items()],
         tried=sum(s.tried for s in steps),
