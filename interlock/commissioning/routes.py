@@ -5,7 +5,7 @@ What has to come is read from the row alone; where something else comes on the b
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from interlock.commissioning.approach import Place, further, settings
 from interlock.commissioning.bench import FEW, SCAN_MS, Bench, Moment, not_at_stop, occupied
@@ -281,32 +281,34 @@ class RouteTests:
 
     def _kept_out(self, opened: Moment) -> Iterator[Step]:
         """Routes that the author declares hostile are kept out until the train is wholly in the last section, and
-        longer where he asks for it."""
-        bench, row = self._bench, self._row
-        barred = dict.fromkeys(b.route for part in row.parts for b in part.locking.barred)
-        if not barred or row.calls_on:
-            return
-        hold, last = self._hold, (*row.rear, *row.path)[-2:]
+        longer where he asks for it; those of each route that leads past a signal, and of what is set beyond it, until
+        the train is in the last section of that."""
+        way = list(self._row.rear)
+        for part in self._row.parts if not self._row.calls_on else ():
+            way += [s for s in part.path.section_ids if s not in way]
+            if part.locking.barred:
+                yield from self._kept_out_until(opened, part, way)
+
+    def _kept_out_until(self, opened: Moment, part: RouteRow, way: Sequence[SectionId]) -> Iterator[Step]:
+        """`way`: the sections in which the train is up to the end of a part, that before the signal first."""
+        bench, y, hold = self._bench, self._bench.symbols, part.locking.hold
+        others = [self._table.route[b.route] for b in part.locking.barred]
         bench.back(opened)
-        bench.inputs |= occupied(bench.symbols, *row.rear)
-        bench.scans(FEW)
-        for before, s in zip((None, *(*row.rear, *row.path)), (*row.rear, *row.path), strict=False):
-            bench.inputs |= occupied(bench.symbols, s)
+        for k, s in enumerate(way):
+            bench.inputs |= occupied(y, s)
             bench.scans(FEW)
-            if before is not None and s != last[-1]:
-                bench.inputs |= dict.fromkeys(occupied(bench.symbols, before), 1)
+            if 0 < k < len(way) - 1:
+                bench.inputs |= dict.fromkeys(occupied(y, way[k - 1]), 1)
                 bench.scans(FEW)
-        bench.wait(row.row.locking.release[0].delay_s + SLACK_S)
+        bench.wait(part.locking.release[0].delay_s + SLACK_S)
         both = bench.moment()
-        where = " and ".join(last)
-        yield from (self._not_beside(both, self._table.route[h], f"its train in {where}") for h in barred)
-        if hold > SLACK_S and len(last) > 1:
+        yield from (self._not_beside(both, r, f"its train in {' and '.join(way[-2:])}") for r in others)
+        if hold > SLACK_S and len(way) > 1:
             bench.back(both)
-            bench.inputs |= dict.fromkeys(occupied(bench.symbols, last[0]), 1)
+            bench.inputs |= dict.fromkeys(occupied(y, way[-2]), 1)
             bench.wait(hold - SLACK_S)
-            gone = bench.moment()
-            where = f"its train wholly in {last[-1]} for less than {exact(hold)} s"
-            yield from (self._not_beside(gone, self._table.route[h], where) for h in barred)
+            gone, where = bench.moment(), f"its train wholly in {way[-1]} for less than {exact(hold)} s"
+            yield from (self._not_beside(gone, r, where) for r in others)
 
     def _not_beside(self, now: Moment, other: RouteRow, where: str) -> Step:
         bench = self._bench
