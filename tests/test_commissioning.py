@@ -73,7 +73,7 @@ def test_so_it_does_with_air_locks_call_on_routes_past_signals_tokens_and_what_i
     assert [(s.number, s.do, s.expect, s.came) for s in steps if s.came] == []
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", [*range(40), 504, 965])
 def test_so_it_does_on_layouts_grown_at_random(seed: int) -> None:
     sink = Sink()
     layout, _ = load_text("grown.yaml", grow_all(seed), sink)

@@ -63,6 +63,9 @@ class RouteTests:
             if row.turnable(m):
                 bench.lies[m] = p.position.other
             elif row.calls_on:
+                by_hand = bench.symbols.machines.by_hand.get((m, p.position))
+                if m in bench.layout.machines.device and bench.lies[m] is not p.position and by_hand is not None:
+                    bench.scans(FEW, {str(by_hand): 1})  # a door opens before a train stands at it
                 bench.lies[m] = p.position
         if row.calls_on:
             bench.inputs |= occupied(bench.symbols, *row.rear)
