@@ -107,6 +107,7 @@ class AspectSymbols:
     clear: Mapping[SignalId, Name]
     caution: Mapping[SignalId, Name]
     second: Mapping[SignalId, Name]
+    indicator: Mapping[SignalId, Name]
     call_on: Mapping[SignalId, Name]
     identifier: Mapping[SignalId, Name]
     shunt: Mapping[SignalId, Name]
@@ -135,14 +136,10 @@ class AspectSymbols:
         """Whether a signal shows its identifier light."""
         return var(self.identifier[g]) if g in self.identifier else FALSE
 
-    def shows(self, g: SignalId) -> Expr:
-        """Whether the controller shows anything but stop at a signal."""
-        return disj((self.signal(g), self.signal(g, shunt=True)))
-
 
 def lamps(a: AspectSymbols) -> Iterator[Name]:
     """The outputs that are lit at signals and distants, stop lamps among them; not the speeds."""
-    for aspect in (a.clear, a.caution, a.second, a.call_on, a.shunt, a.stop, a.identifier):
+    for aspect in (a.clear, a.caution, a.second, a.indicator, a.call_on, a.shunt, a.stop, a.identifier):
         yield from aspect.values()
     yield from (*a.distant_clear.values(), *a.distant_caution.values())
 

@@ -211,13 +211,13 @@ export class Plan {
     }
   }
 
-  showSignal(name, [aspect, cancelling, left, active, out, kmh = null, two = 0]) {
+  showSignal(name, [aspect, cancelling, left, active, out, kmh = null, marks = ""]) {
     const group = by(`signal-${name}`);
     if (!group) return;
     for (const a of ["stop", "clear", "caution", "call", "identifier", "shunt", "dark"]) toggle(group, a, a === aspect);
     toggle(group, "set", active); toggle(group, "cancelling", cancelling); toggle(group, "out", out);
-    this.showSpeed(name, two ? `UU${kmh ? ` ${kmh}` : ""}` : kmh);
-    group.setAttribute("aria-label", `signal ${name}: ${two ? "two yellows" : aspect}${kmh ? ` at ${kmh} km/h` : ""}${active ? `, route ${active[0]}` : ""}`);
+    this.showSpeed(name, [marks, kmh].filter(x => x).join(" ") || null);
+    group.setAttribute("aria-label", `signal ${name}: ${marks.includes("UU") ? "two yellows" : aspect}${marks.includes("B") ? " with the route indicator" : ""}${kmh ? ` at ${kmh} km/h` : ""}${active ? `, route ${active[0]}` : ""}`);
     this.note(`g:${name}`, "left", cancelling ? (left === null ? "cancel: waits" : `cancel: ${left} s`) : left === null ? "" : `waits: ${left} s`);
   }
 
@@ -233,7 +233,7 @@ export class Plan {
     make("circle", {cx: text.getAttribute("x"), cy: Number(text.getAttribute("y")) - 3, r: 5.2}, mark);
   }
 
-  // the km/h that a signal shows, and UU where it shows two yellows, beyond its lamps or near by
+  // the km/h that a signal shows, with UU for two yellows and B for the route indicator, beyond its lamps or near by
   showSpeed(name, kmh) {
     const id = `speed-g:${name}`, before = by(id);
     if (before?.textContent === String(kmh ?? "")) return;

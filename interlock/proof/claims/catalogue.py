@@ -19,6 +19,7 @@ from interlock.proof.claims.added import declared, demanded, held
 from interlock.proof.claims.aspects import (
     allows_clear,
     at_speed,
+    branching,
     clear_aspect,
     devices_closed,
     distants,
@@ -93,7 +94,8 @@ CLAIMS: dict[str, str] = {
     "S-LOST-INPUT": "When inputs are lost, every signal shows stop at once, and nothing is granted or released.",
     "S-ASPECT": "Clear is shown only when the next signal is open, and by a distant only when its signal shows clear; "
     "where the principles ask for two yellows, a main signal that opens shows the second one over every path with a "
-    "reversed point that does not lead out onto a checked line.",
+    "reversed point that does not lead out onto a checked line, and a route indicator is lit for a departure by a main "
+    "signal exactly where the layout has one for that direction.",
     "S-SPEED": "No signal shows a higher speed than its path permits, as the points lie; where the layout states a "
     "speed for the path, a main signal that opens shows one.",
     "S-ENTRY": "A main signal that is open to a signal shows a speed, and none above the one for which the overlap "
@@ -102,8 +104,9 @@ CLAIMS: dict[str, str] = {
     "while a lamp for it is, its identifier light only while that is, a second yellow lamp only while it "
     "is intact, and a speed only while its indicator is.  (White and call-on lamps are not reported.)",
     "S-STOP": "At every signal stop is lit exactly when no main, white or identifier lamp is; no two of these are lit "
-    "at once, a speed only beside a main lamp, a second yellow only beside the first, none that speaks to movements of "
-    "which the layout does not let the signal speak, and a distant signal shows either clear or caution.",
+    "at once, a speed only beside a main lamp, a second yellow only beside the first, a route indicator only beside a "
+    "main lamp, none that speaks to movements of which the layout does not let the signal speak, and a distant signal "
+    "shows either clear or caution.",
     "S-AGAIN": "A signal that closed while its route stayed set, or in whose path a section was blocked or a point was "
     "trailed meanwhile, opens only in the scan after one in which it was asked for again.",
     "S-REQUEST": "A route is set only in the scan in which its number comes after 0, or while its switch for automatic "
@@ -326,6 +329,8 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
         clear = conj((clear_aspect(f, signal), after(lie(f, path.ways))))
         yield "S-ASPECT", "", implies(clear, allows_clear(f, path))
         yield from two_yellows(f, signal, path)
+    if not shunt:
+        yield from branching(f, signal, path)
     if not shunt:
         yield from past_identifier(f, signal, path, here)
     secured = devices_closed(f, path.ways)

@@ -116,6 +116,14 @@ def second_dark(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
         yield str(g), c.with_outputs(dark)
 
 
+def indicator_dark(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A route indicator is never lit."""
+    c: Controller = lower(layout, table)
+    for g, name in c.symbols.aspects.indicator.items():
+        dark = tuple(replace(o, expr=FALSE) if o.name == name else o for o in c.outputs)
+        yield str(g), c.with_outputs(dark)
+
+
 def let_go(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     """What the author added is given up when the train has passed its signal."""
     c = lower(layout, table)

@@ -455,6 +455,7 @@ KINDS: tuple[Kind, ...] = (
     Kind("hold-not-begun-anew", "a route set again lets go with the seconds of its last train", forgotten.not_anew),
     Kind("added-to-called-on-forgotten", "what is added to call-on routes alone is forgotten", forgotten.to_called_on),
     Kind("speed-not-shown", "a speed is not shown", forgotten.speeds_dark),
+    Kind("route-not-indicated", "a route indicator is not lit", forgotten.indicator_dark),
     Kind("one-yellow", "a second yellow lamp is not lit", forgotten.second_dark),
     Kind("speed-too-high", "a signal shows the speed of another route", _too_fast),
     Kind("entry-speed-forgotten", "a route shows more than its overlap is made for", _entry_speed_forgotten),
