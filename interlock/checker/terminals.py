@@ -9,7 +9,7 @@ from typing import Any
 from interlock.checker.ahead import Overlap
 from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, names, no, some
 from interlock.checker.lamps import CALL_ON, IDENTIFIER, MAIN, WHITE, Lamps
-from interlock.checker.lengths import Approach, whole_ms
+from interlock.checker.lengths import Approach, fastest_told, whole_ms
 from interlock.checker.railway import Calling, Path, Signal, safe
 from interlock.checker.track import Way
 from interlock.checker.words import fact
@@ -524,7 +524,8 @@ class Terminals(Lamps):
 
     def w_until_passed_or_standing(self, g: Signal) -> int:
         """Until whoever saw proceed has passed or stands; a shunting movement is slower."""
-        return self._kinds(g, self.w_until_standing(g), self.lengths.halt(self.r.drawn.rule("shunt_speed_kmh")))
+        trains = self.lengths.halt(fastest_told(self.lengths, g))
+        return self._kinds(g, trains, self.lengths.halt(self.r.drawn.rule("shunt_speed_kmh")))
 
     def w_until_all_stand(self) -> int:
         return self.lengths.until_all_stand()
