@@ -65,8 +65,8 @@ class Approach:
 
 
 def fastest_told(lengths: Lengths, g: Signal) -> float:
-    """The highest speed at which a train may run when it is told of a main signal: in rear of it, or anywhere on its way
-    to it; unseen, at the line's."""
+    """The highest speed at which a train may run when it is told of a main signal: in rear of it, or anywhere on its
+    way to it; unseen, at the line's."""
     fastest, todo = lengths.kmh(lengths.before(g)), [lengths.approach(g)] if g.main else []
     while todo:
         x = todo.pop()
