@@ -177,6 +177,21 @@ class Terminals(Lamps):
     def w_passed(self, s: str) -> Formula:
         return leaf(f"P_{safe(s)}")
 
+    def w_rear_cleared(self, s: str) -> Formula:
+        """The controller remembers that it was used, and the section in rear of its signal seen clear since."""
+        return self.known(f"RC_{safe(s)}")
+
+    def w_rear_section(self, g: Signal) -> str:
+        return str(self.lengths.before(g))
+
+    def w_with_rear_detected(self) -> list[Signal]:
+        """The signals that trains obey, where what comes to them is seen in the section in rear."""
+        undetected = {None, *self.r.track.undetected}
+        return [g for g in self.w_opening() if g.main and self.lengths.before(g) not in undetected]
+
+    def w_with_rear_detected_into(self, s: str) -> list[Signal]:
+        return [g for g in self.w_with_rear_detected() if g.into == s]
+
     def w_cancelled(self, g: Signal) -> Formula:
         """The controller remembers that the signal was cancelled; one without routes is never."""
         return self.known(f"X_{g.safe}")
