@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import time
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
+from interlock.panel import browsers
+from interlock.panel.desk import Desk
 from tests.pages import (
     TAPPED,
     asked,
+    between,
     closing_pages,
     fresh,
     is_,
@@ -18,6 +22,9 @@ from tests.pages import (
     press,
     refused,
     serving,
+    style,
+    until,
+    worked,
 )
 from tests.panels import quick, unproved
 
@@ -31,31 +38,35 @@ def test_what_was_asked_and_what_is_said_of_it(chromium: Any, tmp_path: Path) ->
         press(page, "Release all clear sections")
         page.wait_for_selector("#restart", state="hidden")
         fresh(page)
+        page.locator("#section-s9").focus()
+        page.keyboard.press("Enter")
         page.evaluate("window.mute = true")
 
-        def stop() -> tuple[float, float]:
+        def block() -> tuple[float, float]:
             before = time.time()
-            page.locator("#stop").click()
+            page.locator("#acts button:text-is('Block')").click()
             return before, time.time()
 
-        before, after = asked(page, stop)
+        before, after = asked(page, block)
         told = page.evaluate("sent.at(-1)")
         when = told["heard"] + told["after"] / 1000
-        assert told["do"] == "stop" and before - 1 < when < after + 1, "when it was clicked"
+        assert told["do"] == "block" and before - 1 < when < after + 1, "when it was clicked"
         page.wait_for_selector("#grey:text-matches('Sent [1-9][0-9]* s ago, no answer yet')")
         page.evaluate("window.away = true, socket.close()")
         page.wait_for_selector("#said:has-text('not known whether it was done: look at the plan')")
         count = page.evaluate("window.mute = false, sent.length")
-        page.evaluate("document.getElementById('stop').click()")
+        page.locator("#acts button:text-is('Block')").evaluate("b => b.click()")
         page.wait_for_selector("#said:has-text('nothing was sent')")
         assert page.evaluate("unsent") > 0, "by this the tests ask again"
-        page.evaluate("new Promise(done => setTimeout(done, 300))")
-        assert "nothing was sent" in page.inner_text("#said"), "until news come again"
         assert page.evaluate(f"sent.slice({count}).filter(m => m.do)") == []
         page.evaluate("window.away = false")
         fresh(page)
         page.wait_for_selector("#grey:empty", state="attached")
-        page.wait_for_selector("#said:empty", state="attached")  # what was not sent is past when news come again
+        page.evaluate("new Promise(done => setTimeout(done, 300))")
+        assert "nothing was sent" in page.inner_text("#said"), "news that come again do not take it away"
+        page.keyboard.press("Escape")
+        page.wait_for_selector("#said:not(:has(.unsent))")
+        page.keyboard.press("Escape")
         event = """(e, c = {}) => tell({c, events: [{n: 9, time: "2026-01-31T06:00:00", rules: [], at: [], ...e}]})"""
         mine = page.evaluate("sent.find(m => 'name' in m).name")
         assert mine.startswith("operator ") and page.get_attribute("#name", "placeholder") == mine
@@ -84,6 +95,87 @@ def test_what_was_asked_and_what_is_said_of_it(chromium: Any, tmp_path: Path) ->
         page.press("#typed", "Enter")
         away = [w for w in wrong if "/nowhere" in w]  # one for each time it tried to come back meanwhile
         assert desk.broken == "" and away == wrong
+
+
+def done(desk: Desk, text: str) -> int:
+    """How often something was done here."""
+    return between(desk, lambda: sum(e.text.startswith(text) for e in (*desk.browsers.events, *desk.browsers._fresh)))
+
+
+def test_all_signals_to_stop_is_sent_whatever_the_news_are(chromium: Any, tmp_path: Path) -> None:
+    """In a stall of a second nothing was sent, and that was said for a quarter of a second."""
+    with worked(chromium, quick(tmp_path), TAPPED) as (desk, page):
+        page.locator("#section-s9").focus()
+        page.keyboard.press("Enter")
+        page.evaluate("window.deaf = true")
+        is_(page, "body", "stale")
+        page.click("#stop")
+        page.click("#acts button:text-is('Block')")
+        until(page, "['stop', 'block'].every(d => sent.some(m => m.do === d))")
+        page.click("#test")
+        page.wait_for_selector("#said .unsent:has-text('no news from the server')")
+        assert done(desk, "all signals to stop") == 1 and done(desk, "block section s9") == 1
+        page.evaluate("window.deaf = false")
+        fresh(page)
+        assert page.locator("#said .unsent").count() == 1 and style(page, "#said", "opacity") == "1"
+        asked(page, lambda: page.click("#stop"))
+        page.wait_for_selector("#said:not(:has(.unsent))")  # something was done since
+        before = done(desk, "all signals to stop")
+        page.evaluate("window.away = true, socket.close()")
+        until(page, "socket.readyState === 3")
+        page.click("#stop")
+        page.click("#stop")
+        page.wait_for_selector("#grey:has-text('All signals to stop: not sent for')")
+        page.evaluate("window.away = false")
+        page.wait_for_selector("#grey:empty", state="attached")
+        assert done(desk, "all signals to stop") == before + 1
+        page.evaluate("window.mute = true")
+        page.click("#stop")
+        until(page, "sent.at(-1).do === 'stop'")
+        page.evaluate("window.mute = false, socket.close()")  # nobody knows whether it was done
+        until(page, "socket.readyState === 1")
+        page.wait_for_selector("#grey:empty", state="attached")
+        assert done(desk, "all signals to stop") == before + 2
+
+
+def test_a_clock_that_is_set_does_not_make_the_page_old_for_ever(
+    chromium: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ahead = [0.0]
+    clock = SimpleNamespace(time=lambda: time.time() + ahead[0], monotonic=time.monotonic)
+    monkeypatch.setattr(browsers, "time", clock)
+    with worked(chromium, quick(tmp_path)) as (_, page):
+        for seconds in (-10.0, 25.0):
+            ahead[0] += seconds
+            if seconds < 0:
+                page.wait_for_selector("#link:text-is('OLD NEWS')")
+            page.evaluate("new Promise(done => setTimeout(done, 3000))")
+            fresh(page)
+        page.evaluate("(now => { Date.now = () => now() + 60000; })(Date.now.bind(Date))")
+        page.evaluate("new Promise(done => setTimeout(done, 1500))")
+        fresh(page)
+
+
+SLOW = """{
+    const Real = WebSocket;
+    window.fresh = 0;
+    window.WebSocket = class extends Real {
+        set onmessage(heard) { super.onmessage = e => setTimeout(heard, 1500, e); }
+    };
+    new MutationObserver(() => { if (!document.body.classList.contains("stale")) window.fresh++; })
+        .observe(document, {subtree: true, attributes: true, attributeFilter: ["class"]});
+}"""
+"""All that comes from the server comes a second and a half late; counts how often it is said to be fresh."""
+
+
+def test_news_that_are_always_late_are_never_fresh(chromium: Any, tmp_path: Path) -> None:
+    """The delay of the quickest message was taken for the difference of the clocks."""
+    with serving(unproved(quick(tmp_path).read_text("utf-8"))) as (_, url), closing_pages(chromium) as b:
+        page, wrong = opened(b, url, SLOW)
+        page.wait_for_selector("#inputs.good")
+        page.wait_for_selector("#link:text-is('OLD NEWS')")
+        page.evaluate("new Promise(done => setTimeout(done, 4000))")
+        assert page.evaluate("window.fresh") == 0 and wrong == []
 
 
 def test_the_box_of_the_restart_asks_for_what_can_be_done_and_no_more(chromium: Any) -> None:

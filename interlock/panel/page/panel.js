@@ -86,7 +86,7 @@ const KINDS = {main: "train route", shunt: "shunting route", "call-on": "call-on
 function pick(found) {
   if (found.length === 1) { ask({do: "set", route: found[0].id}); chosen = ""; offer(); return; }
   quiet();
-  $("said").replaceChildren(element("p", "Several routes lead there: "), ...found.map(r => button(`${KINDS[r.kind] ?? r.kind} ${r.names[0] ?? r.id} over ${r.sections.join(", ")}${r.overlap ? `, ${r.overlap}` : ""}`, () => {
+  tell(element("p", "Several routes lead there: "), ...found.map(r => button(`${KINDS[r.kind] ?? r.kind} ${r.names[0] ?? r.id} over ${r.sections.join(", ")}${r.overlap ? `, ${r.overlap}` : ""}`, () => {
     quiet(); ask({do: "set", route: r.id}); chosen = ""; offer();
   })));
 }
@@ -161,8 +161,24 @@ function button(text, done) {
 // --- asking, and what is said of it ---
 async function ask(command) {
   const answer = await talk.ask(command);
-  if (!answer.ok) say(answer.title ?? "Refused", answer.why, about(command));
+  if (answer.unsent) unsent(answer);
+  else if (answer.ok) sent();
+  else say(answer.title ?? "Refused", answer.why, about(command));
   return answer;
+}
+
+// what was not sent stays told until somebody puts it away, or until something else is done
+let notSent = null;
+function unsent({title, why}) {
+  notSent = element("p", "", element("strong", `${title}: `), ...why.map(([text]) => element("span", text)), button("Put away", sent));
+  notSent.className = "unsent";
+  tell();
+}
+function sent() { if (notSent) { notSent = null; tell(); } }
+let told = null, words = [];
+function tell(...now) {
+  if (now.length) words = now;
+  $("said").replaceChildren(...(notSent ? [notSent] : []), ...words);
 }
 
 // the elements that a command is about
@@ -173,7 +189,8 @@ function about(c) {
 
 async function why(command) {
   const answer = await talk.ask(command);
-  if (!answer.ok) say(answer.title ?? "Refused", answer.why, about(command));
+  if (answer.unsent) unsent(answer);
+  else if (!answer.ok) say(answer.title ?? "Refused", answer.why, about(command));
   else say("It waits for", answer.why.length ? answer.why : [["nothing: it opens with the next scan", []]], about(command));
 }
 
@@ -181,9 +198,7 @@ async function why(command) {
 // a while: then it is dim
 const PAST_MS = 20000, COUNTS = {g: 2, s: 5, b: 4}; // where a value counts down
 const stands = keys => JSON.stringify([rest.sys?.power, rest.sys?.valid, ...keys.map(k => state[k]?.filter((_, i) => i !== COUNTS[k[0]]))]);
-let told = null;
 function past() {
-  if (told?.title === "Not sent" && talk.last > told.at) return quiet(); // news have come since
   if (!told || (performance.now() - told.at < PAST_MS && stands(told.keys) === told.then)) return;
   told = null;
   $("said").classList.add("past");
@@ -192,16 +207,17 @@ function past() {
 
 function quiet() {
   told = null;
-  $("said").replaceChildren();
+  words = [];
+  tell();
   $("said").classList.remove("past");
   plan.mark("shown", []);
 }
 
 function say(title, reasons, of = []) {
   const keys = [...of, ...reasons.flatMap(([, at]) => at)];
-  told = {title, keys, at: performance.now(), then: stands(keys)};
+  told = {keys, at: performance.now(), then: stands(keys)};
   $("said").classList.remove("past");
-  $("said").replaceChildren(element("strong", `${title}: `), ...reasons.map(([text]) => element("span", text)));
+  tell(element("strong", `${title}: `), ...reasons.map(([text]) => element("span", text)));
   plan.mark("shown", reasons.flatMap(([, keys]) => keys));
 }
 
@@ -390,7 +406,7 @@ $("line").addEventListener("submit", e => {
   if (end) choose(end); else say("No route", [[`none leads from ${keys[0][0]} to ${keys[1][0]}`, []]]);
 });
 document.addEventListener("keydown", e => {
-  if (e.key === "Escape") { $("typed").blur(); if (chosen) choose(chosen); else quiet(); return; }
+  if (e.key === "Escape") { $("typed").blur(); sent(); if (chosen) choose(chosen); else quiet(); return; }
   if (e.target.matches("input, select") || e.ctrlKey || e.metaKey || e.altKey || !still) return;
   const move = {ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1]}[e.key];
   if (move) plan.move(...move);
@@ -405,9 +421,10 @@ document.addEventListener("keydown", e => {
 setInterval(() => {
   const old = talk.old;
   document.body.classList.toggle("stale", old);
-  $("link").textContent = old ? "NO NEWS" : operates ? "operating" : "looking";
+  $("link").textContent = old ? (talk.comes ? "OLD NEWS" : "NO NEWS") : operates ? "operating" : "looking";
   $("link").className = `pill ${old ? "bad" : "good"}`;
   if (still) past();
   const waits = Math.floor(talk.waits / 1000);
-  if (!talk.refused) $("grey").textContent = [old && still ? "What you see is older than a second." : "", waits ? `Sent ${waits} s ago, no answer yet.` : ""].filter(Boolean).join("  ");
+  if (!talk.refused) $("grey").textContent = [old && still ? `What you see is older than a second${talk.comes ? ": news come late, or a clock was set" : ""}.` : "",
+    talk.kept ? `All signals to stop: not sent for ${Math.floor(talk.keeps / 1000)} s, goes when the connection is back.` : "", waits ? `Sent ${waits} s ago, no answer yet.` : ""].filter(Boolean).join("  ");
 }, 100);
