@@ -44,15 +44,19 @@ TAPPED = """{
     window.sent = [];
     window.WebSocket = class extends Real {
         constructor(url) { super(window.away ? url + '/nowhere' : url); window.socket = this; }
-        send(text) { const m = JSON.parse(text); if (m.do !== "clock") window.sent.push(m); if (!window.mute) super.send(text); }
+        send(text) {
+            const m = JSON.parse(text);
+            if (m.do !== "clock") window.sent.push(m);
+            if (!window.mute) super.send(text);
+        }
         set onmessage(heard) { super.onmessage = e => { if (!window.deaf) heard(e); }; this.heard = heard; }
     };
     window.SYS = {power: true, valid: true, lost: [], restart: [], delay: null, releasing: false, releases: 0, speed: 1,
         minutes: 0, failed: [], voyages: [], numbers: []};
     window.tell = m => window.socket.heard({data: JSON.stringify({c: {}, ...m, t: Date.now() / 1000})});
 }"""
-"""Keeps what a page sends, but for questions for the clock (nothing leaves it while `mute`, none comes back to the server while `away`); `tell` is what
-its server might say to it, who is not heard while `deaf`."""
+"""Keeps what a page sends, but for questions for the clock (nothing leaves it while `mute`, none comes back to the
+server while `away`); `tell` is what its server might say to it, who is not heard while `deaf`."""
 
 
 UNSENT = """{

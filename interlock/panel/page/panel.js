@@ -2,7 +2,7 @@
 import {Talk} from "./talk.js";
 import {Plan, EXIT} from "./plan.js";
 import {acts, routesFrom, steps, train} from "./acts.js";
-import {Rows, say as label} from "./rows.js";
+import {Rows, say as label, settleAll} from "./rows.js";
 
 const $ = id => document.getElementById(id);
 const hash = new URLSearchParams(location.hash.slice(1));
@@ -47,17 +47,21 @@ function heard(m) {
   if (chosen && (chosen in m.c || "sys" in m || "reminders" in m || "trains" in m)) offer();
   if ("sys" in m || Object.keys(m.c).some(k => k[0] === "s")) restart();
   if ("sys" in m || Object.keys(m.c).some(k => "cza".includes(k[0]))) others();
+  if (m.still) settleAll();
   document.body.dataset.heard = m.t;
 }
 
 function first(m) {
   operates = m.hello.operates;
-  const same = still && still.plan === m.still.plan;
+  const same = still && JSON.stringify(still) === JSON.stringify(m.still); // then what is chosen, and typed, stays
   still = m.still;
   $("log").replaceChildren();
-  for (const rows of [choice, wrong, running, more]) rows.clear();
   for (const k of Object.keys(state)) delete state[k];
-  if (!same) plan.draw(still);
+  if (!same) {
+    for (const rows of [choice, wrong, running, more]) rows.clear();
+    plan.draw(still);
+    if (!plan.keys.has(chosen)) chosen = "";
+  }
   $("title").textContent = $("title").title = still.title;
   document.title = still.name;
   document.body.dataset.profile = still.profile;
@@ -127,12 +131,34 @@ const choice = new Rows($("acts"), v => {
   row.classList.toggle("fault", Boolean(v.fault));
 });
 
-// a reminder as it is now, unless somebody is typing another
+// a reminder as it is now, unless somebody has typed another that is not saved: that stays, and is marked
+const drafts = new Map();
 function noted(row, note) {
   const field = row.querySelector("input"), by = row.querySelector("small") ?? row.appendChild(element("small", ""));
-  if (document.activeElement !== field) field.value = note?.[0] ?? "";
-  by.textContent = note ? `by ${note[1]}, ${clock(note[2])}` : "";
-  by.title = by.textContent;
+  const {key} = field.dataset, text = note?.[0] ?? "", told = note ? `by ${note[1]}, ${clock(note[2])}` : "";
+  if (drafts.get(key) === text) drafts.delete(key);
+  const draft = drafts.get(key) ?? null;
+  if (field.value !== (draft ?? text)) field.value = draft ?? text;
+  row.classList.toggle("unsaved", draft !== null);
+  by.textContent = by.title = draft === null ? told : `NOT SAVED: Enter saves it, Esc takes it back${note ? `; saved: ${text}, ${told}` : ""}`;
+}
+
+async function remind(row, key, text) {
+  const answer = await ask({do: "remind", at: key, text});
+  if (answer.ok && drafts.get(key) === text) drafts.delete(key);
+  noted(row, rest.reminders[key]);
+}
+
+function typing(field, key) {
+  field.dataset.key = key;
+  field.addEventListener("input", () => { drafts.set(key, field.value); noted(field.parentElement, rest.reminders[key]); });
+  field.addEventListener("keydown", e => {
+    if (e.isComposing) return;
+    if (e.key === "Enter") remind(field.parentElement, key, field.value);
+    if (e.key !== "Escape" || !drafts.delete(key)) return;
+    e.stopPropagation();
+    noted(field.parentElement, rest.reminders[key]);
+  });
 }
 
 async function perform(a) {
@@ -147,7 +173,7 @@ function input(mark, text) {
   const field = document.createElement("input"), key = chosen;
   field.value = {train: called, metres}[mark] ?? ""; field.dataset.mark = mark; field.size = mark === "note" ? 26 : 7; field.maxLength = mark === "note" ? 80 : 12; field.disabled = !operates;
   field.addEventListener("input", () => { if (mark === "train") called = field.value; if (mark === "metres") metres = Number(field.value) || 40; });
-  if (mark === "note") field.addEventListener("keydown", e => { if (e.key === "Enter") ask({do: "remind", at: key, text: field.value}); });
+  if (mark === "note") typing(field, key);
   return element("label", `${text} `, field);
 }
 
@@ -237,8 +263,9 @@ function log(e, old) {
 }
 
 const wrong = new Rows($("alarms"), () => {
-  const b = button("Acknowledge", () => b.does());
-  return element("li", "", b, element("b", ""), element("span", ""));
+  const b = button("Acknowledge", () => b.does()), row = element("li", "", b, element("b", ""), element("span", ""));
+  views.observe(row);
+  return row;
 }, (row, [key, text, where, since, active, who]) => {
   const [b, head, words] = row.children;
   head.textContent = head.title = `${[clock(since), active ? "" : "over", who ? `seen by ${who}` : ""].filter(Boolean).join(", ")}:`;
@@ -250,18 +277,35 @@ const wrong = new Rows($("alarms"), () => {
   b.classList.toggle("seen", Boolean(who));
 });
 
+// an alarm that stood whole on the screen for half a second is one that somebody can have seen
+const SEEN_MS = 500, PARTS = Array.from({length: 21}, (_, k) => k / 20);
+const couldSee = row => Boolean(row?.seen || (row?.whole && performance.now() - row.whole >= SEEN_MS));
+const views = new IntersectionObserver(all => {
+  for (const {target: row, intersectionRect: r, boundingClientRect: b} of all) {
+    row.seen = couldSee(row);
+    const whole = r.height > 0 && r.height >= Math.min(b.height, $("alarms").clientHeight) - 1;
+    row.whole = whole ? row.whole || performance.now() : 0;
+  }
+  count();
+}, {threshold: PARTS});
+
 const unseen = () => rest.alarms.filter(a => !a[5]);
-let shown = [];  // what stood there half a second ago is what somebody can have seen
+const rowOf = ([key, , , since]) => wrong.rows.get(`${key} ${since}`);
 function seen(those) { if (those.length) ask({do: "acknowledge", alarms: those}); }
-const all = () => seen(unseen().map(([key, , , since]) => [key, since]).filter(a => shown.some(b => a.join() === b.join())));
+const all = () => seen(unseen().filter(a => couldSee(rowOf(a))).map(([key, , , since]) => [key, since]));
 
 function alarms() {
   wrong.show(rest.alarms.slice().reverse().map(a => [`${a[0]} ${a[3]}`, a]));
-  const fresh = unseen();
-  $("unseen").textContent = `Alarms${rest.alarms.length ? `: ${rest.alarms.length}, ${fresh.length} new` : ""}`;
+  count();
+}
+
+function count() {
+  const fresh = unseen(), hidden = fresh.map(rowOf).filter(row => row?.whole === 0);
+  const above = hidden.filter(row => row.offsetTop < $("alarms").scrollTop).length, below = hidden.length - above;
+  const told = [rest.alarms.length, `${fresh.length} new`, above ? `${above} above` : "", below ? `${below} below` : ""].filter(Boolean);
+  $("unseen").textContent = $("unseen").title = rest.alarms.length ? `Alarms: ${told.join(", ")}` : "Alarms";
   $("unseen").classList.toggle("new", fresh.length);
   $("ack").disabled = !operates || !fresh.length;
-  setTimeout(those => { shown = those; }, 500, fresh.map(([key, , , since]) => [key, since]));
 }
 
 // --- the rest of the page ---
@@ -407,13 +451,13 @@ $("line").addEventListener("submit", e => {
 });
 document.addEventListener("keydown", e => {
   if (e.key === "Escape") { $("typed").blur(); sent(); if (chosen) choose(chosen); else quiet(); return; }
-  if (e.target.matches("input, select") || e.ctrlKey || e.metaKey || e.altKey || !still) return;
+  if (e.isComposing || e.target.matches("input, select") || e.ctrlKey || e.metaKey || e.altKey || !still) return;
   const move = {ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1]}[e.key];
   if (move) plan.move(...move);
   else if (e.key === "+") plan.zoom(0.8);
   else if (e.key === "-") plan.zoom(1.25);
   else if (e.key === "0") plan.fit();
-  else if (e.key === "a") all();
+  else if (e.key === "a" && e.target.closest("#wrong")) all(); // elsewhere somebody means to type it
   else if (e.key === "/") $("typed").focus();
   else return;
   e.preventDefault();

@@ -64,7 +64,7 @@ export class Plan {
     this.heads = [];
     for (const [g, one] of Object.entries(still.signals)) if (one.calls) this.caller(by(`signal-${g}`));
     svg.addEventListener("click", e => this.clicked(e));
-    svg.addEventListener("keydown", e => { if (e.key === "Enter" || e.key === " ") { e.preventDefault(); this.clicked(e); } });
+    svg.addEventListener("keydown", e => { if (e.key === "Enter" || e.key === " ") { e.preventDefault(); if (!e.repeat) this.clicked(e); } });
     svg.addEventListener("wheel", e => { e.preventDefault(); this.zoom(e.deltaY < 0 ? 0.8 : 1.25, this.at(e)); }, {passive: false});
     this.fingers = new Map();
     svg.addEventListener("pointerdown", e => {
