@@ -147,6 +147,8 @@ def test_a_manual_change_of_direction_stands_on_the_plan(chromium: Any) -> None:
         on, off = (page.get_by_role("button", name=f"Special manual change: {x}") for x in ("on", "off"))
         assert off.is_disabled()
         press(page, "Special manual change: on")
+        page.wait_for_selector("#said:has-text('agreed by telephone')")
+        press(page, "It is agreed: change it")
         page.wait_for_selector(".note.left:text-matches('^manual change: [1-6][0-9] s$')")
         assert on.is_disabled() and "Special manual change of direction: on, complete in " in page.inner_text("#acts")
         press(page, "Special manual change: off")

@@ -1,8 +1,8 @@
 // The panel: puts socket, plan and buttons together.
 import {Talk} from "./talk.js";
 import {Plan, EXIT} from "./plan.js";
-import {acts, routesFrom, steps, train} from "./acts.js";
-import {Rows, say as label, settleAll} from "./rows.js";
+import {acts, promise, routesFrom, steps, train} from "./acts.js";
+import {Rows, say as label, settleAll, settling} from "./rows.js";
 
 const $ = id => document.getElementById(id);
 const hash = new URLSearchParams(location.hash.slice(1));
@@ -162,6 +162,8 @@ function typing(field, key) {
 }
 
 async function perform(a) {
+  const asks = promise(still, a.command, blockers.get(a.command.section), me());
+  if (asks) { sure(a.command, ...asks); return null; }
   if (!a.train) return ask(a.command);
   const name = called, field = $("acts").querySelector("[data-mark=train]");
   called = "";
@@ -182,6 +184,19 @@ function button(text, done) {
   b.type = "button";
   b.addEventListener("click", done);
   return b;
+}
+
+// the button that does it stands elsewhere, for a while, and no key that is pressed again reaches it
+const SURE_MS = 10000, blockers = new Map();
+function sure(command, question, yes) {
+  quiet();
+  const from = document.activeElement, back = () => { quiet(); from?.focus(); };
+  const does = button(yes, () => { back(); ask(command); }), words = element("strong", question);
+  words.tabIndex = -1;
+  settling(does);
+  tell(words, does, button("No", back));
+  told = {keys: about(command), at: performance.now(), then: stands(about(command)), sure: true};
+  words.focus({preventScroll: true});
 }
 
 // --- asking, and what is said of it ---
@@ -225,6 +240,7 @@ async function why(command) {
 const PAST_MS = 20000, COUNTS = {g: 2, s: 5, b: 4}; // where a value counts down
 const stands = keys => JSON.stringify([rest.sys?.power, rest.sys?.valid, ...keys.map(k => state[k]?.filter((_, i) => i !== COUNTS[k[0]]))]);
 function past() {
+  if (told?.sure) { if (performance.now() - told.at > SURE_MS || stands(told.keys) !== told.then) quiet(); return; }
   if (!told || (performance.now() - told.at < PAST_MS && stands(told.keys) === told.then)) return;
   told = null;
   $("said").classList.add("past");
@@ -257,6 +273,8 @@ function log(e, old) {
     if (rule) part.title = `${rule}: interlock explain ${rule}`;
     line.append(part);
   });
+  const block = e.kind === "operation" && /^(block|free) section (.+)$/.exec(e.text);
+  if (block) blockers.set(block[2], block[1] === "block" ? e.who : "");
   $("log").prepend(line);
   while ($("log").children.length > 200) $("log").lastChild.remove();
   if (!old && ["refusal", "operation"].includes(e.kind) && e.who === me() && e.reasons.length) say(e.text, e.reasons, e.at);
@@ -450,7 +468,7 @@ $("line").addEventListener("submit", e => {
   if (end) choose(end); else say("No route", [[`none leads from ${keys[0][0]} to ${keys[1][0]}`, []]]);
 });
 document.addEventListener("keydown", e => {
-  if (e.key === "Escape") { $("typed").blur(); sent(); if (chosen) choose(chosen); else quiet(); return; }
+  if (e.key === "Escape") { $("typed").blur(); sent(); if (told?.sure) quiet(); else if (chosen) choose(chosen); else quiet(); return; }
   if (e.isComposing || e.target.matches("input, select") || e.ctrlKey || e.metaKey || e.altKey || !still) return;
   const move = {ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1]}[e.key];
   if (move) plan.move(...move);
