@@ -127,8 +127,10 @@ def opened(found: Any, url: str, script: str = "") -> tuple[Any, list[str]]:
 
 
 def click(page: Any, selector: str) -> None:
-    """The mouse goes to the middle of something, and clicks, as soon as what is shown is not old."""
+    """The mouse goes to the middle of something, and clicks, as soon as what is shown is not old, and the plan takes
+    clicks."""
     fresh(page)
+    is_(page, "#plan", "settling", False)
     box = page.locator(selector).first.bounding_box()
     page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
 

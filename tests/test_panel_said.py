@@ -15,6 +15,7 @@ from tests.pages import (
     TAPPED,
     asked,
     between,
+    click,
     closing_pages,
     fresh,
     is_,
@@ -23,6 +24,7 @@ from tests.pages import (
     refused,
     serving,
     style,
+    typed,
     until,
     worked,
 )
@@ -176,6 +178,79 @@ def test_news_that_are_always_late_are_never_fresh(chromium: Any, tmp_path: Path
         page.wait_for_selector("#link:text-is('OLD NEWS')")
         page.evaluate("new Promise(done => setTimeout(done, 4000))")
         assert page.evaluate("window.fresh") == 0 and wrong == []
+
+
+def test_times_of_another_day_have_their_date_and_alarms_are_heard(chromium: Any, tmp_path: Path) -> None:
+    """And who acknowledges by keys goes on with the next alarm; faults of points and signals have names."""
+    with serving(unproved(quick(tmp_path).read_text("utf-8"))) as (desk, url), closing_pages(chromium) as b:
+        page, wrong = opened(b, url, TAPPED)
+        fresh(page)
+        page.evaluate("window.deaf = true, setInterval(() => tell({}), 200)")
+        at = "2026-01-31T06:00:00"
+        alarms = [[f"a{k}", f"alarm {k}", [], at, 1, ""] for k in range(3)]
+        tell = """([day, alarms, events, c = {}]) => tell({c, sys: {...SYS, day}, alarms, events})"""
+        event = {
+            "n": 9,
+            "time": at,
+            "rules": [],
+            "at": [],
+            "reasons": [],
+            "kind": "note",
+            "who": "",
+            "text": "so it is",
+        }
+        page.evaluate(tell, ["2026-01-31", alarms, [event]])
+        assert page.inner_text("#log li:first-child") == "06:00:00 so it is"
+        assert page.inner_text("#alarms li:first-child b") == "06:00:00:"
+        heard = page.inner_text("#news[role=alert]")
+        assert [f"Alarm: alarm {k}" in heard for k in range(3)] == [True] * 3
+        page.evaluate(tell, ["2026-02-01", alarms, []])
+        assert page.inner_text("#log li:first-child") == "2026-01-31 06:00:00 so it is"
+        assert page.inner_text("#alarms li:first-child b") == "2026-01-31 06:00:00:"
+        page.wait_for_selector("#alarms:not(:has(.settling))")
+        page.locator("#alarms li:nth-child(2) button").focus()
+        page.keyboard.press("Enter")
+        focused = "document.activeElement.parentElement.textContent"
+        assert "alarm 0" in page.evaluate(focused), "the one below it"
+        c = {"m:P4": ["", "R", 0, 1, 1, ""], "g:XB": ["stop", 1, 5, ["XB-XI7", 1], 1, None]}
+        page.evaluate(tell, ["2026-02-01", alarms, [], c])
+        name = page.get_attribute("#point-P4", "aria-label")
+        assert all(word in name for word in ("not detected", "commanded", "not in time", "trailed")), name
+        name = page.get_attribute("#signal-XB", "aria-label")
+        assert "route XB-XI7, cancelling, stop lamp out" in name
+        assert desk.broken == "" and wrong == []
+
+
+def test_a_signal_waits_for_the_end_of_a_route_for_a_while(chromium: Any, tmp_path: Path) -> None:
+    """A click a minute later, made to look at another signal, set a route; a double click made the next one wait."""
+    with worked(chromium, quick(tmp_path), TAPPED) as (_, page):
+        later = "ms => { const now = performance.now.bind(performance); performance.now = () => now() + ms; }"
+        click(page, "#signal-XB .reach")
+        page.wait_for_selector("#plan .exit")
+        page.evaluate(later, 21_000)
+        page.wait_for_selector("#plan:not(:has(.exit))")
+        assert page.inner_text("#of") == "signal XB"
+        click(page, "#signal-XI7 .reach")
+        page.wait_for_selector("#of:text-is('signal XI7')")
+        assert page.evaluate("sent.filter(m => m.do === 'set')") == []
+        page.evaluate(later, 21_000)
+        page.wait_for_selector("#plan:not(:has(.exit))")
+        click(page, "#signal-XI7 .reach")  # again: it waits again
+        page.wait_for_selector("#plan .exit")
+        typed(page, "XI7 XB")
+        page.wait_for_selector("#said:has-text('none leads from XI7 to XB')")
+        assert page.locator("#plan .exit").count() == 0
+
+        def twice() -> None:
+            page.keyboard.press("Escape")
+            click(page, "#signal-XB .reach")
+            fresh(page)
+            box = page.locator("#signal-XI7 .reach").bounding_box()
+            page.mouse.dblclick(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+
+        asked(page, twice)
+        page.wait_for_selector("#of:text-is('Nothing chosen')")
+        is_(page, "#signal-XB", "set")
 
 
 def test_the_box_of_the_restart_asks_for_what_can_be_done_and_no_more(chromium: Any) -> None:

@@ -8,7 +8,7 @@ const $ = id => document.getElementById(id);
 const hash = new URLSearchParams(location.hash.slice(1));
 const look = new URLSearchParams(location.search).has("look");
 const kept = {get: k => { try { return localStorage.getItem(k) ?? ""; } catch { return ""; } }, set: (k, v) => { try { localStorage.setItem(k, v); } catch { /* a browser may forbid it */ } }};
-const plan = new Plan($("plan"), key => choose(key));
+const plan = new Plan($("plan"), key => { if (!$("plan").matches(".settling")) choose(key); });
 const state = plan.state, rest = {sys: null, alarms: [], reminders: {}, trains: []};
 let ends = new Map(); // what a machine works by other names than its own, and its key
 let still = null, chosen = "", operates = false, metres = 40, called = "";
@@ -76,34 +76,42 @@ function first(m) {
 // --- what is chosen ---
 function choose(key) {
   quiet();
-  if (chosen[0] === "g" && key && key !== chosen) {
+  if (armed && key && key !== chosen) {
     const found = routesFrom(still, chosen.slice(2)).filter(r => EXIT[r.exit[0]] === at(key)[0] && r.exit[1] === key.slice(2));
     if (found.length) return pick(found);
   }
   if (key[0] === "x") key = "";
-  chosen = key === chosen ? "" : key;
+  chosen = key === chosen && (armed || chosen[0] !== "g") ? "" : key;
+  armed = chosen[0] === "g" && routesFrom(still, chosen.slice(2)).length > 0;
+  armedAt = performance.now();
   offer();
 }
+
+// the next click chooses where a route leads, for a while
+const ARMED_MS = 20000;
+let armed = false, armedAt = 0;
+function disarm() { armed = false; offer(); }
+function letGo() { chosen = ""; disarm(); }
 const at = key => key[0];
 
 const KINDS = {main: "train route", shunt: "shunting route", "call-on": "call-on route"};
 function pick(found) {
-  if (found.length === 1) { ask({do: "set", route: found[0].id}); chosen = ""; offer(); return; }
+  const set = r => { quiet(); ask({do: "set", route: r.id}); letGo(); settling($("plan")); }; // a second click by reflex chooses nothing
+  if (found.length === 1) { set(found[0]); return; }
   quiet();
-  tell(element("p", "Several routes lead there: "), ...found.map(r => button(`${KINDS[r.kind] ?? r.kind} ${r.names[0] ?? r.id} over ${r.sections.join(", ")}${r.overlap ? `, ${r.overlap}` : ""}`, () => {
-    quiet(); ask({do: "set", route: r.id}); chosen = ""; offer();
-  })));
+  tell(element("p", "Several routes lead there: "), ...found.map(r => button(`${KINDS[r.kind] ?? r.kind} ${r.names[0] ?? r.id} over ${r.sections.join(", ")}${r.overlap ? `, ${r.overlap}` : ""}`, () => set(r))));
+  told = {keys: [], at: armedAt, then: stands([]), lasts: ARMED_MS};
 }
 
 function exits() {
-  if (chosen[0] !== "g") return [];
+  if (!armed) return [];
   return routesFrom(still, chosen.slice(2)).map(r => `${EXIT[r.exit[0]]}:${r.exit[1]}`);
 }
 
 function offer() {
   plan.mark("chosen", chosen ? [chosen] : []);
   plan.mark("exit", exits());
-  $("hint").textContent = $("hint").title = chosen[0] === "g" && exits().length ? "choose where to: the ends are lit" : "";
+  $("hint").textContent = $("hint").title = armed ? "choose where to: the ends are lit" : chosen[0] === "g" && routesFrom(still, chosen.slice(2)).length ? "for a route click the signal again" : "";
   if (chosen !== offered) { offered = chosen; choice.clear(); }
   $("of").textContent = chosen ? plan.keys.get(chosen)?.[0].getAttribute("aria-label").split(":")[0] ?? chosen.slice(2) : "Nothing chosen";
   if (!chosen) { choice.show([["none", {lines: ["Choose a signal, then where the route leads; or a section, points, a boundary."]}]]); return; }
@@ -195,7 +203,7 @@ function sure(command, question, yes) {
   words.tabIndex = -1;
   settling(does);
   tell(words, does, button("No", back));
-  told = {keys: about(command), at: performance.now(), then: stands(about(command)), sure: true};
+  told = {keys: about(command), at: performance.now(), then: stands(about(command)), lasts: SURE_MS};
   words.focus({preventScroll: true});
 }
 
@@ -240,7 +248,7 @@ async function why(command) {
 const PAST_MS = 20000, COUNTS = {g: 2, s: 5, b: 4}; // where a value counts down
 const stands = keys => JSON.stringify([rest.sys?.power, rest.sys?.valid, ...keys.map(k => state[k]?.filter((_, i) => i !== COUNTS[k[0]]))]);
 function past() {
-  if (told?.sure) { if (performance.now() - told.at > SURE_MS || stands(told.keys) !== told.then) quiet(); return; }
+  if (told?.lasts) { if (performance.now() - told.at > told.lasts || stands(told.keys) !== told.then) quiet(); return; }
   if (!told || (performance.now() - told.at < PAST_MS && stands(told.keys) === told.then)) return;
   told = null;
   $("said").classList.add("past");
@@ -263,10 +271,23 @@ function say(title, reasons, of = []) {
   plan.mark("shown", reasons.flatMap(([, keys]) => keys));
 }
 
-const clock = time => time.slice(11, 19);
+const clock = time => `${!rest.sys?.day || time.startsWith(rest.sys.day) ? "" : `${time.slice(0, 10)} `}${time.slice(11, 19)}`;
+
+// at midnight all times of before get their date
+let day = "";
+function dates() {
+  if (day === rest.sys.day) return;
+  day = rest.sys.day;
+  for (const e of $("log").querySelectorAll("time")) e.textContent = clock(e.dateTime);
+  for (const rows of [wrong, choice]) for (const row of rows.rows.values()) row.told = "";
+  alarms();
+  offer();
+}
 
 function log(e, old) {
-  const line = element("li", `${clock(e.time)} ${e.who ? `${e.who}: ` : ""}${e.text}`);
+  const line = element("li", ""), time = element("time", clock(e.time));
+  time.dateTime = e.time;
+  line.append(time, ` ${e.who ? `${e.who}: ` : ""}${e.text}`);
   line.className = e.kind;
   e.reasons.forEach(([text], i) => {
     const part = element("span", text), rule = e.rules?.[i];
@@ -281,7 +302,7 @@ function log(e, old) {
 }
 
 const wrong = new Rows($("alarms"), () => {
-  const b = button("Acknowledge", () => b.does()), row = element("li", "", b, element("b", ""), element("span", ""));
+  const b = button("Acknowledge", e => b.does(e)), row = element("li", "", b, element("b", ""), element("span", ""));
   views.observe(row);
   return row;
 }, (row, [key, text, where, since, active, who]) => {
@@ -290,7 +311,7 @@ const wrong = new Rows($("alarms"), () => {
   words.textContent = text;
   row.className = `${active ? "active" : ""} ${who ? "" : "new"}`;
   row.onclick = () => { if (where.length) plan.mark("shown", where); };
-  b.does = () => seen([[key, since]]);
+  b.does = e => { if (!e.detail) next(row); seen([[key, since]]); };
   b.disabled = !operates;
   b.classList.toggle("seen", Boolean(who));
 });
@@ -312,7 +333,25 @@ const rowOf = ([key, , , since]) => wrong.rows.get(`${key} ${since}`);
 function seen(those) { if (those.length) ask({do: "acknowledge", alarms: those}); }
 const all = () => seen(unseen().filter(a => couldSee(rowOf(a))).map(([key, , , since]) => [key, since]));
 
+// who acknowledges by key goes on with the next alarm, and not at once
+function next(row) {
+  const left = [...$("alarms").children], k = left.indexOf(row);
+  const b = [...left.slice(k + 1), ...left.slice(0, k).reverse()].map(e => e.querySelector("button:not(.seen)")).find(Boolean);
+  if (b) settling(b);
+  (b ?? $("unseen")).focus();
+}
+
+const spoken = new Set();
+function speak() {
+  for (const [key, text, , since] of unseen().filter(a => !spoken.has(`${a[0]} ${a[3]}`))) {
+    spoken.add(`${key} ${since}`);
+    $("news").append(element("p", `Alarm: ${text}`));
+  }
+  while ($("news").children.length > 5) $("news").firstChild.remove();
+}
+
 function alarms() {
+  speak();
   wrong.show(rest.alarms.slice().reverse().map(a => [`${a[0]} ${a[3]}`, a]));
   count();
 }
@@ -329,6 +368,7 @@ function count() {
 // --- the rest of the page ---
 function system() {
   const s = rest.sys;
+  dates();
   document.body.classList.toggle("unsure", !s.valid);
   $("inputs").textContent = s.valid ? "inputs valid" : "INPUTS NOT VALID";
   $("inputs").className = `pill ${s.valid ? "good" : "bad"}`;
@@ -460,15 +500,17 @@ $("line").addEventListener("submit", e => {
   const lost = keys.find(([, known]) => !known.length);
   if (lost) { say("Unknown", [[`nothing on the plan is called ${lost[0]}`, []]]); return; }
   $("typed").value = "";
-  if (chosen) choose(chosen);
+  letGo();
   const from = keys[0][1], to = keys[1]?.[1];
   choose(from.find(k => k[0] === "g") ?? from[0]);
   if (!to) return;
   const end = to.find(k => exits().includes(k));
-  if (end) choose(end); else say("No route", [[`none leads from ${keys[0][0]} to ${keys[1][0]}`, []]]);
+  if (end) { choose(end); return; }
+  disarm();
+  say("No route", [[`none leads from ${keys[0][0]} to ${keys[1][0]}`, []]]);
 });
 document.addEventListener("keydown", e => {
-  if (e.key === "Escape") { $("typed").blur(); sent(); if (told?.sure) quiet(); else if (chosen) choose(chosen); else quiet(); return; }
+  if (e.key === "Escape") { $("typed").blur(); sent(); if (told?.lasts && !armed) quiet(); else { quiet(); letGo(); } return; }
   if (e.isComposing || e.target.matches("input, select") || e.ctrlKey || e.metaKey || e.altKey || !still) return;
   const move = {ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1]}[e.key];
   if (move) plan.move(...move);
@@ -486,6 +528,7 @@ setInterval(() => {
   $("link").textContent = old ? (talk.comes ? "OLD NEWS" : "NO NEWS") : operates ? "operating" : "looking";
   $("link").className = `pill ${old ? "bad" : "good"}`;
   if (still) past();
+  if (armed && performance.now() - armedAt > ARMED_MS) disarm();
   const waits = Math.floor(talk.waits / 1000);
   if (!talk.refused) $("grey").textContent = [old && still ? `What you see is older than a second${talk.comes ? ": news come late, or a clock was set" : ""}.` : "",
     talk.kept ? `All signals to stop: not sent for ${Math.floor(talk.keeps / 1000)} s, goes when the connection is back.` : "", waits ? `Sent ${waits} s ago, no answer yet.` : ""].filter(Boolean).join("  ");

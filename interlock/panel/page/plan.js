@@ -201,7 +201,7 @@ export class Plan {
     const sure = lies.length === 1, failed = late || trailed;
     for (const g of this.keys.get(`m:${name}`) ?? []) {
       toggle(g, "held", locked); toggle(g, "late", failed); toggle(g, "moving", !sure && wanted); toggle(g, "lost", !sure);
-      g.setAttribute("aria-label", `${one.called}: ${one.lies[lies] ?? (one.device ? "not proved open or closed" : "not detected")}${locked ? `, ${why || "locked"}` : ""}`);
+      g.setAttribute("aria-label", `${one.called}: ${one.lies[lies] ?? (one.device ? "not proved open or closed" : "not detected")}${[!sure && wanted ? `commanded ${one.lies[wanted]}` : "", late ? "not in time" : "", trailed ? one.trailed : "", locked ? why || "locked" : ""].filter(Boolean).map(x => `, ${x}`).join("")}`);
       toggle(g, "secured", one.device && lies === "R"); toggle(g, "released", one.device && lies === "N");
     }
     for (const p of this.lies[name] ?? []) for (const leg of ["N", "R"]) {
@@ -217,7 +217,9 @@ export class Plan {
     for (const a of ["stop", "clear", "caution", "call", "identifier", "shunt", "dark"]) toggle(group, a, a === aspect);
     toggle(group, "set", active); toggle(group, "cancelling", cancelling); toggle(group, "out", out);
     this.showSpeed(name, [marks, kmh].filter(x => x).join(" ") || null);
-    group.setAttribute("aria-label", `signal ${name}: ${marks.includes("UU") ? "two yellows" : aspect}${marks.includes("B") ? " with the route indicator" : ""}${kmh ? ` at ${kmh} km/h` : ""}${active ? `, route ${active[0]}` : ""}`);
+    const shown = `${marks.includes("UU") ? "two yellows" : aspect}${marks.includes("B") ? " with the route indicator" : ""}${kmh ? ` at ${kmh} km/h` : ""}`;
+    const more = [active ? `route ${active[0]}` : "", cancelling ? "cancelling" : "", out ? "stop lamp out" : ""].filter(Boolean);
+    group.setAttribute("aria-label", [`signal ${name}: ${shown}`, ...more].join(", "));
     this.note(`g:${name}`, "left", cancelling ? (left === null ? "cancel: waits" : `cancel: ${left} s`) : left === null ? "" : `waits: ${left} s`);
   }
 
