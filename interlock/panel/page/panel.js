@@ -63,7 +63,6 @@ function first(m) {
     if (!plan.keys.has(chosen)) chosen = "";
   }
   $("title").textContent = $("title").title = still.title;
-  document.title = still.name;
   document.body.dataset.profile = still.profile;
   document.body.classList.toggle("looks", !operates);
   $("stop").disabled = !operates;
@@ -362,6 +361,7 @@ function count() {
   const told = [rest.alarms.length, `${fresh.length} new`, above ? `${above} above` : "", below ? `${below} below` : ""].filter(Boolean);
   $("unseen").textContent = $("unseen").title = rest.alarms.length ? `Alarms: ${told.join(", ")}` : "Alarms";
   $("unseen").classList.toggle("new", fresh.length);
+  $("fresh").textContent = fresh.length ? `${fresh.length} alarm${fresh.length > 1 ? "s" : ""}` : "";
   $("ack").disabled = !operates || !fresh.length;
 }
 
@@ -527,6 +527,8 @@ setInterval(() => {
   document.body.classList.toggle("stale", old);
   $("link").textContent = old ? (talk.comes ? "OLD NEWS" : "NO NEWS") : operates ? "operating" : "looking";
   $("link").className = `pill ${old ? "bad" : "good"}`;
+  const title = still ? [unseen().length ? `(${unseen().length})` : "", old ? $("link").textContent : "", still.name].filter(Boolean).join(" ") : document.title;
+  if (document.title !== title) document.title = title;
   if (still) past();
   if (armed && performance.now() - armedAt > ARMED_MS) disarm();
   const waits = Math.floor(talk.waits / 1000);

@@ -30,6 +30,7 @@ export class Plan {
       if (path) this.edge[id] = {path, metres: still.edges[id][0], forward: still.edges[id][1], length: path.getTotalLength()};
       if (path) path.after(make("path", {class: "block", d: path.getAttribute("d")})); // over whatever else the track shows
     }
+    for (const path of svg.querySelectorAll("path.track")) path.after(make("path", {class: "core", d: path.getAttribute("d")}));
     this.slips = new Slips(svg, this.edge, by);
     this.keys = new Map();
     for (const s of Object.keys(still.sections)) this.key(`s:${s}`, by(`section-${s}`), `section ${s}`);
