@@ -26,15 +26,16 @@ document.addEventListener("click", e => {
   e.stopImmediatePropagation();
 }, true);
 
-export function settling(e) {
+export function settling(e, ms = SETTLES_MS) {
   const mark = String(performance.now());
   e.classList.add("settling");
   e.dataset.moved = mark;
-  setTimeout(() => { if (e.dataset.moved === mark) e.classList.remove("settling"); }, SETTLES_MS);
+  setTimeout(() => { if (e.dataset.moved === mark) e.classList.remove("settling"); }, ms);
 }
 
-// all that has come again takes no click for a moment
-export function settleAll() { for (const rows of every) for (const row of rows.rows.values()) settling(row); }
+// what has come again takes no click for longer: whoever has had no answer clicks again, at what says something else now
+const AGAIN_MS = 1000;
+export function settleAll() { for (const rows of every) for (const row of rows.rows.values()) settling(row, AGAIN_MS); }
 
 // what a button says and does; one that was there already and says something else settles first
 export function say(b, label) {
