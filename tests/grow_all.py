@@ -390,7 +390,20 @@ def _with_more(text: str, lines: list[str]) -> str:
     return text.replace(head, f"\n{more}", 1) if head in text else text + more
 
 
-LAST = (called_off, held_longer, with_air_lock)
+def with_indicators(seed: int, text: str, layout: Layout, table: InterlockingTable) -> str:
+    """Some directions of departure have a route indicator."""
+    rng = random.Random(f"indicators {seed}")
+    head, rest = text.split("boundaries:\n", 1)
+    lines = rest.splitlines(keepends=True)
+    for i, line in enumerate(lines):
+        if not line.startswith("  "):
+            break
+        if "trains: in}" not in line and rng.random() < 0.3:
+            lines[i] = line.replace(": {", ": {indicator: yes, ", 1)
+    return f"{head}boundaries:\n{''.join(lines)}"
+
+
+LAST = (called_off, held_longer, with_air_lock, with_indicators)
 """What is chosen by the seed alone, so that what grew before stays as it was."""
 
 

@@ -9,6 +9,8 @@ import pytest
 from interlock.audit import audit
 from interlock.checker import specification
 from interlock.checker.check import agree
+from interlock.checker.lengths import Lengths, fastest_told
+from interlock.checker.railway import Railway
 from interlock.checker.reading import loaded
 from interlock.diag import Sink
 from interlock.frontend import load_text
@@ -78,6 +80,47 @@ def test_no_time_is_shorter_than_a_train_needs_to_stand() -> None:
     (said,) = codes(own("20", D1))
     assert said.startswith("IL3023 the routes of D1 are held for 20 s, and 23.6 s are needed")
     assert codes(own("24", D1)) == [], "no train obeys it"
+
+
+FAST = """
+interlock: 1
+name: fast
+principles: {line_speed_kmh: 160, caution: never, restart_delay_s: 240}
+boundaries: {W: {approach: wa 3000, trains: in}, F: {approach: fa 3000, trains: in}, E: {trains: out}}
+tracks: {west: [W, far 2500, rear 30, stub 60], loop: [F, l 300], main: [m 300, E]}
+points:
+  P: {section: p, toe: main.start, normal: west.end, reverse: loop.end, legs: 20}
+sections: {rear: {speed: 30}}
+signals:
+  X: {from: W, into: far}
+  S: {from: rear, into: stub, release: RELEASE}
+  V: {from: F, into: l}
+  T: {from: l, into: p}
+"""
+"""The last 30 m before S are run at 30 km/h, and what comes there begins to brake from 160."""
+
+
+def test_a_train_that_is_told_far_away_brakes_from_the_speed_there() -> None:
+    """5 s and 160 / 3.6 / 0.6: only the last section's 30 km/h counted, 18.9 s, and a train that kept to everything ran
+    past S after its route had been given up."""
+    (said,) = codes(FAST.replace("RELEASE", "79"))
+    assert "79.1 s are needed" in said and "braking from 160 km/h, the highest speed in its approach" in said
+    text = FAST.replace("RELEASE", "80")
+    made = grown(text)
+    assert codes(text) == [] and made is not None
+    controller = lower(made[0], made[1])
+    name = next(n for g, n in controller.symbols.cancellation.approach_timer.items() if g == "S")
+    short = with_presets(controller, 79_000, name)
+    refuted = prove(System(made[0], short), limits=Limits(search_s=0))
+    assert {"D-PRESET", "T-COLLISION"} <= {c.id for c in refuted.claims if c.verdict is not Verdict.PROVED}
+
+
+def test_the_second_checker_asks_for_the_speed_far_away_too() -> None:
+    text = FAST.replace("RELEASE", "80")
+    lengths = Lengths(Railway(loaded(text)))
+    signal = next(g for g in lengths.r.signals.values() if g.name == "S")
+    assert lengths.halt(fastest_told(lengths, signal)) == 79_075
+    assert agree(*told(text), specification.shipped()).left == ()
 
 
 def test_a_board_holds_nothing() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from interlock.audit import audit
 from interlock.checker.check import agree
 from interlock.checker.reading import loaded
 from interlock.checker.specification import shipped
@@ -11,6 +12,7 @@ from interlock.commissioning.book import book
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.cabinet import allocate
 from interlock.logic.lower import lower
+from interlock.model.elements import RouteId
 from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.verdict import Verdict
 from interlock.proof.mutation import forgotten
@@ -23,6 +25,28 @@ from tests.written import told
 
 CN = TWO.replace("name: two", "name: two\nprofile: cn")
 LIT = {"CLR_wa": 1}
+FORK = """
+interlock: 1
+name: fork
+profile: cn
+boundaries:
+  W: {approach: wa 300}
+  E: {approach: ea 300}
+  F: {approach: fa 300, indicator: yes}
+tracks:
+  west: [W, q1 200]
+  east: [q6 200, E]
+  branch: [q7 200, F]
+points:
+  P: {section: q2, toe: west.end, normal: east.start, reverse: branch.start}
+signals:
+  X1: {from: W,  into: q1}
+  X2: {from: q1, into: q2}
+  Y1: {from: E,  into: q6}
+  Y2: {from: q6, into: q2}
+  Z1: {from: F,  into: q7}
+  Z2: {from: q7, into: q2}
+"""
 
 
 @pytest.mark.parametrize(("route", "yellows"), [("X2-X4", {"YY_X2", "YU_X2"}), ("X2-X3", {"YY_X2"})])
@@ -111,3 +135,22 @@ def test_filaments_and_indicator_are_tried_when_it_is_commissioned() -> None:
         assert any(lamp in do for do in tried), lamp
     assert any("two yellows and 40 km/h (YY_X2, YU_X2, YV40_X2)" in s.expect for s in steps_)
     assert [(s.number, s.do, s.came) for s in steps_ if s.came] == []
+
+
+def test_a_route_indicator_tells_departures_in_the_branching_direction_and_no_others() -> None:
+    """The Chinese form printed B, and there was no lamp for it."""
+    sim = simulator(FORK)
+    for route, lit in (("X2-E", {"YP_X2"}), ("X2-F", {"YP_X2", "YB_X2"})):
+        steps(sim, 1, REQ=number(sim, route))
+        steps(sim, 8, **LIT)
+        assert {x for x in ("YP_X2", "YY_X2", "YB_X2") if on(sim, x)} == lit, route
+        steps(sim, 1, CAN_X2=1, **LIT)
+        steps(sim, 6, **LIT)
+    made = grown(FORK)
+    assert made is not None and made[1].route[RouteId("X2-F")].signal.aspect.indicator
+    assert audit(made[0], made[1]) == () and agree(*told(FORK), shipped()).left == ()
+    with pytest.raises(Rejected, match="S-ASPECT"):
+        agree(loaded(FORK), *told(FORK.replace(", indicator: yes", ""))[1:], shipped())
+    dark = next(c for _, c in forgotten.indicator_dark(made[0], made[1]))
+    found = prove(System(made[0], dark), Limits(search_depth=0))
+    assert {c.id for c in found.claims if c.verdict is not Verdict.PROVED and c.id.startswith("S-")} == {"S-ASPECT"}

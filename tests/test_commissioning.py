@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import html
 import json
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -177,6 +178,10 @@ def test_the_command_writes_sheets_and_a_table(tmp_path: Path, monkeypatch: pyte
     page = Path("fig2_2_tests.html").read_text("utf-8")
     assert all(row[0] in page for row in rows[1:-1]) and "not certified" in page
     assert all(html.escape(x) in page for x in WITHOUT)
+    digest = re.search(r"Layout fig2_2, (\w+)\.", page)
+    assert digest and f'@bottom-left {{ content: "fig2_2, {digest[1]}"' in page, "a sheet by itself says what it is of"
+    assert "counter(page)" in page and "counter(pages)" in page
+    assert page.count(", tested by: ____") == page.count("<h2>") + 1, "each part is signed, and all of it"
     Path("fig2_2_tests.csv").write_text("seen: all right", "utf-8")  # what a tester has filled in is not overwritten
     done = run.invoke(cli, ["commission", layout])
     assert done.exit_code == 1 and "--force" in done.output

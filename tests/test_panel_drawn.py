@@ -82,11 +82,16 @@ def test_each_state_is_drawn_as_the_table_says(chromium: Any) -> None:
         for occupied, ways in ((0, []), (0, [1]), (1, []), (1, [1])):
             page.evaluate("v => tell({c: {'s:g4': v}})", [occupied, ways, 0, 0, 0, None, 0, 0])
             wide.append(float(style(page, "#section-g4 .track", "strokeWidth").removesuffix("px")))
-        assert wide[0] == wide[1] and wide[2] == wide[3] >= 1.6 * wide[0]
+        assert wide[0] < wide[1] < wide[2] == wide[3] >= 1.6 * wide[0]
         page.evaluate("document.getElementById('section-g8').classList.add('chosen', 'shown', 'exit')")
         page.evaluate("tell({c: {'s:g8': [0, [], 0, 0, 0, null, 0, 0]}})")
         assert style(page, "#section-g8 .track", "strokeWidth") == f"{wide[0]:g}px", "pointed at is not occupied"
         assert style(page, "#section-g8 .hit", "stroke") not in ("none", "rgba(0, 0, 0, 0)")
+        assert style(page, "#section-g8 .hit", "strokeDasharray") != "none", "what refuses is not chosen"
+        core = "document.querySelector('#section-g4 .track + .core')"
+        for state, double in (([0, []], False), ([0, [1]], True), ([1, [1]], False), ([1, []], False)):
+            page.evaluate("v => tell({c: {'s:g4': v}})", [*state, 0, 0, 0, None, 0, 0])
+            assert (page.evaluate(f"getComputedStyle({core}).stroke") != "none") == double, "told without its colour"
         for blocked in (0, 1):
             page.evaluate("v => tell({c: {'s:g4': v}})", [0, [1], 0, blocked, 0, None, 0, 0])
             assert style(page, "#section-g4 .track", "stroke") == yellow, "blocked, and still seen to be locked"
@@ -147,6 +152,8 @@ def test_a_manual_change_of_direction_stands_on_the_plan(chromium: Any) -> None:
         on, off = (page.get_by_role("button", name=f"Special manual change: {x}") for x in ("on", "off"))
         assert off.is_disabled()
         press(page, "Special manual change: on")
+        page.wait_for_selector("#said:has-text('agreed by telephone')")
+        press(page, "It is agreed: change it")
         page.wait_for_selector(".note.left:text-matches('^manual change: [1-6][0-9] s$')")
         assert on.is_disabled() and "Special manual change of direction: on, complete in " in page.inner_text("#acts")
         press(page, "Special manual change: off")
@@ -178,7 +185,8 @@ def test_numbers_stand_at_their_sections_and_over_no_name(chromium: Any, server:
 
 
 MEETING = """() => {
-    const all = [...document.querySelectorAll('header > :not([hidden]), #line label, #line button')];
+    const all = [...document.querySelectorAll(
+        'header > :not([hidden], #bar), #bar > *, #line label, #line button')];
     const boxes = all.map(e => [e.id, e.getBoundingClientRect()]);
     const meet = (a, b) => a.x < b.right - 1 && b.x < a.right - 1 && a.y < b.bottom - 1 && b.y < a.bottom - 1;
     return boxes.flatMap(([n, a], k) => boxes.slice(k + 1).filter(([, b]) => meet(a, b)).map(([m]) => [n, m]));
@@ -190,9 +198,7 @@ def test_on_small_screens_nothing_lies_over_anything_or_is_cut(chromium: Any, se
     with closing_pages(chromium) as b:
         page, wrong = opened(b, server.url)
         page.set_viewport_size({"width": 390, "height": 800})
-        parts = (
-            "['#plan', '#said', '#line', 'aside'].map(x => document.querySelector(x).getBoundingClientRect().toJSON())"
-        )
+        parts = "['#plan', '#line', 'aside'].map(x => document.querySelector(x).getBoundingClientRect().toJSON())"
         boxes = page.evaluate(parts)
         for across, down, lines, plan in ((1024, 768, 2, 520), (1366, 768, 1, 560), (390, 800, 5, 200)):
             page.set_viewport_size({"width": across, "height": down})
@@ -221,6 +227,15 @@ def test_on_small_screens_nothing_lies_over_anything_or_is_cut(chromium: Any, se
         click(page, "#signal-XB .reach")
         is_(page, "#signal-XB", "chosen")
         page.keyboard.press("Escape")
+        for wide, high in ((683, 384), (390, 844)):
+            page.set_viewport_size({"width": wide, "height": high})
+            typed(page, "nowhere")
+            page.wait_for_selector("#said:has-text('nothing on the plan is called nowhere')")
+            page.evaluate("scrollTo(0, document.documentElement.scrollHeight)")
+            for part in ("#link", "#stop", "#said", "#fresh"):
+                box = page.locator(part).bounding_box()
+                assert box["y"] >= 0 and box["y"] + box["height"] <= high and box["width"] > 20, (part, wide)
+            assert page.title().startswith("(") and page.title().endswith("heishan")
         page.set_viewport_size({"width": 1280, "height": 760})
         tops = "[...document.querySelectorAll('header > :not([hidden])')].map(e => e.getBoundingClientRect().bottom)"
         assert max(page.evaluate(tops)) < 40, "the head is one line"

@@ -6,6 +6,7 @@ import errno
 import html
 import json
 import os
+import re
 from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
@@ -150,6 +151,10 @@ def test_nothing_is_left_out_of_a_night_or_where_the_clock_is_set_back(
     night = recorded("night.log", [22.0, 23.5, 26.0, 29.0])
     text = played(night, "--journal", "--from", "23:00", "--to", "02:30")[1]
     assert [k for k in range(4) if f"event {k}" in text] == [1, 2] and "set back" not in text
+    assert re.findall(r'class="day"><th colspan="3">(.*?)<', text) == ["2026-03-03", "2026-03-04"]
+    assert text.index("2026-03-04</th>") > text.index("event 1") and text.index("2026-03-04</th>") < text.index(
+        "event 2"
+    )
     assert played(night, "--from", "23:40", "--to", "23:00") == (1, "error: --to 23:00 is before --from 23:40\n")
 
 

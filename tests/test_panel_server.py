@@ -8,6 +8,7 @@ import socket
 import subprocess
 import sys
 import threading
+import time
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -81,6 +82,14 @@ class Wall:
 
     def sleep(self, seconds: float) -> None:
         self.at += seconds
+
+
+def test_the_clock_is_told_at_once(ready: Ready) -> None:
+    """To somebody who only looks, too: by it he knows how old is what he sees."""
+    with panel(ready) as (_, browser), browser(name="x", look=True) as b:
+        before = time.time()
+        answer = b.ask("clock")
+        assert before <= answer["clock"] <= time.time() and answer["re"] == 7
 
 
 def test_simulated_time_runs_faster_and_never_leaps() -> None:

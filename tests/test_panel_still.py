@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import queue
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from interlock.panel.desk import Desk
 from interlock.panel.operating import Person
 from tests.pages import (
+    TAPPED,
     asked,
     between,
     closing_pages,
@@ -18,6 +21,7 @@ from tests.pages import (
     over,
     press,
     serving,
+    until,
     worked,
 )
 from tests.panels import quick, unproved
@@ -136,10 +140,152 @@ WHEN = """([box, word, act]) => new Promise(done => new MutationObserver((_, o) 
     o.disconnect();
     const b = [...document.querySelectorAll(`${box} button`)].find(e => e.textContent.includes(word));
     const r = b?.getBoundingClientRect();
-    if (act) document.body.dispatchEvent(new KeyboardEvent("keydown", {key: act, bubbles: true}));
+    if (act === "click") b.click();
+    else if (act) document.getElementById("ack").dispatchEvent(new KeyboardEvent("keydown", {key: act, bubbles: true}));
     window.hit = r && document.elementFromPoint(r.x + r.width / 2, r.y + r.height / 2) === b;
 }).observe(document.querySelector(box), {subtree: true, childList: true, characterData: true}) ?? done())"""
-"""In the moment in which a word appears in a box: presses a key, and keeps whether a click would hit that button."""
+"""In the moment in which a word appears in a box: presses a key beside the alarms, or clicks the button without the
+mouse, as a key does; and keeps whether a click of the mouse would hit it."""
+
+
+def done(desk: Desk, text: str) -> int:
+    """How often something was done here."""
+    return int(between(desk, lambda: sum(e.text == text for e in (*desk.browsers.events, *desk.browsers._fresh))))
+
+
+def by(desk: Desk, **command: Any) -> None:
+    """Somebody else asks for something, and has it."""
+    found: queue.SimpleQueue[dict[str, Any]] = queue.SimpleQueue()
+    desk.ask(Person("another", True), command, found.put)
+    assert found.get(timeout=10)["ok"]
+
+
+def test_a_key_does_what_stood_there_when_it_was_pressed_and_does_it_once(chromium: Any, tmp_path: Path) -> None:
+    """Enter pressed twice, or held down, blocked a section and freed it; Space that was pressed on `Block` freed what
+    somebody else had blocked meanwhile."""
+    with worked(chromium, quick(tmp_path), TAPPED) as (desk, page):
+        page.locator("#section-s3").focus()
+        page.keyboard.press("Enter")
+        page.evaluate(WHEN, ["#acts", "Free it again", "click"])
+        page.locator("#acts button:text-is('Block')").focus()
+        for _ in range(30):
+            page.keyboard.down("Enter")
+            page.wait_for_timeout(33)
+        page.keyboard.up("Enter")
+        page.wait_for_selector("#acts button:text-is('Free it again')")
+        page.wait_for_selector("#acts:not(:has(.settling))")
+        assert (done(desk, "block section s3"), done(desk, "free section s3")) == (1, 0)
+        by(desk, do="block", section="s3", on=False)
+        page.wait_for_selector("#acts button:not(.settling):text-is('Block')")
+        page.locator("#acts button:text-is('Block')").focus()
+        page.keyboard.down("Space")
+        by(desk, do="block", section="s3", on=True)
+        is_(page, "#section-s3 .track", "blocked")
+        page.wait_for_timeout(500)
+        page.keyboard.up("Space")
+        page.wait_for_selector("#acts button:not(.settling):text-is('Free it again')")
+        assert done(desk, "free section s3") == 1 and desk.operating.stands.blocks == ("s3",)
+        page.wait_for_selector("#power-key:not(.settling):text-is('Cut the power')")
+        page.locator("#power-key").focus()
+        page.keyboard.down("Space")
+        by(desk, do="power", on=False)
+        page.wait_for_selector("#power-key:not(.settling):text-is('Give power')")
+        page.keyboard.up("Space")
+        fresh(page)
+        page.evaluate("new Promise(done => setTimeout(done, 300))")
+        assert not desk.power and page.evaluate("sent.filter(m => m.do === 'power')") == []
+        page.locator("#section-s9").focus()
+        for _ in range(2):
+            page.keyboard.down("Enter")
+        page.keyboard.up("Enter")
+        assert page.inner_text("#of") == "section s9"
+
+
+SETTLED = """() => {
+    window.settled = 0;
+    const look = all => { for (const m of all) window.settled += m.target.matches("#acts button.settling"); };
+    new MutationObserver(look).observe(document.body, {subtree: true, attributes: true, attributeFilter: ["class"]});
+}"""
+"""Counts how often a button of what is chosen takes no click for a moment."""
+
+
+def test_a_page_that_comes_back_has_what_was_chosen_and_typed_and_takes_no_click_at_once(
+    chromium: Any, tmp_path: Path
+) -> None:
+    """Its buttons were new, and freed what had just been blocked; what was typed on went nowhere, and an a in it
+    acknowledged all alarms."""
+    with worked(chromium, quick(tmp_path), TAPPED) as (desk, page):
+        page.locator("#section-s3").focus()
+        page.keyboard.press("Enter")
+        page.evaluate(SETTLED)
+        page.evaluate(WHEN, ["#acts", "Free it again", "click"])
+
+        def back() -> None:
+            page.evaluate("window.away = true, socket.close()")
+            until(page, "socket.readyState === 3")
+            by(desk, do="block", section="s3", on=True)
+            page.evaluate("window.away = false")
+            until(page, "socket.readyState === 1")
+            fresh(page)
+
+        back()
+        page.wait_for_selector("#acts button:not(.settling):text-is('Free it again')")
+        assert desk.operating.stands.blocks == ("s3",) and done(desk, "free section s3") == 0
+        count = page.evaluate("settled")
+        between(desk, lambda: desk._once("something happened"))
+        page.wait_for_selector("#alarms li:has-text('something happened')")
+        note = page.locator("[data-mark=note]")
+        note.focus()
+        page.keyboard.type("rail crack, men ")
+        back()
+        page.keyboard.type("at work")
+        until(page, f"settled > {count}")
+        assert page.inner_text("#of") == "section s3"
+        assert note.input_value() == "rail crack, men at work" and "NOT SAVED" in page.inner_text("#acts .unsaved")
+        page.locator("h1").click()
+        page.keyboard.press("a")
+        page.locator("#section-s9").focus()
+        page.keyboard.press("Enter")
+        assert note.input_value() == ""
+        page.locator("#section-s3").focus()
+        page.keyboard.press("Enter")
+        assert note.input_value() == "rail crack, men at work"
+        by(desk, do="remind", at="s:s3", text="another's")
+        page.wait_for_selector('#acts .unsaved:has-text("saved: another\'s, by another")')
+        enter = "e => e.dispatchEvent(new KeyboardEvent('keydown', {key: 'Enter', isComposing: %s, bubbles: true}))"
+        note.evaluate(enter % "true")
+        assert page.evaluate("sent.filter(m => m.do === 'remind')") == []
+        asked(page, lambda: note.evaluate(enter % "false"))
+        page.wait_for_selector("#acts:not(:has(.unsaved)):has-text('by operator')")
+        assert page.locator("#alarms .new:has-text('something happened')").count() == 1
+        assert desk.operating.reminders["s:s3"][0] == "rail crack, men at work"
+        note.fill("x")
+        note.press("Escape")
+        assert note.input_value() == "rail crack, men at work" and page.inner_text("#of") == "section s3"
+
+
+def test_an_alarm_that_was_never_in_view_is_not_acknowledged_with_all(chromium: Any, tmp_path: Path) -> None:
+    with worked(chromium, quick(tmp_path)) as (desk, page):
+        over(page, "h1")
+        for n in range(12):
+            between(desk, lambda n=n: desk._once(f"something happened, number {n}"))
+        page.wait_for_selector("#alarms li:has-text('number 11')")
+        page.wait_for_selector("#unseen:has-text(' new, '):has-text(' below')")
+
+        def acknowledge_until_gone(alarm: str) -> None:
+            for _ in range(30):
+                page.evaluate("new Promise(done => setTimeout(done, 700))")  # by the page's clock, as it counts itself
+                asked(page, lambda: page.locator("#ack").evaluate("b => b.click()"))
+                if done(desk, f"seen: {alarm}"):
+                    return
+                page.locator("#alarms li:last-child").scroll_into_view_if_needed()
+            raise AssertionError(page.inner_text("#alarms"))
+
+        page.evaluate("new Promise(done => setTimeout(done, 2000))")
+        asked(page, lambda: page.locator("#ack").evaluate("b => b.click()"))
+        page.wait_for_selector("#alarms:not(:has-text('number 11'))")
+        assert "number 0" in page.inner_text("#alarms") and not done(desk, "seen: something happened, number 0")
+        acknowledge_until_gone("something happened, number 0")
 
 
 def test_what_has_moved_or_says_something_else_takes_no_click_at_once(chromium: Any, tmp_path: Path) -> None:
@@ -160,7 +306,7 @@ def test_what_has_moved_or_says_something_else_takes_no_click_at_once(chromium: 
             over(page, "h1")
             between(desk, lambda: desk._once(seen))
             page.wait_for_selector(f"#alarms li:has-text('{seen}')")
-            page.evaluate("new Promise(done => setTimeout(done, 700))")  # by the page's clock, as it counts itself
+            page.evaluate("new Promise(done => setTimeout(done, 2000))")  # by the page's clock, as it counts itself
             over(page, f"#alarms li:has-text('{seen}') button")
             fresh(page)
             page.evaluate(WHEN, ["#alarms", newest, "a"])  # it has just come: nobody can have seen it

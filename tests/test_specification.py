@@ -347,7 +347,11 @@ WEAKENED = {
     ),
     "trains against each other on the line": ("passing_loop", " and not (sends(b) and line_out(b))", ""),
     "a zone that is never full": ("heishan", "must: not too_full(z)", "must: not too_full(z) or valid"),
-    "a speed beside stop": ("flank_lab", "lit'(l) -> opens_main'(g)", "lit'(l) -> opens_main'(g) or stop'(g)"),
+    "a speed beside stop": (
+        "flank_lab",
+        "l in speed_lamps(g): lit'(l) -> opens_main'(g)",
+        "l in speed_lamps(g): lit'(l) -> opens_main'(g) or stop'(g)",
+    ),
     "flank space may be occupied": (
         "flank_lab",
         "after_scan(o) -> quiet(s, x)",

@@ -37,6 +37,12 @@ def aspect(layout: Layout, trip: Trip, slowest: int | None) -> tuple[Shows, Sign
     return Shows.NEXT, ahead[0].id
 
 
+def route_indicator(layout: Layout, trip: Trip) -> bool:
+    """Whether the signal lights its route indicator for the trip."""
+    out = layout.track.boundary_at.get(trip.run.moves[-1].node)
+    return out is not None and out.indicator and not (trip.call_on or trip.identifier or trip.shunt)
+
+
 def _two_yellows(layout: Layout, trip: Trip) -> bool:
     """Whether the trip leads over a reversed point and not out onto a line that is checked, or does so before the last
     signal that it passes."""

@@ -13,7 +13,7 @@ from itertools import product
 
 from interlock.audit.added import added, chosen, declared
 from interlock.audit.approach import approach_sections
-from interlock.audit.aspect import aspect
+from interlock.audit.aspect import aspect, route_indicator
 from interlock.audit.conditions import conditions
 from interlock.audit.flank import flank
 from interlock.audit.foul import Foul, across, crossed, foul_neighbours
@@ -196,6 +196,10 @@ def _row(layout: Layout, r: RouteRow, trip: Trip, come: frozenset[SectionId] | N
         yield Finding(r.id, "devices", f"to be closed are {', '.join(sorted(secured)) or 'none'}")
     if (r.signal.aspect.shows, r.signal.aspect.next) != (shown := aspect(layout, trip, _slowest(layout, trip))):
         yield Finding(r.id, "aspect", f"an open {r.entry} shows {shown[0]}")
+    if bool(r.signal.aspect.indicator) is not route_indicator(layout, trip):
+        yield Finding(
+            r.id, "aspect", f"the route indicator of {r.entry} is {'dark' if r.signal.aspect.indicator else 'lit'}"
+        )
     if r.signal.speed.kmh != (slowest := _slowest(layout, trip)):
         yield Finding(r.id, "speed", f"the lowest speed along the path is {slowest}")
     if r.signal.closing.whole != (left := _left_behind(layout, trip, rear)):

@@ -10,9 +10,9 @@ from interlock.checker.railway import Calling, Path, Run, Signal, safe
 from interlock.checker.words import fact
 from interlock.verify import need
 
-MAIN, CALL_ON, WHITE, IDENTIFIER, SECOND = ("YP", "YY"), ("YO",), ("YW",), ("YI",), ("YU",)
+MAIN, CALL_ON, WHITE, IDENTIFIER, SECOND, BRANCH = ("YP", "YY"), ("YO",), ("YW",), ("YI",), ("YU",), ("YB",)
 """Outputs of clear and caution, of the call-on aspect beside stop, of the shunt aspect, of the identifier light, of the
-second yellow lamp beside caution."""
+second yellow lamp beside caution, of the route indicator."""
 
 
 class Lamps(Ahead):
@@ -73,7 +73,7 @@ class Lamps(Ahead):
 
     def w_lamps_for_others(self, g: Signal) -> list[str]:
         """Lamps that speak to movements of which the layout does not let a signal speak."""
-        trains = [*self.lamps(g, (*MAIN, *SECOND)), *self.w_speed_lamps(g)]
+        trains = [*self.lamps(g, (*MAIN, *SECOND, *BRANCH)), *self.w_speed_lamps(g)]
         return [*([] if g.main else trains), *([] if g.shunt else self.lamps(g, WHITE))]
 
     def w_lamps_but_identifier(self, g: Signal) -> list[str]:
@@ -103,6 +103,29 @@ class Lamps(Ahead):
 
     def w_caution_lamps(self, g: Signal) -> list[str]:
         return self.lamps(g, ("YY",))
+
+    def w_branch_lamps(self, g: Signal) -> list[str]:
+        return self.lamps(g, BRANCH)
+
+    def w_branching(self, g: Signal) -> list[Path]:
+        """The paths of trains out in a direction that has a route indicator."""
+        return [p for p in self.w_train_paths(g) if self._indicated(p)]
+
+    def w_departing_otherwise(self, g: Signal) -> list[Path]:
+        """Those out in a direction that has none."""
+        return [p for p in self.w_train_paths(g) if self._out(p) and not self._indicated(p)]
+
+    def w_runs_branching(self, g: Signal) -> list[Run]:
+        return [u for u in self.w_runs(g) if self._indicated(u.last)]
+
+    def w_runs_otherwise(self, g: Signal) -> list[Run]:
+        return [u for u in self.w_runs(g) if self._out(u.last) and not self._indicated(u.last)]
+
+    def _out(self, p: Path) -> bool:
+        return p.last.exit in self.r.drawn.boundaries
+
+    def _indicated(self, p: Path) -> bool:
+        return self._out(p) and self.r.drawn.boundaries[p.last.exit].get("indicator") in ("yes", "true", True)
 
     def w_turned_inside(self, g: Signal) -> list[Path]:
         """The paths of trains over a reversed point into a track inside the layout that ask for two yellows (R11)."""

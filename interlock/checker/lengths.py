@@ -64,6 +64,17 @@ class Approach:
     further: tuple[tuple[Way, Approach], ...] = ()
 
 
+def fastest_told(lengths: Lengths, g: Signal) -> float:
+    """The highest speed at which a train may run when it is told of a main signal: in rear of it, or anywhere on its
+    way to it; unseen, at the line's."""
+    fastest, todo = lengths.kmh(lengths.before(g)), [lengths.approach(g)] if g.main else []
+    while todo:
+        x = todo.pop()
+        fastest = max(fastest, lengths.kmh(x.section))
+        todo += [y for _, y in x.further]
+    return fastest
+
+
 def whole_ms(seconds: float) -> int:
     """A delay as the layout states it: a controller counts whole milliseconds, and no fewer."""
     return ceil(_decimal(seconds) * 1000)

@@ -9,7 +9,7 @@ from typing import Any
 from interlock.checker.ahead import Overlap
 from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, names, no, some
 from interlock.checker.lamps import CALL_ON, IDENTIFIER, MAIN, WHITE, Lamps
-from interlock.checker.lengths import Approach, whole_ms
+from interlock.checker.lengths import Approach, fastest_told, whole_ms
 from interlock.checker.railway import Calling, Path, Signal, safe
 from interlock.checker.track import Way
 from interlock.checker.words import fact
@@ -176,6 +176,21 @@ class Terminals(Lamps):
 
     def w_passed(self, s: str) -> Formula:
         return leaf(f"P_{safe(s)}")
+
+    def w_rear_cleared(self, s: str) -> Formula:
+        """The controller remembers that it was used, and the section in rear of its signal seen clear since."""
+        return self.known(f"RC_{safe(s)}")
+
+    def w_rear_section(self, g: Signal) -> str:
+        return str(self.lengths.before(g))
+
+    def w_with_rear_detected(self) -> list[Signal]:
+        """The signals that trains obey, where what comes to them is seen in the section in rear."""
+        undetected = {None, *self.r.track.undetected}
+        return [g for g in self.w_opening() if g.main and self.lengths.before(g) not in undetected]
+
+    def w_with_rear_detected_into(self, s: str) -> list[Signal]:
+        return [g for g in self.w_with_rear_detected() if g.into == s]
 
     def w_cancelled(self, g: Signal) -> Formula:
         """The controller remembers that the signal was cancelled; one without routes is never."""
@@ -524,7 +539,8 @@ class Terminals(Lamps):
 
     def w_until_passed_or_standing(self, g: Signal) -> int:
         """Until whoever saw proceed has passed or stands; a shunting movement is slower."""
-        return self._kinds(g, self.w_until_standing(g), self.lengths.halt(self.r.drawn.rule("shunt_speed_kmh")))
+        trains = self.lengths.halt(fastest_told(self.lengths, g))
+        return self._kinds(g, trains, self.lengths.halt(self.r.drawn.rule("shunt_speed_kmh")))
 
     def w_until_all_stand(self) -> int:
         return self.lengths.until_all_stand()

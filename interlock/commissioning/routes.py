@@ -138,7 +138,7 @@ class RouteTests:
         """All lamps of the signal."""
         a, g = self._bench.symbols.aspects, self._row.row.entry
         speeds = (n for (s, _), n in a.speed.items() if s == g)
-        second = (a.second[g],) if g in a.second else ()
+        second = tuple(of[g] for of in (a.second, a.indicator) if g in of)
         return (*a.proceed_lamps(g), *a.proceed_lamps(g, True), *second, *speeds, a.stop[g])
 
     # --- what it needs, what it locks, what it excludes ---

@@ -77,4 +77,6 @@ class Row:
         word = "clear" if clear else "caution"
         if shows is Shows.TWO_YELLOWS:
             lamps, word = (*lamps, a.second[g]), str(shows)
+        if self.row.signal.aspect.indicator:
+            lamps, word = (*lamps, a.indicator[g]), f"{word} with the route indicator"
         return (lamps, word) if kmh is None else ((*lamps, a.speed[g, kmh]), f"{word} and {kmh} km/h")

@@ -95,6 +95,13 @@ def derive_token(layout: Layout, path: Path) -> TokenCell | None:
 
 
 def derive_aspect(layout: Layout, path: Path) -> AspectCell:
+    """What the signal shows while it is open for the path (R11)."""
+    boundary = layout.track.boundary_at.get(path.parts[-1].ways[-1].exit)
+    departs = path.kind is RouteKind.MAIN and boundary is not None and boundary.indicator
+    return replace(_aspect(layout, path), indicator=departs or None)
+
+
+def _aspect(layout: Layout, path: Path) -> AspectCell:
     """What the open signal shows: shunt, clear, or caution (R11)."""
     rule = layout.principles.caution
     if path.kind is RouteKind.CALL_ON:

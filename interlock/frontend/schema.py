@@ -75,7 +75,7 @@ class BoundarySpec(Part):
         "none",
     )
     button: Text = key("the button that ends departure routes here, as national forms print it", "")
-    indicator: YesNo = key("departures this way have a route indicator; printed in national forms", False)
+    indicator: YesNo = key("departures this way light a route indicator at their signal (R11; output `YB_`)", False)
     xy: XY | None = place()
 
 

@@ -35,6 +35,7 @@ _LAMPS = (
         names.SHUNT_ASPECT,
         names.CALL_ASPECT,
     ),
+    names.ROUTE_INDICATOR,
     names.IDENTIFIER_ASPECT,
 )
 

@@ -107,6 +107,7 @@ class AspectSymbols:
     clear: Mapping[SignalId, Name]
     caution: Mapping[SignalId, Name]
     second: Mapping[SignalId, Name]
+    indicator: Mapping[SignalId, Name]
     call_on: Mapping[SignalId, Name]
     identifier: Mapping[SignalId, Name]
     shunt: Mapping[SignalId, Name]
@@ -135,14 +136,10 @@ class AspectSymbols:
         """Whether a signal shows its identifier light."""
         return var(self.identifier[g]) if g in self.identifier else FALSE
 
-    def shows(self, g: SignalId) -> Expr:
-        """Whether the controller shows anything but stop at a signal."""
-        return disj((self.signal(g), self.signal(g, shunt=True)))
-
 
 def lamps(a: AspectSymbols) -> Iterator[Name]:
     """The outputs that are lit at signals and distants, stop lamps among them; not the speeds."""
-    for aspect in (a.clear, a.caution, a.second, a.call_on, a.shunt, a.stop, a.identifier):
+    for aspect in (a.clear, a.caution, a.second, a.indicator, a.call_on, a.shunt, a.stop, a.identifier):
         yield from aspect.values()
     yield from (*a.distant_clear.values(), *a.distant_caution.values())
 
@@ -150,12 +147,14 @@ def lamps(a: AspectSymbols) -> Iterator[Name]:
 @dataclass(frozen=True)
 class CancelSymbols:
     """Names of cancellation and approach locking (R8), by the signal at which routes begin; `approach_of`: the section
-    in rear of it."""
+    in rear of it; `rear_cleared`: by the first section behind a main signal, that what was in rear has been seen clear
+    since a train came in (R9)."""
 
     cancel: Mapping[SignalId, Name]
     cancelling: Mapping[SignalId, Name]
     approach_timer: Mapping[SignalId, Name]
     approach_of: Mapping[SignalId, SectionId | None]
+    rear_cleared: Mapping[SectionId, Name]
 
 
 @dataclass(frozen=True)

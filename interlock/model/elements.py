@@ -186,7 +186,7 @@ class Boundary:
     """Where trains come in or leave; `approach` is the section outside it, in rear of the entry signal.
 
     `button`: the name of the operator's button that ends departure routes here; `indicator`: departures this way are
-    shown by a route indicator (both only printed).  `approach_m`: metres of the approach section.
+    shown by a route indicator.  `approach_m`: metres of the approach section.
     """
 
     node: NodeId

@@ -1,9 +1,10 @@
 """The times that the world needs, in milliseconds: what the presets of the controller's timers are compared with.
 
 A train that saw proceed when a signal went to stop has stood still or passed the signal after the output's delay, the
-driver's reaction and the time of a brake application from the highest speed there: v / b.  That holds whether it stops
-in rear of the signal or not, so it needs no length (R8).  The same time, counted from when a train is wholly in the
-section before a signal, brings it to a stand there (R4).
+driver's reaction and the time of a brake application from the highest speed anywhere in the approach, v / b: he may
+have been told far away, where trains run faster than before the signal.  That holds whether it stops in rear of the
+signal or not, so it needs no length (R8).  The same time from the speed in the section before a signal, counted from
+when a train is wholly in it, brings it to a stand there (R4).
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from interlock.dataclass import dataclass
+from interlock.model.approach import approach
 from interlock.model.elements import BoundaryKind, MachineId, Position, SectionId, SignalId
 from interlock.model.farthest import farthest
 from interlock.model.layout import Layout
@@ -25,9 +27,9 @@ from interlock.model.traversal import Topology, Traversal, topology
 class Needs:
     """Least times, in milliseconds.
 
-    stop: by signal, until a train before it has passed it or stands once stop is shown without a break.  shunt: the
-    same for shunting movements, anywhere.  stand: by signal, until a train wholly in the section before it stands.
-    agreed: how long the hand of the special manual change of direction is held, as agreed by telephone.
+    stop: by signal, until a train that was told of it has passed it or stands once stop is shown without a break.
+    shunt: the same for shunting movements, anywhere.  stand: by signal, until a train wholly in the section before it
+    stands.  agreed: how long the hand of the special manual change of direction is held, as agreed by telephone.
     run: the running time of a point machine.  restart: until whatever ran at a power cut stands.  swings: the signals
     with an overlap that swings of which a train cannot come through the section before them while the points of the
     overlap turn, which may take until supervision ends.
@@ -85,22 +87,36 @@ def halt_ms(rules: Principles, kmh: float) -> int:
 def needs(layout: Layout) -> Needs:
     """The least times of a layout, from its speeds and principles."""
     rules = layout.principles
-
-    rear_of: dict[SignalId, SectionId | None] = {}
-    for g in layout.signalling.signals:
-        boundary = layout.track.boundary_at.get(g.node)
-        rear = [layout.track.section_of(e.id) for e in layout.track.edges_at[g.node] if e.id != g.into]
-        rear_of[g.id] = boundary.approach if boundary is not None else (rear[0] if rear else None)
-    at = {g: halt_ms(rules, _speed(layout, s)) for g, s in rear_of.items()}
+    signals = [g.id for g in layout.signalling.signals]
     return Needs(
-        stop=at,
+        stop={g: halt_ms(rules, told_at(layout, g)) for g in signals},
         shunt=halt_ms(rules, rules.shunt_speed_kmh),
-        stand=at,
+        stand={g: halt_ms(rules, _speed(layout, _rear(layout, g))) for g in signals},
         agreed=whole_ms(rules.token_agreed_s),
         run=whole_ms(rules.point_run_s),
         restart=_restart(layout),
         swings=frozenset(o.signal for o in layout.overlaps.all if o.swing and _turns_in_time(layout, o.signal)),
     )
+
+
+def _rear(layout: Layout, g: SignalId) -> SectionId | None:
+    """The section, or approach, in rear of a signal."""
+    signal = layout.signalling.signal[g]
+    boundary = layout.track.boundary_at.get(signal.node)
+    if boundary is not None:
+        return boundary.approach
+    rear = [layout.track.section_of(e.id) for e in layout.track.edges_at[signal.node] if e.id != signal.into]
+    return rear[0] if rear else None
+
+
+def told_at(layout: Layout, g: SignalId) -> float:
+    """The highest speed (km/h) at which a train may run that was told that a signal is open: of its whole approach,
+    where a driver begins to brake for a stop that he is told of, the section in rear of it first (R8)."""
+    rear = _speed(layout, _rear(layout, g))
+    if not layout.signalling.signal[g].main:
+        return rear
+    found = approach(layout, g)
+    return max([rear, _speed(layout, None) if found.blind else 0.0, *(_speed(layout, s) for s in found.sections())])
 
 
 def _speed(layout: Layout, section: SectionId | None) -> float:

@@ -26,6 +26,11 @@ def sent(message: Mapping[str, Any]) -> str:
     return json.dumps(message, ensure_ascii=False, separators=(",", ":")).encode(errors="replace").decode()
 
 
+def clock(mark: int | str | None) -> str:
+    """The answer to a browser that asks for the clock here: the ages of what it is told are reckoned by it."""
+    return sent({"re": mark, "clock": time.time()})
+
+
 class Browsers:
     """Of one desk.  still: what never changes; shown: what was told last of each element; rest: of all else."""
 

@@ -241,6 +241,7 @@ class Desk:
         timer = None if cycle is None else self.picture.left(cycle, y.start.restart_timer)
         return {
             "sys": {
+                "day": stamp()[:10],
                 "power": self.power,
                 "valid": cycle is not None and cycle.valid,
                 "lost": [] if cycle is None else list(cycle.lost),

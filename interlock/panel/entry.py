@@ -29,6 +29,9 @@ LARGEST = 10**12
 MOST_ALARMS = 1000
 """Alarms that are acknowledged at once."""
 
+CLOCK = "clock"
+"""Asks for the clock here, which is answered at once and not by the cycle."""
+
 STOP = "stop"
 NEVER_LATE = (STOP, "cancel", "acknowledge", "remind", "lamp test")
 """Commands that do no harm however late they come; so does to block a section."""

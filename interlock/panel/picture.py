@@ -273,10 +273,10 @@ _Signal = tuple[
     tuple[tuple[str, Name, Name], ...],
     Name | None,
     tuple[tuple[int, Name], ...],
-    Name | None,
+    tuple[tuple[str, Name], ...],
 ]
 """A signal, lamps by word, cancellation, approach locking, its routes (name, set, locked), proof of its stop lamp, what
-its speed indicator shows in km/h, its second yellow lamp."""
+its speed indicator shows in km/h, and other marks beside it: two yellows (UU), the route indicator (B)."""
 
 
 def _of_signal(y: Symbols, g: SignalId) -> _Signal:
@@ -300,7 +300,7 @@ def _of_signal(y: Symbols, g: SignalId) -> _Signal:
         tuple((str(r.id), r.active, r.locked) for r in y.routes.of_signal.get(g, [])),
         y.lamp_proof.stop.get(g),
         tuple((kmh, n) for (of, kmh), n in y.aspects.speed.items() if of == g),
-        y.aspects.second.get(g),
+        tuple((mark, of[g]) for mark, of in (("UU", y.aspects.second), ("B", y.aspects.indicator)) if g in of),
     )
 
 
@@ -424,14 +424,14 @@ class Picture:
 
     def _of_signals(self, cycle: Cycle, shown: Shown) -> None:
         state, inputs, outputs = cycle.memory.state, cycle.inputs, cycle.outputs
-        for key, lamps, cancelling, timer, routes, lamp, speeds, second in self._signals:
+        for key, lamps, cancelling, timer, routes, lamp, speeds, marks in self._signals:
             aspect = next((word for word, n in lamps if outputs.get(n)), "dark")
             going = bool(cancelling and state.get(cancelling))
             left = self.left(cycle, timer)
             active = next(([r, int(bool(state.get(b)))] for r, a, b in routes if state.get(a)), None)
             out = None if lamp is not None and not cycle.valid else int(lamp is not None and not inputs.get(lamp, 0))
             kmh = next((v for v, n in speeds if outputs.get(n)), None)
-            shown[key] = [aspect, int(going), left, active, out, kmh, int(bool(second and outputs.get(second)))]
+            shown[key] = [aspect, int(going), left, active, out, kmh, " ".join(x for x, n in marks if outputs.get(n))]
         for key, clear, caution in self._distants:
             aspect = "clear" if outputs.get(clear or "") else "caution" if outputs.get(caution or "") else "dark"
             shown[key] = [aspect, 0, None, None, 0, None]

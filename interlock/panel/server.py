@@ -26,7 +26,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from interlock.dataclass import dataclass
 from interlock.panel import entry
-from interlock.panel.browsers import sent
+from interlock.panel.browsers import clock, sent
 from interlock.panel.desk import Desk
 from interlock.panel.operating import Person
 
@@ -156,6 +156,9 @@ class _Talk:
     def _ask(self, who: Person, command: dict[str, Any]) -> None:
         """Hand on a command, if not too many wait; it is answered by the mark that the browser gave to it."""
         mark = entry.mark(command.get("re"))
+        if command.get("do") == entry.CLOCK:
+            self._queue(clock(mark))
+            return
         if self.waiting >= WAITING * (2 if command.get("do") == "stop" else 1):
             why = f"{self.waiting} commands of this browser wait to be carried out: it is not done, ask again"
             self._queue(sent({"re": mark, "ok": False, "why": [[why, []]]}))

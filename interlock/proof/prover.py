@@ -115,7 +115,7 @@ def start_claim(loop: ClosedLoop) -> Expr:
     commands = [*sym.machines.command.items(), *sym.machines.drive.items()]
     out: list[Expr] = [neg(var(n)) for (m, x), n in commands if m not in devices or x is Position.NORMAL]
     out += [var(n) for n in sym.aspects.stop.values()]
-    out += [neg(sym.aspects.shows(g.id)) for g in loop.layout.signalling.signals]
+    out += [neg(sym.aspects.signal(g.id, shunt)) for g in loop.layout.signalling.signals for shunt in (False, True)]
     out += [var(n) for n in sym.sections.restart.values()]
     out += [neg(var(n)) for n in (*sym.sections.passed.values(), *sym.sections.stale.values())]
     return conj(out)

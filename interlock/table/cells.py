@@ -319,11 +319,13 @@ class Shows(StrEnum):
 
 @dataclass(frozen=True)
 class AspectCell:
-    """What an open signal shows; `next` is the signal that decides between clear and caution."""
+    """What an open signal shows; `next`: the signal that decides between clear and caution; `indicator`: true where its
+    route indicator is lit, too, which tells a branching direction of departure."""
 
     shows: Shows
     next: SignalId | None
     because: Because
+    indicator: bool | None = None
 
 
 @dataclass(frozen=True)

@@ -130,7 +130,7 @@ def _overlap(r: RouteRow) -> Reasons:
 def _aspect(r: RouteRow) -> Reasons:
     cell = r.signal.aspect
     text = f"clear if {cell.next} is open, else caution" if cell.next is not None else str(cell.shows)
-    return [(text, cell.because)]
+    return [(f"{text}, with the route indicator" if cell.indicator else text, cell.because)]
 
 
 def _closing(r: RouteRow) -> Reasons:

@@ -53,7 +53,7 @@ class HostileGroup:
     routes: tuple[int, ...]
 
 
-ONLY_STATED = frozenset({"onward", "destination", "passed", "demanded_clear", "hold"})
+ONLY_STATED = frozenset({"onward", "destination", "passed", "demanded_clear", "hold", "indicator"})
 """Keys that are written only where they say something."""
 
 ROUTE = {

@@ -9,7 +9,7 @@ from interlock.diag import Element
 from interlock.frontend.context import Context
 from interlock.model.elements import SignalId
 from interlock.model.layout import Layout
-from interlock.model.needs import before, needs, standing_s, turning_s
+from interlock.model.needs import before, needs, standing_s, told_at, turning_s
 from interlock.model.overlap import overlap_length
 from interlock.model.times import overlap_release_s, tenths, whole_ms
 
@@ -147,6 +147,7 @@ def _signals(ctx: Context, layout: Layout) -> None:
         if whole_ms(own) < need:
             until = f"{tenths(need)} s are needed until whoever saw proceed stands or has passed"
             why = f"{rules.output_delay_s:g} s until stop is seen, {rules.reaction_s:g} s of reaction, and braking"
+            why += f" from {told_at(layout, g):g} km/h, the highest speed in its approach" if need == trains else ""
             text = f"the routes of {g} are held for {own:g} s, and {until}: {why}"
-            fix = f"state at least {-(-need // 1000)} s, or the lower speed that is run before {g}"
+            fix = f"state at least {-(-need // 1000)} s, or the lower speed that is run on the way to {g}"
             ctx.add("IL3023", text, ctx.at("signals", g, "release"), fix)

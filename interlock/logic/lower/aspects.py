@@ -78,6 +78,7 @@ def symbols(d: Draft) -> AspectSymbols:
         clear=each(names.CLEAR_ASPECT, mains),
         caution=each(names.CAUTION_ASPECT, mains if cautions(d) else []),
         second={g: names.SECOND_YELLOW(g) for g in two_yellows(d)},
+        indicator={g: names.ROUTE_INDICATOR(g) for g in d.routes.open_for_trains if _indicated(d, g)},
         call_on=each(names.CALL_ASPECT, calls),
         identifier=each(names.IDENTIFIER_ASPECT, [g for g in signals if d.routes.identifies(g.id)]),
         shunt=each(names.SHUNT_ASPECT, [g for g in signals if g.shunt]),
@@ -92,6 +93,11 @@ def two_yellows(d: Draft) -> list[SignalId]:
     """The signals that show two yellows for some route."""
     shown = {r.entry for r in d.table.routes if r.signal.aspect.shows is Shows.TWO_YELLOWS}
     return [g for g in d.routes.open_for_trains if g in shown]
+
+
+def _indicated(d: Draft, g: SignalId) -> list[RouteRow]:
+    """The routes from a signal for which its route indicator is lit."""
+    return [r for r in d.routes.of_signal[g] if r.signal.aspect.indicator]
 
 
 def speeds(d: Draft, g: SignalId) -> dict[int, names.Name]:
@@ -130,6 +136,9 @@ def outputs(d: Draft) -> None:
             shown = disj([*(var(names.SHOWING(r.number)) for r in two), *_passing(two, RouteKind.MAIN)])
             note = f"{said}: second yellow lamp, over points reversed"
             d.outputs.append(Output(names.SECOND_YELLOW(signal.id), shown, False, note))
+        if branching := _indicated(d, signal.id):
+            shown = disj([*(var(names.SHOWING(r.number)) for r in branching), *_passing(branching, RouteKind.MAIN)])
+            d.outputs.append(Output(names.ROUTE_INDICATOR(signal.id), shown, False, f"{said}: route indicator"))
         for kmh, name in speeds(d, signal.id).items():
             over = [r for r in routes if r.kind is RouteKind.MAIN and r.signal.speed.kmh == kmh]
             shown = disj([*(var(names.SHOWING(r.number)) for r in over), *_passing(over, RouteKind.MAIN)])

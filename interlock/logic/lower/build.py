@@ -241,6 +241,7 @@ def _symbols(d: Draft) -> Symbols:
             {g: names.CANCELLING(g) for g in signals},
             {g: names.APPROACH_OVER(g) for g in signals},
             {g: d.sections.rear(d.signals.first_section(g), d.layout.signalling.signal[g].node) for g in signals},
+            {s: names.REAR_CLEARED(s) for s in d.sections.all if sections.from_signals(d, s)},
         ),
         overlaps=_overlaps(d),
         token=block.tokens(d),

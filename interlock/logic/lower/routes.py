@@ -209,6 +209,10 @@ def _release_waits(d: Draft, g: Signal) -> Expr:
         for t in d.sections.locks_of[first]
         if t.entry == g.node
     )
+    behind = disj(locked for h, _, locked in sections.from_signals(d, first) if h == g.id)
+    waits = (
+        conj((behind, var(names.PASSED(first)), neg(var(names.REAR_CLEARED(first))))) if behind is not FALSE else FALSE
+    )
     return conj(
         (
             neg(d.signals.any_active(g.id)),
@@ -217,7 +221,7 @@ def _release_waits(d: Draft, g: Signal) -> Expr:
             disj(
                 (
                     var(names.RELEASE_BY_HAND(first)),
-                    conj((leaving, var(names.USED(first)), neg(d.sections.occupied(first)))),
+                    conj((disj((leaving, waits)), var(names.USED(first)), neg(d.sections.occupied(first)))),
                 )
             ),
         )

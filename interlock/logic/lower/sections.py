@@ -337,8 +337,29 @@ def _arrival(d: Draft, s: SectionId, rear: list[Term]) -> list[Term]:
     return terms
 
 
+def from_signals(d: Draft, s: SectionId) -> list[tuple[SignalId, SectionId, Expr]]:
+    """The main signals behind which a section is the first, each with the section in rear, where that is detected, and
+    that the section is locked from there for a train (R9)."""
+    found = []
+    for node in d.topo.ends[s]:
+        g, rear, locked = d.signals.main_at(s, node), d.sections.rear(s, node), d.sections.locked_in(s, node)
+        if g is not None and rear is not None and rear not in d.layout.track.undetected and locked is not FALSE:
+            found.append((g, rear, conj((locked, d.sections.train(s)))))
+    return found
+
+
+def _passed_on(d: Draft, s: SectionId) -> Expr:
+    """A train has gone on into the next section, and what was before its signal has come in with it: the section in
+    rear has been seen clear since, or nobody can be about to pass the signal.  A joint that fails reports both sections
+    beside it occupied, as if a train had run over it, while one stands or runs before the open signal."""
+    left = [disj((neg(locked), d.signals.approach_safe(g))) for g, _, locked in from_signals(d, s)]
+    return conj((var(names.PASSED(s)), disj((var(names.REAR_CLEARED(s)), conj(left))) if left else TRUE))
+
+
 def _exits(d: Draft, s: SectionId) -> list[Term]:
-    out = [Term(var(names.PASSED(s)), "passed on", "the next section was occupied together with this one")]
+    out = [
+        Term(_passed_on(d, s), "passed on", "the next section was occupied together with this one, and rear cleared")
+    ]
     by_entry: dict[NodeId, list[Expr]] = {}
     for t in d.sections.locks_of[s]:
         if t.exit in d.layout.track.boundary_at:
@@ -399,6 +420,12 @@ def _keep_passage(d: Draft, s: SectionId, stays: Term) -> None:
     ]
     held = Term(disj((var(names.USED(s)), *uses)), "held or new")
     d.kept(names.USED(s), True, f"{s} used by a train ({rules.SECTIONAL_RELEASE})", Join.ALL, (held, stays), group)
+    first = from_signals(d, s)
+    if first:
+        seen = disj(conj((locked, d.sections.clear(rear))) for _, rear, locked in first)
+        held = Term(disj((var(names.REAR_CLEARED(s)), conj((var(names.USED(s)), seen)))), "held or new")
+        note = f"{s}: used, and the section in rear seen clear since ({rules.SECTIONAL_RELEASE})"
+        d.kept(names.REAR_CLEARED(s), False, note, Join.ALL, (held, stays), group)
     gone = []
     for node in d.topo.ends[s]:
         ahead = d.topo.beyond(s, node)

@@ -151,7 +151,7 @@ ASSUMPTIONS: dict[str, str] = {
     "possible.",
     "A-POINT": "A point moves only when commanded, at most one scan late.",
     "A-TIMER": "When a signal has shown stop without a break for the time that a train needs to come to a stand from "
-    "the highest speed there, the train before it has passed it or stands.",
+    "the highest speed in its approach, a train on its way to it has passed it or stands.",
     "A-RESTART": "At a restart trains stand anywhere, points lie anyhow; a train moves again only when a signal "
     "calls it (others are moved under local rules before their section is released).",
     "A-TRAILED": "Vehicles that are moved under local rules do not run through points that lie against them.",

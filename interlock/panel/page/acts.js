@@ -10,6 +10,16 @@ const fault = (sys, kind, name, label) => {
   return act(`${on ? "Fail" : "Put right"}: ${label}`, {do: "fail", kind, name, on}, {fault: true});
 };
 
+// what rests on somebody's word is asked for twice: what it rests on and leads to, and the button that does it
+export function promise(still, c, blockedBy, me) {
+  const section = `section ${c.section}`, by = blockedBy === me ? "" : blockedBy || "somebody";
+  if (c.do === "release") return [`Has somebody made sure that ${section} is clear, and that no train comes to it?  Released, its points can move and other routes can lead over it.`, "It is clear: release it"];
+  if (c.do === "looked") return [`Has somebody looked at ${still.machines[c.machine].called}, and are they whole and lie well?  Trains run over them then.`, "They lie well"];
+  if (c.do === "direction" && c.on) return [`Has the neighbour at ${still.boundaries[c.boundary].label} agreed by telephone that no train is on the line, and that he sends none?  The direction is ours then, and trains can leave.`, "It is agreed: change it"];
+  if (c.do === "block" && !c.on && by) return [`${section[0].toUpperCase()}${section.slice(1)} was blocked by ${by}: does he know, and has everybody left the track?  Freed, routes can lead over it.`, "All have left: free it"];
+  return null;
+}
+
 export function acts(still, state, rest, key) {
   const kind = key[0], name = key.slice(2), sys = rest.sys, now = state[key];
   const make = {s: section, m: machine, g: signal, b: boundary}[kind];

@@ -1,14 +1,14 @@
 // The panel: puts socket, plan and buttons together.
 import {Talk} from "./talk.js";
 import {Plan, EXIT} from "./plan.js";
-import {acts, routesFrom, steps, train} from "./acts.js";
-import {Rows, say as label} from "./rows.js";
+import {acts, promise, routesFrom, steps, train} from "./acts.js";
+import {Rows, say as label, settleAll, settling} from "./rows.js";
 
 const $ = id => document.getElementById(id);
 const hash = new URLSearchParams(location.hash.slice(1));
 const look = new URLSearchParams(location.search).has("look");
 const kept = {get: k => { try { return localStorage.getItem(k) ?? ""; } catch { return ""; } }, set: (k, v) => { try { localStorage.setItem(k, v); } catch { /* a browser may forbid it */ } }};
-const plan = new Plan($("plan"), key => choose(key));
+const plan = new Plan($("plan"), key => { if (!$("plan").matches(".settling")) choose(key); });
 const state = plan.state, rest = {sys: null, alarms: [], reminders: {}, trains: []};
 let ends = new Map(); // what a machine works by other names than its own, and its key
 let still = null, chosen = "", operates = false, metres = 40, called = "";
@@ -47,19 +47,22 @@ function heard(m) {
   if (chosen && (chosen in m.c || "sys" in m || "reminders" in m || "trains" in m)) offer();
   if ("sys" in m || Object.keys(m.c).some(k => k[0] === "s")) restart();
   if ("sys" in m || Object.keys(m.c).some(k => "cza".includes(k[0]))) others();
+  if (m.still) settleAll();
   document.body.dataset.heard = m.t;
 }
 
 function first(m) {
   operates = m.hello.operates;
-  const same = still && still.plan === m.still.plan;
+  const same = still && JSON.stringify(still) === JSON.stringify(m.still); // then what is chosen, and typed, stays
   still = m.still;
   $("log").replaceChildren();
-  for (const rows of [choice, wrong, running, more]) rows.clear();
   for (const k of Object.keys(state)) delete state[k];
-  if (!same) plan.draw(still);
+  if (!same) {
+    for (const rows of [choice, wrong, running, more]) rows.clear();
+    plan.draw(still);
+    if (!plan.keys.has(chosen)) chosen = "";
+  }
   $("title").textContent = $("title").title = still.title;
-  document.title = still.name;
   document.body.dataset.profile = still.profile;
   document.body.classList.toggle("looks", !operates);
   $("stop").disabled = !operates;
@@ -72,34 +75,42 @@ function first(m) {
 // --- what is chosen ---
 function choose(key) {
   quiet();
-  if (chosen[0] === "g" && key && key !== chosen) {
+  if (armed && key && key !== chosen) {
     const found = routesFrom(still, chosen.slice(2)).filter(r => EXIT[r.exit[0]] === at(key)[0] && r.exit[1] === key.slice(2));
     if (found.length) return pick(found);
   }
   if (key[0] === "x") key = "";
-  chosen = key === chosen ? "" : key;
+  chosen = key === chosen && (armed || chosen[0] !== "g") ? "" : key;
+  armed = chosen[0] === "g" && routesFrom(still, chosen.slice(2)).length > 0;
+  armedAt = performance.now();
   offer();
 }
+
+// the next click chooses where a route leads, for a while
+const ARMED_MS = 20000;
+let armed = false, armedAt = 0;
+function disarm() { armed = false; offer(); }
+function letGo() { chosen = ""; disarm(); }
 const at = key => key[0];
 
 const KINDS = {main: "train route", shunt: "shunting route", "call-on": "call-on route"};
 function pick(found) {
-  if (found.length === 1) { ask({do: "set", route: found[0].id}); chosen = ""; offer(); return; }
+  const set = r => { quiet(); ask({do: "set", route: r.id}); letGo(); settling($("plan")); }; // a second click by reflex chooses nothing
+  if (found.length === 1) { set(found[0]); return; }
   quiet();
-  $("said").replaceChildren(element("p", "Several routes lead there: "), ...found.map(r => button(`${KINDS[r.kind] ?? r.kind} ${r.names[0] ?? r.id} over ${r.sections.join(", ")}${r.overlap ? `, ${r.overlap}` : ""}`, () => {
-    quiet(); ask({do: "set", route: r.id}); chosen = ""; offer();
-  })));
+  tell(element("p", "Several routes lead there: "), ...found.map(r => button(`${KINDS[r.kind] ?? r.kind} ${r.names[0] ?? r.id} over ${r.sections.join(", ")}${r.overlap ? `, ${r.overlap}` : ""}`, () => set(r))));
+  told = {keys: [], at: armedAt, then: stands([]), lasts: ARMED_MS};
 }
 
 function exits() {
-  if (chosen[0] !== "g") return [];
+  if (!armed) return [];
   return routesFrom(still, chosen.slice(2)).map(r => `${EXIT[r.exit[0]]}:${r.exit[1]}`);
 }
 
 function offer() {
   plan.mark("chosen", chosen ? [chosen] : []);
   plan.mark("exit", exits());
-  $("hint").textContent = $("hint").title = chosen[0] === "g" && exits().length ? "choose where to: the ends are lit" : "";
+  $("hint").textContent = $("hint").title = armed ? "choose where to: the ends are lit" : chosen[0] === "g" && routesFrom(still, chosen.slice(2)).length ? "for a route click the signal again" : "";
   if (chosen !== offered) { offered = chosen; choice.clear(); }
   $("of").textContent = chosen ? plan.keys.get(chosen)?.[0].getAttribute("aria-label").split(":")[0] ?? chosen.slice(2) : "Nothing chosen";
   if (!chosen) { choice.show([["none", {lines: ["Choose a signal, then where the route leads; or a section, points, a boundary."]}]]); return; }
@@ -127,15 +138,39 @@ const choice = new Rows($("acts"), v => {
   row.classList.toggle("fault", Boolean(v.fault));
 });
 
-// a reminder as it is now, unless somebody is typing another
+// a reminder as it is now, unless somebody has typed another that is not saved: that stays, and is marked
+const drafts = new Map();
 function noted(row, note) {
   const field = row.querySelector("input"), by = row.querySelector("small") ?? row.appendChild(element("small", ""));
-  if (document.activeElement !== field) field.value = note?.[0] ?? "";
-  by.textContent = note ? `by ${note[1]}, ${clock(note[2])}` : "";
-  by.title = by.textContent;
+  const {key} = field.dataset, text = note?.[0] ?? "", told = note ? `by ${note[1]}, ${clock(note[2])}` : "";
+  if (drafts.get(key) === text) drafts.delete(key);
+  const draft = drafts.get(key) ?? null;
+  if (field.value !== (draft ?? text)) field.value = draft ?? text;
+  row.classList.toggle("unsaved", draft !== null);
+  by.textContent = by.title = draft === null ? told : `NOT SAVED: Enter saves it, Esc takes it back${note ? `; saved: ${text}, ${told}` : ""}`;
+}
+
+async function remind(row, key, text) {
+  const answer = await ask({do: "remind", at: key, text});
+  if (answer.ok && drafts.get(key) === text) drafts.delete(key);
+  noted(row, rest.reminders[key]);
+}
+
+function typing(field, key) {
+  field.dataset.key = key;
+  field.addEventListener("input", () => { drafts.set(key, field.value); noted(field.parentElement, rest.reminders[key]); });
+  field.addEventListener("keydown", e => {
+    if (e.isComposing) return;
+    if (e.key === "Enter") remind(field.parentElement, key, field.value);
+    if (e.key !== "Escape" || !drafts.delete(key)) return;
+    e.stopPropagation();
+    noted(field.parentElement, rest.reminders[key]);
+  });
 }
 
 async function perform(a) {
+  const asks = promise(still, a.command, blockers.get(a.command.section), me());
+  if (asks) { sure(a.command, ...asks); return null; }
   if (!a.train) return ask(a.command);
   const name = called, field = $("acts").querySelector("[data-mark=train]");
   called = "";
@@ -147,7 +182,7 @@ function input(mark, text) {
   const field = document.createElement("input"), key = chosen;
   field.value = {train: called, metres}[mark] ?? ""; field.dataset.mark = mark; field.size = mark === "note" ? 26 : 7; field.maxLength = mark === "note" ? 80 : 12; field.disabled = !operates;
   field.addEventListener("input", () => { if (mark === "train") called = field.value; if (mark === "metres") metres = Number(field.value) || 40; });
-  if (mark === "note") field.addEventListener("keydown", e => { if (e.key === "Enter") ask({do: "remind", at: key, text: field.value}); });
+  if (mark === "note") typing(field, key);
   return element("label", `${text} `, field);
 }
 
@@ -158,11 +193,40 @@ function button(text, done) {
   return b;
 }
 
+// the button that does it stands elsewhere, for a while, and no key that is pressed again reaches it
+const SURE_MS = 10000, blockers = new Map();
+function sure(command, question, yes) {
+  quiet();
+  const from = document.activeElement, back = () => { quiet(); from?.focus(); };
+  const does = button(yes, () => { back(); ask(command); }), words = element("strong", question);
+  words.tabIndex = -1;
+  settling(does);
+  tell(words, does, button("No", back));
+  told = {keys: about(command), at: performance.now(), then: stands(about(command)), lasts: SURE_MS};
+  words.focus({preventScroll: true});
+}
+
 // --- asking, and what is said of it ---
 async function ask(command) {
   const answer = await talk.ask(command);
-  if (!answer.ok) say(answer.title ?? "Refused", answer.why, about(command));
+  if (answer.unsent) unsent(answer);
+  else if (answer.ok) sent();
+  else say(answer.title ?? "Refused", answer.why, about(command));
   return answer;
+}
+
+// what was not sent stays told until somebody puts it away, or until something else is done
+let notSent = null;
+function unsent({title, why}) {
+  notSent = element("p", "", element("strong", `${title}: `), ...why.map(([text]) => element("span", text)), button("Put away", sent));
+  notSent.className = "unsent";
+  tell();
+}
+function sent() { if (notSent) { notSent = null; tell(); } }
+let told = null, words = [];
+function tell(...now) {
+  if (now.length) words = now;
+  $("said").replaceChildren(...(notSent ? [notSent] : []), ...words);
 }
 
 // the elements that a command is about
@@ -173,7 +237,8 @@ function about(c) {
 
 async function why(command) {
   const answer = await talk.ask(command);
-  if (!answer.ok) say(answer.title ?? "Refused", answer.why, about(command));
+  if (answer.unsent) unsent(answer);
+  else if (!answer.ok) say(answer.title ?? "Refused", answer.why, about(command));
   else say("It waits for", answer.why.length ? answer.why : [["nothing: it opens with the next scan", []]], about(command));
 }
 
@@ -181,9 +246,8 @@ async function why(command) {
 // a while: then it is dim
 const PAST_MS = 20000, COUNTS = {g: 2, s: 5, b: 4}; // where a value counts down
 const stands = keys => JSON.stringify([rest.sys?.power, rest.sys?.valid, ...keys.map(k => state[k]?.filter((_, i) => i !== COUNTS[k[0]]))]);
-let told = null;
 function past() {
-  if (told?.title === "Not sent" && talk.last > told.at) return quiet(); // news have come since
+  if (told?.lasts) { if (performance.now() - told.at > told.lasts || stands(told.keys) !== told.then) quiet(); return; }
   if (!told || (performance.now() - told.at < PAST_MS && stands(told.keys) === told.then)) return;
   told = null;
   $("said").classList.add("past");
@@ -192,65 +256,119 @@ function past() {
 
 function quiet() {
   told = null;
-  $("said").replaceChildren();
+  words = [];
+  tell();
   $("said").classList.remove("past");
   plan.mark("shown", []);
 }
 
 function say(title, reasons, of = []) {
   const keys = [...of, ...reasons.flatMap(([, at]) => at)];
-  told = {title, keys, at: performance.now(), then: stands(keys)};
+  told = {keys, at: performance.now(), then: stands(keys)};
   $("said").classList.remove("past");
-  $("said").replaceChildren(element("strong", `${title}: `), ...reasons.map(([text]) => element("span", text)));
+  tell(element("strong", `${title}: `), ...reasons.map(([text]) => element("span", text)));
   plan.mark("shown", reasons.flatMap(([, keys]) => keys));
 }
 
-const clock = time => time.slice(11, 19);
+const clock = time => `${!rest.sys?.day || time.startsWith(rest.sys.day) ? "" : `${time.slice(0, 10)} `}${time.slice(11, 19)}`;
+
+// at midnight all times of before get their date
+let day = "";
+function dates() {
+  if (day === rest.sys.day) return;
+  day = rest.sys.day;
+  for (const e of $("log").querySelectorAll("time")) e.textContent = clock(e.dateTime);
+  for (const rows of [wrong, choice]) for (const row of rows.rows.values()) row.told = "";
+  alarms();
+  offer();
+}
 
 function log(e, old) {
-  const line = element("li", `${clock(e.time)} ${e.who ? `${e.who}: ` : ""}${e.text}`);
+  const line = element("li", ""), time = element("time", clock(e.time));
+  time.dateTime = e.time;
+  line.append(time, ` ${e.who ? `${e.who}: ` : ""}${e.text}`);
   line.className = e.kind;
   e.reasons.forEach(([text], i) => {
     const part = element("span", text), rule = e.rules?.[i];
     if (rule) part.title = `${rule}: interlock explain ${rule}`;
     line.append(part);
   });
+  const block = e.kind === "operation" && /^(block|free) section (.+)$/.exec(e.text);
+  if (block) blockers.set(block[2], block[1] === "block" ? e.who : "");
   $("log").prepend(line);
   while ($("log").children.length > 200) $("log").lastChild.remove();
   if (!old && ["refusal", "operation"].includes(e.kind) && e.who === me() && e.reasons.length) say(e.text, e.reasons, e.at);
 }
 
 const wrong = new Rows($("alarms"), () => {
-  const b = button("Acknowledge", () => b.does());
-  return element("li", "", b, element("b", ""), element("span", ""));
+  const b = button("Acknowledge", e => b.does(e)), row = element("li", "", b, element("b", ""), element("span", ""));
+  views.observe(row);
+  return row;
 }, (row, [key, text, where, since, active, who]) => {
   const [b, head, words] = row.children;
   head.textContent = head.title = `${[clock(since), active ? "" : "over", who ? `seen by ${who}` : ""].filter(Boolean).join(", ")}:`;
   words.textContent = text;
   row.className = `${active ? "active" : ""} ${who ? "" : "new"}`;
   row.onclick = () => { if (where.length) plan.mark("shown", where); };
-  b.does = () => seen([[key, since]]);
+  b.does = e => { if (!e.detail) next(row); seen([[key, since]]); };
   b.disabled = !operates;
   b.classList.toggle("seen", Boolean(who));
 });
 
+// an alarm that stood whole on the screen for half a second is one that somebody can have seen
+const SEEN_MS = 500, PARTS = Array.from({length: 21}, (_, k) => k / 20);
+const couldSee = row => Boolean(row?.seen || (row?.whole && performance.now() - row.whole >= SEEN_MS));
+const views = new IntersectionObserver(all => {
+  for (const {target: row, intersectionRect: r, boundingClientRect: b} of all) {
+    row.seen = couldSee(row);
+    const whole = r.height > 0 && r.height >= Math.min(b.height, $("alarms").clientHeight) - 1;
+    row.whole = whole ? row.whole || performance.now() : 0;
+  }
+  count();
+}, {threshold: PARTS});
+
 const unseen = () => rest.alarms.filter(a => !a[5]);
-let shown = [];  // what stood there half a second ago is what somebody can have seen
+const rowOf = ([key, , , since]) => wrong.rows.get(`${key} ${since}`);
 function seen(those) { if (those.length) ask({do: "acknowledge", alarms: those}); }
-const all = () => seen(unseen().map(([key, , , since]) => [key, since]).filter(a => shown.some(b => a.join() === b.join())));
+const all = () => seen(unseen().filter(a => couldSee(rowOf(a))).map(([key, , , since]) => [key, since]));
+
+// who acknowledges by key goes on with the next alarm, and not at once
+function next(row) {
+  const left = [...$("alarms").children], k = left.indexOf(row);
+  const b = [...left.slice(k + 1), ...left.slice(0, k).reverse()].map(e => e.querySelector("button:not(.seen)")).find(Boolean);
+  if (b) settling(b);
+  (b ?? $("unseen")).focus();
+}
+
+const spoken = new Set();
+function speak() {
+  for (const [key, text, , since] of unseen().filter(a => !spoken.has(`${a[0]} ${a[3]}`))) {
+    spoken.add(`${key} ${since}`);
+    $("news").append(element("p", `Alarm: ${text}`));
+  }
+  while ($("news").children.length > 5) $("news").firstChild.remove();
+}
 
 function alarms() {
+  speak();
   wrong.show(rest.alarms.slice().reverse().map(a => [`${a[0]} ${a[3]}`, a]));
-  const fresh = unseen();
-  $("unseen").textContent = `Alarms${rest.alarms.length ? `: ${rest.alarms.length}, ${fresh.length} new` : ""}`;
+  count();
+}
+
+function count() {
+  const fresh = unseen(), hidden = fresh.map(rowOf).filter(row => row?.whole === 0);
+  const above = hidden.filter(row => row.offsetTop < $("alarms").scrollTop).length, below = hidden.length - above;
+  const told = [rest.alarms.length, `${fresh.length} new`, above ? `${above} above` : "", below ? `${below} below` : ""].filter(Boolean);
+  $("unseen").textContent = $("unseen").title = rest.alarms.length ? `Alarms: ${told.join(", ")}` : "Alarms";
   $("unseen").classList.toggle("new", fresh.length);
+  $("fresh").textContent = fresh.length ? `${fresh.length} alarm${fresh.length > 1 ? "s" : ""}` : "";
   $("ack").disabled = !operates || !fresh.length;
-  setTimeout(those => { shown = those; }, 500, fresh.map(([key, , , since]) => [key, since]));
 }
 
 // --- the rest of the page ---
 function system() {
   const s = rest.sys;
+  dates();
   document.body.classList.toggle("unsure", !s.valid);
   $("inputs").textContent = s.valid ? "inputs valid" : "INPUTS NOT VALID";
   $("inputs").className = `pill ${s.valid ? "good" : "bad"}`;
@@ -382,22 +500,24 @@ $("line").addEventListener("submit", e => {
   const lost = keys.find(([, known]) => !known.length);
   if (lost) { say("Unknown", [[`nothing on the plan is called ${lost[0]}`, []]]); return; }
   $("typed").value = "";
-  if (chosen) choose(chosen);
+  letGo();
   const from = keys[0][1], to = keys[1]?.[1];
   choose(from.find(k => k[0] === "g") ?? from[0]);
   if (!to) return;
   const end = to.find(k => exits().includes(k));
-  if (end) choose(end); else say("No route", [[`none leads from ${keys[0][0]} to ${keys[1][0]}`, []]]);
+  if (end) { choose(end); return; }
+  disarm();
+  say("No route", [[`none leads from ${keys[0][0]} to ${keys[1][0]}`, []]]);
 });
 document.addEventListener("keydown", e => {
-  if (e.key === "Escape") { $("typed").blur(); if (chosen) choose(chosen); else quiet(); return; }
-  if (e.target.matches("input, select") || e.ctrlKey || e.metaKey || e.altKey || !still) return;
+  if (e.key === "Escape") { $("typed").blur(); sent(); if (told?.lasts && !armed) quiet(); else { quiet(); letGo(); } return; }
+  if (e.isComposing || e.target.matches("input, select") || e.ctrlKey || e.metaKey || e.altKey || !still) return;
   const move = {ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1]}[e.key];
   if (move) plan.move(...move);
   else if (e.key === "+") plan.zoom(0.8);
   else if (e.key === "-") plan.zoom(1.25);
   else if (e.key === "0") plan.fit();
-  else if (e.key === "a") all();
+  else if (e.key === "a" && e.target.closest("#wrong")) all(); // elsewhere somebody means to type it
   else if (e.key === "/") $("typed").focus();
   else return;
   e.preventDefault();
@@ -405,9 +525,13 @@ document.addEventListener("keydown", e => {
 setInterval(() => {
   const old = talk.old;
   document.body.classList.toggle("stale", old);
-  $("link").textContent = old ? "NO NEWS" : operates ? "operating" : "looking";
+  $("link").textContent = old ? (talk.comes ? "OLD NEWS" : "NO NEWS") : operates ? "operating" : "looking";
   $("link").className = `pill ${old ? "bad" : "good"}`;
+  const title = still ? [unseen().length ? `(${unseen().length})` : "", old ? $("link").textContent : "", still.name].filter(Boolean).join(" ") : document.title;
+  if (document.title !== title) document.title = title;
   if (still) past();
+  if (armed && performance.now() - armedAt > ARMED_MS) disarm();
   const waits = Math.floor(talk.waits / 1000);
-  if (!talk.refused) $("grey").textContent = [old && still ? "What you see is older than a second." : "", waits ? `Sent ${waits} s ago, no answer yet.` : ""].filter(Boolean).join("  ");
+  if (!talk.refused) $("grey").textContent = [old && still ? `What you see is older than a second${talk.comes ? ": news come late, or a clock was set" : ""}.` : "",
+    talk.kept ? `All signals to stop: not sent for ${Math.floor(talk.keeps / 1000)} s, goes when the connection is back.` : "", waits ? `Sent ${waits} s ago, no answer yet.` : ""].filter(Boolean).join("  ");
 }, 100);

@@ -30,6 +30,7 @@ export class Plan {
       if (path) this.edge[id] = {path, metres: still.edges[id][0], forward: still.edges[id][1], length: path.getTotalLength()};
       if (path) path.after(make("path", {class: "block", d: path.getAttribute("d")})); // over whatever else the track shows
     }
+    for (const path of svg.querySelectorAll("path.track")) path.after(make("path", {class: "core", d: path.getAttribute("d")}));
     this.slips = new Slips(svg, this.edge, by);
     this.keys = new Map();
     for (const s of Object.keys(still.sections)) this.key(`s:${s}`, by(`section-${s}`), `section ${s}`);
@@ -64,7 +65,7 @@ export class Plan {
     this.heads = [];
     for (const [g, one] of Object.entries(still.signals)) if (one.calls) this.caller(by(`signal-${g}`));
     svg.addEventListener("click", e => this.clicked(e));
-    svg.addEventListener("keydown", e => { if (e.key === "Enter" || e.key === " ") { e.preventDefault(); this.clicked(e); } });
+    svg.addEventListener("keydown", e => { if (e.key === "Enter" || e.key === " ") { e.preventDefault(); if (!e.repeat) this.clicked(e); } });
     svg.addEventListener("wheel", e => { e.preventDefault(); this.zoom(e.deltaY < 0 ? 0.8 : 1.25, this.at(e)); }, {passive: false});
     this.fingers = new Map();
     svg.addEventListener("pointerdown", e => {
@@ -201,7 +202,7 @@ export class Plan {
     const sure = lies.length === 1, failed = late || trailed;
     for (const g of this.keys.get(`m:${name}`) ?? []) {
       toggle(g, "held", locked); toggle(g, "late", failed); toggle(g, "moving", !sure && wanted); toggle(g, "lost", !sure);
-      g.setAttribute("aria-label", `${one.called}: ${one.lies[lies] ?? (one.device ? "not proved open or closed" : "not detected")}${locked ? `, ${why || "locked"}` : ""}`);
+      g.setAttribute("aria-label", `${one.called}: ${one.lies[lies] ?? (one.device ? "not proved open or closed" : "not detected")}${[!sure && wanted ? `commanded ${one.lies[wanted]}` : "", late ? "not in time" : "", trailed ? one.trailed : "", locked ? why || "locked" : ""].filter(Boolean).map(x => `, ${x}`).join("")}`);
       toggle(g, "secured", one.device && lies === "R"); toggle(g, "released", one.device && lies === "N");
     }
     for (const p of this.lies[name] ?? []) for (const leg of ["N", "R"]) {
@@ -211,13 +212,15 @@ export class Plan {
     }
   }
 
-  showSignal(name, [aspect, cancelling, left, active, out, kmh = null, two = 0]) {
+  showSignal(name, [aspect, cancelling, left, active, out, kmh = null, marks = ""]) {
     const group = by(`signal-${name}`);
     if (!group) return;
     for (const a of ["stop", "clear", "caution", "call", "identifier", "shunt", "dark"]) toggle(group, a, a === aspect);
     toggle(group, "set", active); toggle(group, "cancelling", cancelling); toggle(group, "out", out);
-    this.showSpeed(name, two ? `UU${kmh ? ` ${kmh}` : ""}` : kmh);
-    group.setAttribute("aria-label", `signal ${name}: ${two ? "two yellows" : aspect}${kmh ? ` at ${kmh} km/h` : ""}${active ? `, route ${active[0]}` : ""}`);
+    this.showSpeed(name, [marks, kmh].filter(x => x).join(" ") || null);
+    const shown = `${marks.includes("UU") ? "two yellows" : aspect}${marks.includes("B") ? " with the route indicator" : ""}${kmh ? ` at ${kmh} km/h` : ""}`;
+    const more = [active ? `route ${active[0]}` : "", cancelling ? "cancelling" : "", out ? "stop lamp out" : ""].filter(Boolean);
+    group.setAttribute("aria-label", [`signal ${name}: ${shown}`, ...more].join(", "));
     this.note(`g:${name}`, "left", cancelling ? (left === null ? "cancel: waits" : `cancel: ${left} s`) : left === null ? "" : `waits: ${left} s`);
   }
 
@@ -233,7 +236,7 @@ export class Plan {
     make("circle", {cx: text.getAttribute("x"), cy: Number(text.getAttribute("y")) - 3, r: 5.2}, mark);
   }
 
-  // the km/h that a signal shows, and UU where it shows two yellows, beyond its lamps or near by
+  // the km/h that a signal shows, with UU for two yellows and B for the route indicator, beyond its lamps or near by
   showSpeed(name, kmh) {
     const id = `speed-g:${name}`, before = by(id);
     if (before?.textContent === String(kmh ?? "")) return;

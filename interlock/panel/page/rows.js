@@ -1,22 +1,41 @@
 // Rows that lie still under the mouse: while it is in their box none moves or goes.  What is new comes after them, what
 // is over leaves its place empty; both are put right when the mouse has left.  What has moved, or says something else
-// than it said, takes no click for a moment.
+// than it said, takes no click for a moment, by mouse or by key.
 export const SETTLES_MS = 400;
 
 const every = new Set();
-let pressed = null; // a click does what stood there when the mouse was pressed: until it is let go nothing else is written there
-document.addEventListener("pointerdown", e => { pressed = e.target; }, true);
-for (const end of ["pointerup", "pointercancel", "blur"]) window.addEventListener(end, () => setTimeout(() => {
-  pressed = null;
-  for (const rows of every) rows.lay();
-}));
+const KEYS = ["Enter", " "];
+let pressed = null, said = ""; // a click does what stood there when mouse or key was pressed: until it is let go nothing else is written there
+const press = e => { pressed = e.target; said = pressed.closest("button")?.textContent; };
+document.addEventListener("pointerdown", press, true);
+document.addEventListener("keydown", e => {
+  if (!KEYS.includes(e.key) || !e.target.closest("button")) return;
+  if (!e.repeat) press(e);
+  else if (e.key === "Enter") e.preventDefault(); // held down it is pressed once
+}, true);
+for (const end of ["pointerup", "pointercancel", "keyup", "blur"]) window.addEventListener(end, e => {
+  if (!e.key || KEYS.includes(e.key)) setTimeout(() => {
+    pressed = null;
+    for (const rows of every) rows.lay();
+  });
+});
+document.addEventListener("click", e => {
+  const b = e.target.closest("button");
+  if (!b?.closest(".settling") && (!b?.contains(pressed) || said === b.textContent)) return;
+  e.preventDefault();
+  e.stopImmediatePropagation();
+}, true);
 
-export function settling(e) {
+export function settling(e, ms = SETTLES_MS) {
   const mark = String(performance.now());
   e.classList.add("settling");
   e.dataset.moved = mark;
-  setTimeout(() => { if (e.dataset.moved === mark) e.classList.remove("settling"); }, SETTLES_MS);
+  setTimeout(() => { if (e.dataset.moved === mark) e.classList.remove("settling"); }, ms);
 }
+
+// what has come again takes no click for longer: whoever has had no answer clicks again, at what says something else now
+const AGAIN_MS = 1000;
+export function settleAll() { for (const rows of every) for (const row of rows.rows.values()) settling(row, AGAIN_MS); }
 
 // what a button says and does; one that was there already and says something else settles first
 export function say(b, label) {

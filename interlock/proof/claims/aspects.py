@@ -173,6 +173,20 @@ def two_yellows(f: Facts, signal: SignalId, first: SignalPath) -> Iterator[tuple
             yield "S-ASPECT", f"{run.called} two yellows", implies(conj((opens, f.after(run.lit(f)))), lit)
 
 
+def branching(f: Facts, signal: SignalId, first: SignalPath) -> Iterator[tuple[str, str, Expr]]:
+    """A main signal that opens lights its route indicator for departures in a direction that has one, and for none in
+    another direction, past the signals at identifier light, too (R11)."""
+    lamp = f.sym.aspects.indicator.get(signal)
+    lit = FALSE if lamp is None else f.after(var(lamp))
+    opens = f.after(conj((disj(map(var, f.sym.aspects.main_lamps(signal))), lie(f, first.ways))))
+    ends = [("", first, TRUE), *((r.called, r.parts[-1], f.after(r.lit(f))) for r in runs_past(f, first))]
+    for called, last, past in ends:
+        boundary = f.layout.track.boundary_at.get(last.ways[-1].exit)
+        if boundary is not None and (boundary.indicator or lit is not FALSE):
+            right = lit if boundary.indicator else neg(lit)
+            yield "S-ASPECT", f"{called} route indicator", implies(conj((opens, past)), right)
+
+
 def turned_inside(f: Facts, path: SignalPath) -> bool:
     """Whether a path leads over a reversed point, and not out onto a checked line."""
     turned = any(x is Position.REVERSE for t in path.ways for _, x in t.points)

@@ -19,6 +19,7 @@ from interlock.proof.claims.added import declared, demanded, held
 from interlock.proof.claims.aspects import (
     allows_clear,
     at_speed,
+    branching,
     clear_aspect,
     devices_closed,
     distants,
@@ -93,7 +94,8 @@ CLAIMS: dict[str, str] = {
     "S-LOST-INPUT": "When inputs are lost, every signal shows stop at once, and nothing is granted or released.",
     "S-ASPECT": "Clear is shown only when the next signal is open, and by a distant only when its signal shows clear; "
     "where the principles ask for two yellows, a main signal that opens shows the second one over every path with a "
-    "reversed point that does not lead out onto a checked line.",
+    "reversed point that does not lead out onto a checked line, and a route indicator is lit for a departure by a main "
+    "signal exactly where the layout has one for that direction.",
     "S-SPEED": "No signal shows a higher speed than its path permits, as the points lie; where the layout states a "
     "speed for the path, a main signal that opens shows one.",
     "S-ENTRY": "A main signal that is open to a signal shows a speed, and none above the one for which the overlap "
@@ -102,8 +104,9 @@ CLAIMS: dict[str, str] = {
     "while a lamp for it is, its identifier light only while that is, a second yellow lamp only while it "
     "is intact, and a speed only while its indicator is.  (White and call-on lamps are not reported.)",
     "S-STOP": "At every signal stop is lit exactly when no main, white or identifier lamp is; no two of these are lit "
-    "at once, a speed only beside a main lamp, a second yellow only beside the first, none that speaks to movements of "
-    "which the layout does not let the signal speak, and a distant signal shows either clear or caution.",
+    "at once, a speed only beside a main lamp, a second yellow only beside the first, a route indicator only beside a "
+    "main lamp, none that speaks to movements of which the layout does not let the signal speak, and a distant signal "
+    "shows either clear or caution.",
     "S-AGAIN": "A signal that closed while its route stayed set, or in whose path a section was blocked or a point was "
     "trailed meanwhile, opens only in the scan after one in which it was asked for again.",
     "S-REQUEST": "A route is set only in the scan in which its number comes after 0, or while its switch for automatic "
@@ -125,11 +128,12 @@ CLAIMS: dict[str, str] = {
     "before the one in rear that leads into it.",
     "L-CLEAR": "No section is released, however it is, before it has been reported clear with valid inputs, without a "
     "break, for the release delay.",
-    "L-APPROACH": "A route whose signal has been open is not given up before its train came, unless none can be on its "
-    "way: all is steadily clear within the braking distance and back to the first signal that announces this one, "
-    "over ways that are locked; or stop has been shown without a break for as long as a train needs to stand.  "
-    "(Whether it has been open is the controller's own bit, which is set with proceed and stays while the route does, "
-    "and until its train has come or the lock behind its signal ends.)",
+    "L-APPROACH": "A route whose signal has been open is not given up before its train came, unless none can be on "
+    "its way: all is steadily clear within the braking distance and back to the first signal that announces this "
+    "one, over ways that are locked; or stop has been shown without a break for as long as a train needs to stand; "
+    "nor is the first section behind it released behind its train without that, unless the section in rear was seen "
+    "clear since.  (Whether it has been open is the controller's own bit, which is set with proceed and stays while "
+    "the route does, and until its train has come or the lock behind its signal ends.)",
     "L-RELEASE": "No section is released while a train stands in it, comes into it, or has been called into it.",
     "L-HELD": "A section in which a train moves is locked.",
     "P-LOCKED": "A point is commanded to move only when the sections of all its ends are steadily clear and unlocked, "
@@ -326,6 +330,8 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
         clear = conj((clear_aspect(f, signal), after(lie(f, path.ways))))
         yield "S-ASPECT", "", implies(clear, allows_clear(f, path))
         yield from two_yellows(f, signal, path)
+    if not shunt:
+        yield from branching(f, signal, path)
     if not shunt:
         yield from past_identifier(f, signal, path, here)
     secured = devices_closed(f, path.ways)

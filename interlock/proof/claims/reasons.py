@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, implies, neg, var
 from interlock.logic.symbols import RouteSymbols
-from interlock.model.elements import NodeId, Position, SectionId
+from interlock.model.elements import NodeId, Position, SectionId, SignalId
 from interlock.model.overlap import ends_at
 from interlock.model.places import Approach
 from interlock.proof.claims.kinds import Facts
@@ -51,6 +51,8 @@ def _ends(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         ended = conj((f.locking.any_lock(s), neg(after(f.locking.any_lock(s)))))
         yield "L-REASON", s, implies(ended, disj(reasons))
         yield from _kept(f, s, ended)
+        if s in f.sym.cancellation.rear_cleared:
+            yield from _cleared(f, s)
         yield "L-REASON", f"{s} used", implies(conj((after(f.seen.used(s)), neg(f.seen.used(s)))), _came_in(f, s))
         gone = disj(neg(f.seen.clear(a)) for j in f.topo.ends[s] if (a := f.topo.beyond(s, j)) is not None)
         onward = conj((f.seen.used(s), neg(f.seen.clear(s)), gone))
@@ -100,6 +102,34 @@ def _rear(f: Facts, s: SectionId, j: NodeId) -> SectionId | None:
     """The section or approach from which a train comes in at an end."""
     boundary = f.layout.track.boundary_at.get(j)
     return boundary.approach if boundary is not None else f.topo.beyond(s, j)
+
+
+def first_behind(f: Facts, s: SectionId) -> list[tuple[SignalId, SectionId, Expr]]:
+    """The main signals behind which a section is the first, each with the section in rear of it, where that is
+    detected, and that the section is locked from there for a train."""
+    found = []
+    for j in f.topo.ends[s]:
+        g, rear, locked = f.topo.main_into.get((j, s)), _rear(f, s, j), f.locking.locked_in(s, j)
+        if g is not None and rear is not None and rear in f.sym.sections.clear and locked is not FALSE:
+            found.append((g, rear, conj((locked, f.locking.train(s)))))
+    return found
+
+
+def _cleared(f: Facts, s: SectionId) -> Iterator[tuple[str, str, Expr]]:
+    """R9: the first section behind a main signal is released behind a train only when what was before the signal has
+    come in with it, or nobody can be about to pass; that the rear was seen clear is remembered with the lock alone."""
+    cleared, after = var(f.sym.cancellation.rear_cleared[s]), f.after
+    behind = first_behind(f, s)
+    seen = disj(conj((locked, f.seen.steadily_clear(rear))) for _, rear, locked in behind)
+    yield "L-REASON", f"{s} rear", implies(conj((after(cleared), neg(cleared))), conj((f.seen.used(s), seen)))
+    held = disj((f.locking.restart(s), f.locking.any_lock(s)))
+    yield "L-REASON", f"{s} rear remembered", implies(cleared, held)
+    for g, _, locked in behind:
+        long = names.STOP_LONG(g)
+        stands = after(var(long)) if long in f.plant.clocks else FALSE
+        ended = conj((locked, neg(after(f.locking.any_lock(s))), f.seen.used(s)))
+        nobody = neg(_coming(f, f.measured.approaches[g])) if g in f.measured.approaches else FALSE
+        yield "L-APPROACH", f"{g} behind a train", implies(ended, disj((cleared, nobody, stands)))
 
 
 def _came_in(f: Facts, s: SectionId) -> Expr:

@@ -99,6 +99,8 @@ def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
     yield "S-FIRM", implies(f.locking.firm(s), f.locking.any_lock(s))
     yield "S-USED", implies(f.seen.used(s), disj((f.locking.restart(s), f.locking.firm(s))))
     yield "S-PASSED", implies(f.seen.passed(s), f.seen.used(s))
+    if s in f.sym.cancellation.rear_cleared:
+        yield "S-REAR-CLEARED", implies(var(f.sym.cancellation.rear_cleared[s]), f.seen.used(s))
     yield "S-RESTART", implies(f.locking.restart(s), f.seen.used(s))
     yield "S-STALE", implies(f.seen.stale(s), f.locking.any_lock(s))
     yield "S-BEEN", implies(f.seen.been(s), f.locking.firm(s))

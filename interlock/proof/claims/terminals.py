@@ -33,6 +33,8 @@ def _lamps(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         others += [var(f.sym.aspects.identifier[g])] if g in f.sym.aspects.identifier else []
         speeds = [var(name) for (h, _), name in f.sym.aspects.speed.items() if h == g]
         one = conj((at_most_one(others), implies(disj(speeds), disj(mains))))
+        if g in f.sym.aspects.indicator:
+            one = conj((one, implies(var(f.sym.aspects.indicator[g]), disj(mains))))
         if g in f.sym.aspects.second:
             first = var(f.sym.aspects.caution[g]) if g in f.sym.aspects.caution else FALSE
             one = conj((one, implies(var(f.sym.aspects.second[g]), first)))
@@ -49,7 +51,7 @@ def _lamps(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 def _not_for(f: Facts, g: SignalId) -> list[Name]:
     """Lamps of a signal that speak to trains, or to shunting movements, of which the layout does not let it speak."""
     signal = f.layout.signalling.signal[g]
-    second = [f.sym.aspects.second[g]] if g in f.sym.aspects.second else []
+    second = [of[g] for of in (f.sym.aspects.second, f.sym.aspects.indicator) if g in of]
     trains = [*f.sym.aspects.main_lamps(g), *second, *(name for (h, _), name in f.sym.aspects.speed.items() if h == g)]
     return [*([] if signal.main else trains), *([] if signal.shunt else f.sym.aspects.proceed_lamps(g, shunt=True))]
 

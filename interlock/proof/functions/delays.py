@@ -6,8 +6,9 @@ from collections.abc import Iterator
 
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, iff, neg, var
 from interlock.logic.names import Name
-from interlock.model.elements import Position, SignalId
+from interlock.model.elements import Position, SectionId, SignalId
 from interlock.model.times import whole_ms
+from interlock.proof.claims.reasons import first_behind
 from interlock.proof.functions.routes import kept_longer
 from interlock.proof.functions.words import Words
 
@@ -58,8 +59,18 @@ def _waiting(w: Words, g: SignalId) -> Expr:
     first = w.signals.first(g)
     node = w.layout.signalling.signal[g].node
     left = conj((w.sections.outward(first, node), w.f.seen.used(first), neg(w.sections.occupied(first))))
+    left = disj((left, *_not_left(w, g, first)))
     quiet = [neg(w.signals.active(g)), neg(w.signals.passing(g)), w.f.locking.locked_in(first, node)]
     return conj((*quiet, disj((var(w.sym.sections.release[first]), left))))
+
+
+def _not_left(w: Words, g: SignalId, first: SectionId) -> Iterator[Expr]:
+    """A train is said to have gone on from the first section, and what is in rear of its signal was not seen clear."""
+    used, cleared = w.f.seen.used(first), w.sym.cancellation.rear_cleared
+    for h, _, locked in first_behind(w.f, first) if first in cleared else ():
+        if h == g:
+            passed = conj((used, w.f.seen.passed(first), neg(w.sections.occupied(first))))
+            yield conj((locked, passed, neg(var(cleared[first]))))
 
 
 def start(w: Words) -> Expr:
@@ -85,6 +96,7 @@ def start(w: Words) -> Expr:
         var, (*sym.machines.turn.values(), *([sym.machines.started] if sym.machines.started is not None else []))
     )
     off += map(var, (*sym.machines.trailed.values(), *sym.machines.seen_right.values()))
+    off += map(var, sym.cancellation.rear_cleared.values())
     off += [var(name) for x in sym.token.values() for name in (x.have, x.give, x.seen)]
     on = [*(f.seen.used(s) for s in w.topo.sections), *map(var, sym.zone_full.values())]
     return conj((*map(neg, off), *on))

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, iff, implies, neg, var
 from interlock.model.elements import SectionId
+from interlock.proof.claims.reasons import first_behind
 from interlock.proof.functions.words import Words
 
 
@@ -39,6 +40,13 @@ def _memory(w: Words, s: SectionId) -> Iterator[tuple[str, str, Expr]]:
     ]
     yield "F-FIRM", s, iff(w.rises(f.locking.firm(s)), conj((neg(f.locking.firm(s)), disj(firm))))
     kept = [f.seen.used(s), f.seen.passed(s), f.seen.stale(s), f.locking.firm(s)]
+    if s in w.sym.cancellation.rear_cleared:
+        cleared = var(w.sym.cancellation.rear_cleared[s])
+        left = disj(conj((locked, w.sections.long(rear))) for _, rear, locked in first_behind(f, s))
+        seen = conj((f.seen.used(s), left))
+        yield "F-PASSED", f"{s} rear", implies(conj((seen, after(f.locking.locked(s)))), after(cleared))
+        yield "F-PASSED", f"{s} rear seen", implies(w.rises(cleared), seen)
+        kept.append(cleared)
     if f.track.shunts:
         mode = f.locking.train(s)
         trains = disj(w.signals.set_now(r) for r in over if not r.shunt)
@@ -69,7 +77,7 @@ def _releasing(w: Words, s: SectionId) -> Iterator[Expr]:
     """Why a section is released."""
     f, sym = w.f, w.sym
     long, rear, closed = w.sections.long(s), w.sections.rear_released(s), w.sections.closed(s)
-    yield conj((w.valid, f.seen.used(s), long, closed, rear, disj((f.seen.passed(s), *_left(w, s)))))  # R9
+    yield conj((w.valid, f.seen.used(s), long, closed, rear, disj((_passed_on(w, s), *_left(w, s)))))  # R9
     inside = []
     hand = disj((var(sym.sections.release[s]), conj((var(sym.sections.release_all), f.seen.stale(s)))))
     by_hand = [w.valid, long, closed, rear, hand, f.locking.any_lock(s)]
@@ -85,6 +93,14 @@ def _releasing(w: Words, s: SectionId) -> Iterator[Expr]:
     operator = disj((var(sym.sections.release[s]), var(sym.sections.release_all)))
     vehicles = rear if w.sections.ends_shunts(s) else TRUE
     yield conj((w.valid, long, f.locking.restart(s), var(sym.start.restart_timer), operator, vehicles))  # R16
+
+
+def _passed_on(w: Words, s: SectionId) -> Expr:
+    """A train has gone on, and what is in rear of its signal was seen clear since, or nobody can be about to pass."""
+    if s not in w.sym.cancellation.rear_cleared:
+        return w.f.seen.passed(s)
+    safe = (disj((neg(locked), w.signals.safe(g))) for g, _, locked in first_behind(w.f, s))
+    return conj((w.f.seen.passed(s), disj((var(w.sym.cancellation.rear_cleared[s]), conj(safe)))))
 
 
 def _left(w: Words, s: SectionId) -> Iterator[Expr]:

@@ -116,6 +116,28 @@ def second_dark(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
         yield str(g), c.with_outputs(dark)
 
 
+def indicator_dark(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A route indicator is never lit."""
+    c: Controller = lower(layout, table)
+    for g, name in c.symbols.aspects.indicator.items():
+        dark = tuple(replace(o, expr=FALSE) if o.name == name else o for o in c.outputs)
+        yield str(g), c.with_outputs(dark)
+
+
+def rear_not_asked(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """The first section behind a signal is released behind a train whatever is still in rear of the signal."""
+    c = lower(layout, table)
+    for s, cleared in c.symbols.cancellation.rear_cleared.items():
+        leaves = names.LEAVES(s)
+        passed = next(x for x in c.steps if isinstance(x, Equation) and x.name == leaves).terms[0]
+        seen = passed._replace(expr=Substitution({cleared: TRUE})(passed.expr))
+        steps = (
+            replace(x, terms=(seen, *x.terms[1:])) if isinstance(x, Equation) and x.name == leaves else x
+            for x in c.steps
+        )
+        yield str(s), replace(c, steps=tuple(steps))
+
+
 def let_go(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     """What the author added is given up when the train has passed its signal."""
     c = lower(layout, table)

@@ -350,11 +350,7 @@ class _Form:
 
     def _indicator(self, r: RouteRow) -> str:
         """A route indicator tells a branching direction of departure."""
-        return (
-            "B"
-            if self._departing(r) and self.layout.track.boundary_at[self._way(r.path.traversals[-1]).exit].indicator
-            else ""
-        )
+        return "B" if r.signal.aspect.indicator else ""
 
     def _points(self, r: RouteRow) -> list[str]:
         """Points in the order of the path; protecting and driven ones with the section that asks for them."""
