@@ -18,7 +18,7 @@ from typing import Any
 
 from interlock.app.alarms import HAZARD, RECORD, TRAIN, Watch
 from interlock.app.reasons import Moment, Reason
-from interlock.app.run import Ready, run
+from interlock.app.run import Ready, run, since_boot
 from interlock.dataclass import dataclass
 from interlock.field.plc import Cycle, Link
 from interlock.field.polling import Beside, InTurn
@@ -133,7 +133,7 @@ class Desk:
             self.ended()
 
     def _powered(self) -> None:
-        now, sleep = (time.monotonic, time.sleep) if self.field is None else (self.clock.now, self.clock.sleep)
+        now, sleep = (since_boot, time.sleep) if self.field is None else (self.clock.now, self.clock.sleep)
         self._last = Cycle({}, {}, False, ())
         self._watch = self._watching()
         self._once("the controller starts: every section stays locked until it is released")
