@@ -1,13 +1,11 @@
 """The panel's record: every event and every change of what the player shows, in a log that tells when it was changed.
 
-Where it cannot be written (no room, a share that is gone), the panel works on: what happens meanwhile is kept, and
-written when that is possible again.
+Where it cannot be written (no room, a share that is gone), the panel works on (`panel.written`).
 """
 
 from __future__ import annotations
 
 import time
-from collections import deque
 from pathlib import Path
 from typing import Any
 
@@ -22,10 +20,8 @@ from interlock.model.traversal import topology
 from interlock.panel.event import Event, rules
 from interlock.panel.journal import PICTURE
 from interlock.panel.standing import KEPT, Standing, left_behind, standing
+from interlock.panel.written import BEGIN, Written
 from interlock.record.log import END, Log
-
-WAITING = 100_000
-"""Lines that are kept at most while nothing can be written."""
 
 AGAIN_S = 1.0
 """Seconds after which writing is tried again."""
@@ -65,16 +61,12 @@ class Recorder:
         where another panel writes it, and `OSError`."""
         assert ready.controller is not None and ready.layout is not None and ready.table is not None
         y = ready.controller.symbols
-        self.path, self.lost = path, ""
+        self.path = path
         self._held = hold_file(path)
         self._clear: tuple[str, ...] = tuple(y.sections.clear.values())
         self._contacts: tuple[str, ...] = tuple(y.machines.detected.values())
         self._state: tuple[str, ...] = tuple(n for n in views(ready) if n not in {*self._clear, *self._contacts})
         self._on: frozenset[str] | None = None
-        self._base: frozenset[str] | None = None
-        """What was on when writing had to stop."""
-        self._waiting: deque[tuple[int, str, dict[str, Any]]] = deque(maxlen=WAITING)
-        self._dropped = 0
         self._tried = 0.0
         self.releases = 0
         """Releases by hand that the log counts already."""
@@ -82,15 +74,12 @@ class Recorder:
         """What is blocked and what reminds, as the log has it."""
         self.left_behind: tuple[str, tuple[str, ...]] = ("", ())
         """Where the log begins anew: the one before it, and what is blocked there."""
-        self._log: Log | None = None
-        self._left: Log | None = None
-        """Where writing had to stop."""
         try:
-            self._open(str(ready.layout.name), ready.table.layout_digest)
+            log = self._open(str(ready.layout.name), ready.table.layout_digest)
         except (OSError, ValueError):
             self._let_go()
             raise
-        self._heading = {
+        heading = {
             "program": f"interlock {__version__}",
             "layout": ready.layout.name,
             "title": ready.layout.printed.title or ready.layout.name,
@@ -98,14 +87,20 @@ class Recorder:
             "plan": plan_svg(ready.layout),
             "views": views(ready),
         }
-        self._put("begin", **self._heading)
+        self._written = Written(path, log, heading, None if self.standing == Standing() else _kept(self.standing))
+        self._put(BEGIN, **heading)
 
-    def _open(self, layout: str, digest: str) -> None:
+    @property
+    def lost(self) -> str:
+        """Why not all is written; empty where it is."""
+        return self._written.lost
+
+    def _open(self, layout: str, digest: str) -> Log:
         """Begin the log, or go on with it: one of another kind, or of the layout as it was, would be told wrongly."""
         if not self.path.exists():
-            self._log, self.left_behind = Log.create(self.path), left_behind(self.path, layout)
-            return
-        self._log, found = Log.resume(self.path)
+            log, self.left_behind = Log.create(self.path), left_behind(self.path, layout)
+            return log
+        log, found = Log.resume(self.path)
         first = found.events[0] if found.events else None
         if first is not None:
             wrong = ""
@@ -116,10 +111,11 @@ class Recorder:
             elif first.get("digest") != digest:
                 wrong = f"{self.path} is the record of {layout} as it was before its layout was changed"
             if wrong:
-                self._log.close()
+                log.close()
                 raise ValueError(f"{wrong}: choose another file")
         self.releases = sum(e["kind"] == "release" for e in found.events)
         self.standing = standing(found.events)
+        return log
 
     def _let_go(self) -> None:
         for lock in self._held:
@@ -139,7 +135,9 @@ class Recorder:
     def cycle(self, cycle: Cycle | None) -> None:
         """A cycle has ended; None while there is no power."""
         if time.monotonic() - self._tried > AGAIN_S:
-            self._look()
+            self._tried = time.monotonic()
+            self._written.try_again(_now_ms())
+        self._written.some()
         if cycle is None:
             on = frozenset(self._clear)
         else:
@@ -155,61 +153,16 @@ class Recorder:
     def close(self) -> None:
         """The panel ends."""
         self._put(END)
+        self._written.close(_now_ms())
         self._let_go()
-        if self._log is not None:
-            self._log.close()
-            self._log = None
 
     def _put(self, kind: str, **fields: Any) -> None:
-        t_ms = round(time.time() * 1000)
-        if self._log is None:
-            self._keep(t_ms, kind, fields)
-            return
-        try:
-            self._log.add(t_ms, kind, **fields)
-        except OSError as error:
-            self._broken(error)
-            self._keep(t_ms, kind, fields)
+        before = self.lost
+        self._written.put(_now_ms(), kind, fields)
+        if self.lost and not before:
+            self._tried = time.monotonic()
 
-    def _keep(self, t_ms: int, kind: str, fields: dict[str, Any]) -> None:
-        self._dropped += len(self._waiting) == WAITING
-        self._waiting.append((t_ms, kind, fields))
 
-    def _look(self) -> None:
-        """Once in a while: go on where nothing could be written; a file that is gone takes nothing any more."""
-        self._tried = time.monotonic()
-        if self._log is None:
-            self._again()
-        elif not self._log.lies_at(self.path):
-            self._broken(OSError(0, f"{self.path} was moved away or removed"))
-
-    def _broken(self, error: OSError) -> None:
-        self.lost = f"the record cannot be written: {error.strerror or error}"
-        self._tried = time.monotonic()
-        if not self._waiting:
-            self._base = self._on
-        if self._log is not None:
-            self._log.close()
-            self._left, self._log = self._log, None
-
-    def _again(self) -> None:
-        """Try to go on: what was torn off is cut away, what was kept is written, in a file that begins anew if the
-        other one is gone."""
-        since = self._waiting[0][0] if self._waiting else round(time.time() * 1000)
-        try:
-            left = self._left if self.path.exists() else None
-            self._log = Log.create(self.path) if left is None else Log.again(self.path, left)
-            if left is None:
-                self._log.add(since, "begin", **self._heading)
-                self._log.add(since, PICTURE, on=sorted(self._base or ()), off=[], whole=True)
-                if self.standing != Standing():
-                    self._log.add(since, KEPT, **_kept(self.standing))
-            self._log.add(since, "gap", text=self.lost, dropped=self._dropped)
-            while self._waiting:
-                t_ms, kind, fields = self._waiting[0]
-                self._log.add(t_ms, kind, **fields)
-                self._waiting.popleft()
-        except (OSError, ValueError) as error:
-            self._broken(error if isinstance(error, OSError) else OSError(str(error)))
-            return
-        self.lost, self._dropped = "", 0
+def _now_ms() -> int:
+    """The time on the wall; of a clock that has lost it, and begins before all time, the beginning."""
+    return max(0, round(time.time() * 1000))

@@ -177,16 +177,18 @@ class Log:
     @staticmethod
     def again(path: Path, before: Log) -> Log:
         """Go on where the same process could not write: what is torn off at the end is cut away.  Nothing is read but
-        the last digest, so that a long log takes no longer than a short one.
+        the last digest, so that a long log takes no longer than a short one.  A file that is empty begins anew.
 
         Raises `ValueError` where the file does not end as it was left, `OSError`.
         """
         handle = os.open(path, os.O_RDWR | os.O_APPEND)
         try:
+            if not os.fstat(handle).st_size:
+                return Log(handle, Chain(), before._sync)
             end = f'"chain":"{before.chain.digest}"}}\n'.encode() if before.chain.number else b""
             os.lseek(handle, before.size - len(end), os.SEEK_SET)
             if os.read(handle, len(end)) != end:
-                raise ValueError(f"{path} is not the log that was written until then")
+                raise ValueError(f"{path} is not the log that was written until then: move it away")
             os.ftruncate(handle, before.size)
             return Log(handle, before.chain, before._sync)
         except (OSError, ValueError):
@@ -209,12 +211,16 @@ class Log:
             raise
         self.size += size
 
-    def lies_at(self, path: Path) -> bool:
-        """Whether this log is the file of that name, which may have been moved or removed."""
+    def differs(self, path: Path) -> str:
+        """What has been done to the file of that name: moved away, removed, cut or written by another; empty where it
+        is this log as it was left."""
         try:
-            return os.path.samestat(os.stat(path), os.fstat(self._handle))
+            own, there = os.fstat(self._handle), os.stat(path)
         except OSError:
-            return False
+            return f"{path} was moved away or removed"
+        if not os.path.samestat(own, there):
+            return f"{path} was moved away or removed, and is another file"
+        return "" if own.st_size == self.size else f"{path} was cut, or written by another program"
 
     def close(self) -> None:
         """Let go of the file."""
