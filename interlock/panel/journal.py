@@ -25,7 +25,7 @@ TOGETHER_MS = 2000
 MOST = 2000
 """States that a page of the player shows at most."""
 
-TOLD = ("operation", "refusal", "release", "alarm", "acknowledged", "note", "gap", "begin", END)
+TOLD = ("operation", "refusal", "release", "alarm", "acknowledged", "cleared", "note", "gap", "begin", END)
 
 
 class NotAPanels(Exception):

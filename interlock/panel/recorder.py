@@ -50,7 +50,8 @@ def views(ready: Ready) -> Views:
 
 def _kept(now: Standing) -> dict[str, Any]:
     """What stands, as it is written; a copy, since what cannot be written at once is kept."""
-    return {"blocks": list(now.blocks), "reminders": {k: list(v) for k, v in now.reminders.items()}}
+    left = {"left": [list(x) for x in now.left]} if now.left else {}
+    return {"blocks": list(now.blocks), "reminders": {k: list(v) for k, v in now.reminders.items()}, **left}
 
 
 class Recorder:
@@ -72,8 +73,8 @@ class Recorder:
         """Releases by hand that the log counts already."""
         self.standing = Standing()
         """What is blocked and what reminds, as the log has it."""
-        self.left_behind: tuple[str, tuple[str, ...]] = ("", ())
-        """Where the log begins anew: the one before it, and what is blocked there."""
+        self.left_behind: tuple[tuple[str, str], ...] = ()
+        """Where the log begins anew: what was blocked at the end of the one before it."""
         try:
             log = self._open(str(ready.layout.name), ready.table.layout_digest)
         except (OSError, ValueError):

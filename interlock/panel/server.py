@@ -58,6 +58,9 @@ not refused because of others (our choice)."""
 LARGEST = 4096
 """Characters of a command at most."""
 
+LONGEST = 200 * entry.MOST_ALARMS
+"""The same of one that acknowledges alarms, each of which it names."""
+
 
 @dataclass(frozen=True)
 class Access:
@@ -167,7 +170,11 @@ class _Talk:
         """The next message, None for one that is none."""
         try:
             text = await self.ws.receive_text()
-            return json.loads(text) if len(text) <= LARGEST else None
+            if len(text) > LONGEST:
+                return None
+            found = json.loads(text)
+            names = isinstance(found, dict) and found.get("do") == entry.ACKNOWLEDGE
+            return found if names or len(text) <= LARGEST else None
         except (KeyError, ValueError, RecursionError):  # KeyError: it is bytes
             return None
 
@@ -221,7 +228,7 @@ def serve(desk: Desk, access: Access, sock: socket.socket) -> None:
         access_log=False,
         lifespan="on",
         ws="websockets-sansio",
-        ws_max_size=4 * LARGEST,
+        ws_max_size=4 * LONGEST,
         timeout_graceful_shutdown=1,
     )
     server = _Server(config)
