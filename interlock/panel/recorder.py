@@ -137,6 +137,8 @@ class Recorder:
         """A cycle has ended; None while there is no power."""
         if time.monotonic() - self._tried > AGAIN_S:
             self._tried = time.monotonic()
+            for lock in self._held:
+                lock.look()  # the log has a lock of its own, too
             self._written.try_again(_now_ms())
         self._written.some()
         if cycle is None:

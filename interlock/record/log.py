@@ -14,10 +14,12 @@ at the end cannot be seen from a log alone; it ends with the event `end` if its 
 
 from __future__ import annotations
 
+import errno
 import hashlib
 import json
 import os
 import re
+import sys
 from dataclasses import field, replace
 from pathlib import Path
 from typing import Any
@@ -144,6 +146,22 @@ def read_file(path: Path) -> Recorded:
     return read(path.read_bytes())
 
 
+def _locked(handle: int, path: Path) -> int:
+    """A file that nobody else writes by whatever name, as far as the system knows locks of files; it lets go of the
+    lock with the file.  Raises `OSError`."""
+    if sys.platform != "win32":
+        import fcntl
+
+        try:
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            os.close(handle)
+            raise OSError(errno.EWOULDBLOCK, "another program writes it", str(path)) from None
+        except OSError:  # a share that has no locks
+            pass
+    return handle
+
+
 class Log:
     """A log on disk, open for more events.  `sync`: each event is on the disk before `add` returns."""
 
@@ -156,9 +174,10 @@ class Log:
     def create(path: Path, sync: bool = False) -> Log:
         """Begin a log.  Raises `LogExists`, `OSError`."""
         try:
-            return Log(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND, 0o644), Chain(), sync)
+            handle = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND, 0o644)
         except FileExistsError:
             raise LogExists(f"{path} exists; a log is never written over") from None
+        return Log(_locked(handle, path), Chain(), sync)
 
     @staticmethod
     def resume(path: Path, sync: bool = False) -> tuple[Log, Recorded]:
@@ -166,12 +185,16 @@ class Log:
 
         A damaged log is not gone on with.  Raises `ValueError` for one, `OSError`.
         """
-        found = read_file(path)
-        if found.problem is not None:
-            raise ValueError(f"{path}:{found.problem.line}: {found.problem.text}")
-        handle = os.open(path, os.O_WRONLY | os.O_APPEND)
-        if found.torn:
-            os.ftruncate(handle, os.fstat(handle).st_size - found.torn)
+        handle = _locked(os.open(path, os.O_WRONLY | os.O_APPEND), path)
+        try:
+            found = read_file(path)
+            if found.problem is not None:
+                raise ValueError(f"{path}:{found.problem.line}: {found.problem.text}")
+            if found.torn:
+                os.ftruncate(handle, os.fstat(handle).st_size - found.torn)
+        except (OSError, ValueError):
+            os.close(handle)
+            raise
         return Log(handle, found.chain, sync), found
 
     @staticmethod
@@ -181,7 +204,7 @@ class Log:
 
         Raises `ValueError` where the file does not end as it was left, `OSError`.
         """
-        handle = os.open(path, os.O_RDWR | os.O_APPEND)
+        handle = _locked(os.open(path, os.O_RDWR | os.O_APPEND), path)
         try:
             if not os.fstat(handle).st_size:
                 return Log(handle, Chain(), before._sync)
