@@ -11,16 +11,16 @@ from typing import Any
 
 from interlock import __version__
 from interlock.app.alarms import to_release
-from interlock.app.run import Ready
+from interlock.app.run import Ready, since_boot
 from interlock.emit.drawing import plan_svg
 from interlock.field.alone import hold_file
 from interlock.field.plc import Cycle
 from interlock.model.machines import shown_by
 from interlock.model.traversal import topology
 from interlock.panel.event import Event, rules
-from interlock.panel.journal import PICTURE
+from interlock.panel.journal import BEGIN, PICTURE, SET_BACK_S, clock
 from interlock.panel.standing import KEPT, Standing, left_behind, standing
-from interlock.panel.written import BEGIN, Written
+from interlock.panel.written import Written
 from interlock.record.log import END, Log
 
 AGAIN_S = 1.0
@@ -75,8 +75,10 @@ class Recorder:
         """What is blocked and what reminds, as the log has it."""
         self.left_behind: tuple[tuple[str, str], ...] = ()
         """Where the log begins anew: what was blocked at the end of the one before it."""
+        self._broke_off = ""
+        """Where the log goes on, and the session before did not come to its end: that, and when."""
         try:
-            log = self._open(str(ready.layout.name), ready.table.layout_digest)
+            log = self._open(str(ready.layout.name), ready.table.layout_digest, views(ready))
         except (OSError, ValueError):
             self._let_go()
             raise
@@ -89,14 +91,17 @@ class Recorder:
             "views": views(ready),
         }
         self._written = Written(path, log, heading, None if self.standing == Standing() else _kept(self.standing))
+        self._clock = time.time(), since_boot()
         self._put(BEGIN, **heading)
+        if self._broke_off:
+            self.event(Event("note", self._broke_off))
 
     @property
     def lost(self) -> str:
         """Why not all is written; empty where it is."""
         return self._written.lost
 
-    def _open(self, layout: str, digest: str) -> Log:
+    def _open(self, layout: str, digest: str, shown: Views) -> Log:
         """Begin the log, or go on with it: one of another kind, or of the layout as it was, would be told wrongly."""
         if not self.path.exists():
             log, self.left_behind = Log.create(self.path), left_behind(self.path, layout)
@@ -111,11 +116,18 @@ class Recorder:
                 wrong = f"{self.path} is the record of {first.get('layout')}"
             elif first.get("digest") != digest:
                 wrong = f"{self.path} is the record of {layout} as it was before its layout was changed"
+            elif first["views"] != shown:
+                by = first.get("program", "another program")
+                wrong = f"{self.path} is the record of {layout} by {by}, which calls what it shows otherwise"
             if wrong:
                 log.close()
                 raise ValueError(f"{wrong}: choose another file")
         self.releases = sum(e["kind"] == "release" for e in found.events)
         self.standing = standing(found.events)
+        if first is not None and not found.ended:
+            since = clock(found.events[-1]["t"], True)
+            torn = f"; {found.torn} bytes of another were torn off" if found.torn else ""
+            self._broke_off = f"the session before did not come to its end: its last event is of {since}{torn}"
         return log
 
     def _let_go(self) -> None:
@@ -137,6 +149,7 @@ class Recorder:
         """A cycle has ended; None while there is no power."""
         if time.monotonic() - self._tried > AGAIN_S:
             self._tried = time.monotonic()
+            self._look_at_the_clock()
             for lock in self._held:
                 lock.look()  # the log has a lock of its own, too
             self._written.try_again(_now_ms())
@@ -160,10 +173,19 @@ class Recorder:
         self._let_go()
 
     def _put(self, kind: str, **fields: Any) -> None:
+        self._look_at_the_clock()
         before = self.lost
         self._written.put(_now_ms(), kind, fields)
         if self.lost and not before:
             self._tried = time.monotonic()
+
+    def _look_at_the_clock(self) -> None:
+        """Somebody has put it forward: from the times of events alone that looks like an hour in which nothing
+        happened.  Whoever reads them sees by himself that it was set back."""
+        (wall, real), self._clock = self._clock, (time.time(), since_boot())
+        ahead = round(self._clock[0] - wall - (self._clock[1] - real))
+        if ahead > SET_BACK_S:
+            self.event(Event("note", f"the clock of this computer was put forward by {ahead} s"))
 
 
 def _now_ms() -> int:

@@ -14,7 +14,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from interlock.panel.journal import PICTURE
+from interlock.panel.journal import BEGIN, PICTURE
 from interlock.panel.standing import KEPT
 from interlock.record.log import Log
 
@@ -24,8 +24,8 @@ WAITING = 100_000
 IN_A_CYCLE = 1000
 """Lines of those that are written in one cycle at most: some ten milliseconds (our choice)."""
 
-BEGIN, GAP = "begin", "gap"
-"""The kinds of events with which a record begins, and goes on where it could not be written."""
+GAP = "gap"
+"""The kind of the event with which a record goes on where it could not be written."""
 
 Fields = dict[str, Any]
 
