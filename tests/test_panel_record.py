@@ -231,6 +231,49 @@ def test_a_record_of_something_else_is_not_gone_on_with(ready: Ready, tmp_path: 
     assert len(read_file(of_a_shift).events) == 1 and len(read_file(of_before).events) == 2
 
 
+def test_a_refusal_says_what_is_blocked_there(ready: Ready, tmp_path: Path) -> None:
+    """Nothing else would: the record that takes its place knows of no block."""
+    assert ready.table is not None
+    changed = replace(ready, table=replace(ready.table, layout_digest="another"))
+    path = tmp_path / "shift.log"
+    before = Recorder(path, changed)
+    before.event(Event("operation", "block section s3"))
+    before.event(Event("operation", "block section s9"))
+    before.close()
+    told = r"choose another file; sections s3, s9 are blocked there: block them again"
+    with pytest.raises(ValueError, match=told):
+        Recorder(path, ready)
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("shift.log", "heishan-20260101-020000.log"),
+        ("heishan-20260101-010000.log", "shift.log"),
+        ("monday.log", "tuesday.log"),
+    ],
+)
+@pytest.mark.parametrize("changes", ["digest", "name", "nothing"])
+def test_a_block_is_not_lost_with_the_file(ready: Ready, tmp_path: Path, old: str, new: str, changes: str) -> None:
+    """Whatever the records are called, and though the layout was changed, or got another name."""
+    assert ready.table is not None and ready.layout is not None
+    was = ready
+    if changes == "digest":
+        was = replace(ready, table=replace(ready.table, layout_digest="another"))
+    elif changes == "name":
+        was = replace(ready, layout=replace(ready.layout, name="heishan_east"))
+    for name, sections in (("aa.log", ["s9"]), (old, ["s3"])):
+        recorder = Recorder(tmp_path / name, was)
+        for s in sections:
+            recorder.event(Event("operation", f"block section {s}"))
+        recorder.close()
+    (tmp_path / "zz.log").write_text("of something else\n", "utf-8")
+    (tmp_path / "empty.log").touch()
+    recorder = Recorder(tmp_path / new, ready)
+    recorder.close()
+    assert recorder.left_behind == (("s3", old),)
+
+
 def test_two_panels_do_not_write_one_record(ready: Ready, tmp_path: Path) -> None:
     """Their events would be between each other's, and the digests of neither would hold."""
     path = tmp_path / "one.log"

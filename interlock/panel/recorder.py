@@ -54,6 +54,16 @@ def _kept(now: Standing) -> dict[str, Any]:
     return {"blocks": list(now.blocks), "reminders": {k: list(v) for k, v in now.reminders.items()}, **left}
 
 
+def _blocked(there: Standing) -> str:
+    """What whoever chooses another file has to block again, in words."""
+    if not there.blocks:
+        return ""
+    several = len(there.blocks) > 1
+    names = ", ".join(there.blocks)
+    what = f"sections {names} are" if several else f"section {names} is"
+    return f"; {what} blocked there: block {'them' if several else 'it'} again"
+
+
 class Recorder:
     """Writes a panel's record."""
 
@@ -104,7 +114,7 @@ class Recorder:
     def _open(self, layout: str, digest: str, shown: Views) -> Log:
         """Begin the log, or go on with it: one of another kind, or of the layout as it was, would be told wrongly."""
         if not self.path.exists():
-            log, self.left_behind = Log.create(self.path), left_behind(self.path, layout)
+            log, self.left_behind = Log.create(self.path), left_behind(self.path, layout, shown)
             return log
         log, found = Log.resume(self.path)
         first = found.events[0] if found.events else None
@@ -121,7 +131,7 @@ class Recorder:
                 wrong = f"{self.path} is the record of {layout} by {by}, which calls what it shows otherwise"
             if wrong:
                 log.close()
-                raise ValueError(f"{wrong}: choose another file")
+                raise ValueError(f"{wrong}: choose another file{_blocked(standing(found.events))}")
         self.releases = sum(e["kind"] == "release" for e in found.events)
         self.standing = standing(found.events)
         if first is not None and not found.ended:
