@@ -9,7 +9,7 @@ import queue
 import sys
 import threading
 from collections.abc import Callable, Iterable, Mapping
-from contextlib import closing
+from contextlib import closing, suppress
 from pathlib import Path
 from typing import Any
 
@@ -214,6 +214,26 @@ class _Typed:
         return (*stand, *(f"{TRAIN} {n}" for n in self._operator.numbers.alarms))
 
 
+class _Heard:
+    """Says what happens; where that finds no room the controller goes on, and the standard error output is told once.
+    Somebody who reads no more ends it, as always."""
+
+    def __init__(self, say: Say) -> None:
+        self._say, self._unheard = say, False
+
+    def __call__(self, event: dict[str, Any]) -> None:
+        try:
+            self._say(event)
+            self._unheard = False
+        except BrokenPipeError:
+            raise
+        except OSError as error:
+            if not self._unheard:
+                with suppress(OSError):
+                    click.echo(f"what happens cannot be written: {error.strerror or error}; the run goes on", err=True)
+            self._unheard = True
+
+
 def _run(
     ready: Ready,
     links: Mapping[str, Link],
@@ -223,6 +243,7 @@ def _run(
     say: Say,
 ) -> None:
     """Run on real inputs and outputs until it is over or somebody ends it, and say what changes."""
+    say = _Heard(say)
     typed = _Typed(ready, say)
     typed.begin()
     gc.enable()  # off in the short-lived commands; this one runs on
