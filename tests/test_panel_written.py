@@ -225,6 +225,24 @@ def test_what_was_dropped_is_counted_once_and_gaps_do_not_fill_the_disk(
     assert sum(e["kind"] == "gap" for e in found) < 6
 
 
+def test_releases_that_were_dropped_are_counted(
+    ready: Ready, tmp_path: Path, disk: Disk, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(written, "WAITING", 20)
+    recorder = Recorder(tmp_path / "x.log", ready)
+    recorder.cycle(None)
+    disk.room = 0
+    for k in range(22):
+        recorder.event(Event("release", f"release section s{k} by hand", "Ann"))
+    disk.room = 1e9
+    recorder.close()
+    text = page(read_file(tmp_path / "x.log"))
+    assert "2 events were dropped, 2 of them releases by hand" in text and "counter 0 before, 22 after" in text
+    again = Recorder(tmp_path / "x.log", ready)
+    assert again.releases == 22
+    again.close()
+
+
 def test_what_was_kept_is_written_over_many_cycles(ready: Ready, tmp_path: Path, disk: Disk) -> None:
     """A hundred thousand lines in one cycle took it a second, and inputs were not valid for that."""
     recorder = Recorder(tmp_path / "x.log", ready)

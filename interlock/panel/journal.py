@@ -19,6 +19,9 @@ PICTURE = "picture"
 BEGIN = "begin"
 """The kind of the event with which a panel begins a record, or goes on with one."""
 
+GAP = "gap"
+"""The kind of the event with which a record goes on where it could not be written."""
+
 SET_BACK_S = 1
 """Seconds by which the clock may be corrected without a word (our choice)."""
 
@@ -28,7 +31,7 @@ TOGETHER_MS = 2000
 MOST = 2000
 """States that a page of the player shows at most."""
 
-TOLD = ("operation", "refusal", "release", "alarm", "acknowledged", "cleared", "note", "gap", BEGIN, END)
+TOLD = ("operation", "refusal", "release", "alarm", "acknowledged", "cleared", "note", GAP, BEGIN, END)
 
 
 class NotAPanels(Exception):
@@ -51,10 +54,10 @@ def _zones(events: Iterable[Event]) -> list[str]:
     return list(dict.fromkeys(_zone(e["t"]) for e in events))
 
 
-def at(text: str, events: Sequence[Event], ends: bool = False) -> int:
+def at(text: str, events: Sequence[Event], ends: bool = False, after: int = 0) -> int:
     """Milliseconds of a time given as HH:MM, HH:MM:SS (on the day of the log's first event, or on the next one where
-    only that lies in the log) or whole.  Where the clock shows it twice, when summer time ends, the first, or with
-    `ends` the second.
+    only that lies in the log, and not before `after`) or whole.  Where the clock shows it twice, when summer time ends,
+    the first, or with `ends` the second.
 
     Raises `ValueError`.
     """
@@ -67,7 +70,7 @@ def at(text: str, events: Sequence[Event], ends: bool = False) -> int:
             continue
         moment = day.replace(hour=given.hour, minute=given.minute, second=given.second, microsecond=0)
         then, next_day = (_moment(m, ends) for m in (moment, moment + timedelta(days=1)))
-        return next_day if then < first <= next_day <= last else then
+        return next_day if then < max(first, after) <= next_day <= last else then
     return _moment(datetime.fromisoformat(text), ends)
 
 
@@ -103,7 +106,8 @@ def span(found: Recorded, first: str, last: str) -> tuple[Event, int, int]:
             raise NotAPanels(f"line {line}: `{wrong}` is missing, or not as a panel writes it")
     begins, ends = _whole(events)
     try:
-        since, until = at(first, events) if first else begins, at(last, events, ends=True) if last else ends
+        since = at(first, events) if first else begins
+        until = at(last, events, ends=True, after=since) if last else ends
     except ValueError:
         raise NotAPanels("write times as HH:MM, HH:MM:SS or 2026-01-31T06:00:00") from None
     if since > until and first and last:
@@ -129,6 +133,7 @@ def _fields(e: Event, first: bool) -> Iterator[tuple[str, bool]]:
         yield "rules", _texts(e.get("rules", []))
         yield from ((k, isinstance(e.get(k, ""), str)) for k in ("text", "who"))
         yield "who", e["kind"] != "release" or "who" in e
+        yield from ((k, type(e.get(k, 0)) is int) for k in ("dropped", "releases"))
 
 
 def _texts(x: object) -> bool:
@@ -217,6 +222,20 @@ def _with_rules(e: Event) -> list[str]:
     return [f"{r[0]} ({rule})" if rule else r[0] for r, rule in zip(e.get("reasons", ()), rules, strict=False)]
 
 
+def released(e: Event) -> int:
+    """Releases by hand that an event tells of: its own, or those among the events that were dropped."""
+    return int(e.get("releases", 0)) if e["kind"] == GAP else int(e["kind"] == "release")
+
+
+def _text(e: Event) -> str:
+    """What an event says on the page of a shift."""
+    text = e.get("text") or {BEGIN: "the panel begins", END: "the panel ends"}.get(e["kind"], e["kind"])
+    if not e.get("dropped"):
+        return str(text)
+    by_hand = f", {released(e)} of them releases by hand" if released(e) else ""
+    return f"{text}; {e['dropped']} events were dropped{by_hand}"
+
+
 def _unended(events: Sequence[Event]) -> int:
     """Sessions that broke off: another one began, or the log ends, without the event that ends them."""
     after = [e["kind"] for e in events[1:]] + [BEGIN]
@@ -229,10 +248,10 @@ def page(found: Recorded, first: str = "", last: str = "") -> str:
     told: list[Event] = []
     for before, e in pairwise((found.events[0], *found.events)):
         if jump := _set_back(before, e):
-            told.append({"kind": "gap", "t": e["t"], "text": jump})
+            told.append({"kind": GAP, "t": e["t"], "text": jump})
         if e["kind"] in TOLD:
             told.append(e)
-    numbers = list(accumulate(e["kind"] == "release" for e in told))
+    numbers = list(accumulate(released(e) for e in told))
     inside = [(n, e) for n, e in zip(numbers, told, strict=True) if start <= e["t"] <= end]
     zoned = len(_zones(e for _, e in inside)) > 1
     rows = [
@@ -240,7 +259,7 @@ def page(found: Recorded, first: str = "", last: str = "") -> str:
             "time": clock(e["t"], zoned),
             "kind": e["kind"],
             "who": e.get("who", ""),
-            "text": e.get("text") or {BEGIN: "the panel begins", END: "the panel ends"}.get(e["kind"], e["kind"]),
+            "text": _text(e),
             "reasons": _with_rules(e),
         }
         for _, e in inside
@@ -259,7 +278,8 @@ def page(found: Recorded, first: str = "", last: str = "") -> str:
         "kinds": kinds,
         "people": sorted(people.items()),
         "counter": (numbers[-1] if numbers else 0),
-        "before": inside[0][0] - (inside[0][1]["kind"] == "release") if inside else 0,
+        "before": inside[0][0] - released(inside[0][1]) if inside else 0,
+        "after": inside[-1][0] if inside else 0,
         "chain": found.chain.digest,
         "events": found.chain.number,
         "ended": found.ended,

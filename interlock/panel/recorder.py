@@ -18,10 +18,10 @@ from interlock.field.plc import Cycle
 from interlock.model.machines import shown_by
 from interlock.model.traversal import topology
 from interlock.panel.event import Event, rules
-from interlock.panel.journal import BEGIN, PICTURE, SET_BACK_S, clock
+from interlock.panel.journal import BEGIN, PICTURE, SET_BACK_S, clock, released
 from interlock.panel.standing import KEPT, Standing, left_behind, standing
 from interlock.panel.written import Written
-from interlock.record.log import END, Log
+from interlock.record.log import Log
 
 AGAIN_S = 1.0
 """Seconds after which writing is tried again."""
@@ -132,7 +132,7 @@ class Recorder:
             if wrong:
                 log.close()
                 raise ValueError(f"{wrong}: choose another file{_blocked(standing(found.events))}")
-        self.releases = sum(e["kind"] == "release" for e in found.events)
+        self.releases = sum(released(e) for e in found.events)
         self.standing = standing(found.events)
         if first is not None and not found.ended:
             since = clock(found.events[-1]["t"], True)
@@ -178,7 +178,7 @@ class Recorder:
 
     def close(self) -> None:
         """The panel ends."""
-        self._put(END)
+        self._look_at_the_clock()
         self._written.close(_now_ms())
         self._let_go()
 

@@ -14,18 +14,15 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from interlock.panel.journal import BEGIN, PICTURE
+from interlock.panel.journal import BEGIN, GAP, PICTURE
 from interlock.panel.standing import KEPT
-from interlock.record.log import Log
+from interlock.record.log import END, Log
 
 WAITING = 100_000
 """Lines that are kept at most while nothing can be written."""
 
 IN_A_CYCLE = 1000
 """Lines of those that are written in one cycle at most: some ten milliseconds (our choice)."""
-
-GAP = "gap"
-"""The kind of the event with which a record goes on where it could not be written."""
 
 Fields = dict[str, Any]
 
@@ -45,7 +42,8 @@ class Written:
         self._on: frozenset[str] | None = None
         self._kept = kept
         """What the last line before those that wait shows, and what stands then."""
-        self._dropped = 0
+        self._dropped = self._releases = 0
+        """Events that were dropped, and those among them that are releases by hand, which are counted."""
         self._gap = self._whole = False
         """Whether that something is missing, and all that is so, are still to be written."""
         self._last = ""
@@ -65,6 +63,7 @@ class Written:
             _, dropped, of_it = self._waiting.popleft()
             self._follow(dropped, of_it)
             self._dropped += 1
+            self._releases += dropped == "release"
         self._waiting.append((t_ms, kind, fields))
 
     def try_again(self, now_ms: int) -> None:
@@ -93,10 +92,11 @@ class Written:
             self.lost = ""
 
     def close(self, now_ms: int) -> None:
-        """Nothing comes any more: try once more, and say on the standard error output what could not be written."""
+        """The last line: try once more, and say on the standard error output what could not be written."""
         if self._log is None:
             self.try_again(now_ms)
         self.some(len(self._waiting))
+        self.put(now_ms, END, {})
         if missing := len(self._waiting) + self._dropped:
             with suppress(OSError, ValueError):
                 print(f"error: the last {missing} events are not in {self._path}: {self.lost}", file=sys.stderr)
@@ -125,9 +125,10 @@ class Written:
                 self._waiting.popleft()
             self._all(log, since)
         if self._gap and (self._dropped or self._last != GAP):
-            self._write(log, since, GAP, {"text": self.lost, "dropped": self._dropped})
+            by_hand = {"releases": self._releases} if self._releases else {}
+            self._write(log, since, GAP, {"text": self.lost, "dropped": self._dropped, **by_hand})
             self._whole = self._whole or bool(self._dropped)
-            self._dropped = 0
+            self._dropped = self._releases = 0
         self._gap = False
         if self._whole:
             self._all(log, since)
