@@ -70,7 +70,8 @@ def at(text: str, events: Sequence[Event], ends: bool = False, after: int = 0) -
             continue
         moment = day.replace(hour=given.hour, minute=given.minute, second=given.second, microsecond=0)
         then, next_day = (_moment(m, ends) for m in (moment, moment + timedelta(days=1)))
-        return next_day if then < max(first, after) <= next_day <= last else then
+        other = then < max(first, after) <= next_day and (next_day <= last or (ends and then < min(first, after)))
+        return next_day if other else then
     return _moment(datetime.fromisoformat(text), ends)
 
 
