@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +22,9 @@ from interlock.frontend import load_text
 from interlock.logic.cabinet import allocate
 from interlock.logic.expr import interning
 from interlock.logic.lower import lower
+from interlock.panel.clock import Clock
 from interlock.panel.desk import Desk
+from interlock.panel.operating import Person
 from interlock.panel.server import Access, application
 
 QUICK = """
@@ -123,6 +126,34 @@ def at_work(ready: Ready) -> Iterator[tuple[Desk, Callable[..., Any]]]:
             b.ask("speed", times=10)
             b.released()
         yield desk, browser
+
+
+def in_cycles(
+    desk: Desk,
+    cycles: int,
+    script: Mapping[int, Sequence[tuple[str, dict[str, Any]]]],
+    wall: Callable[[], object] = bool,
+) -> list[tuple[str, dict[str, Any]]]:
+    """Run so many cycles of a simulated railway as fast as they go, with what people ask for before some of them; who
+    was answered what.  `wall` is called after each cycle."""
+    now, count, answers = [0.0], [0], list[tuple[str, dict[str, Any]]]()
+
+    def heard(who: str, answer: dict[str, Any]) -> None:
+        answers.append((who, answer))
+
+    def sleep(seconds: float) -> None:
+        now[0] += seconds
+        count[0] += 1
+        wall()
+        for who, command in script.get(count[0], ()):
+            desk.ask(Person(who, True), command, partial(heard, who))
+        if count[0] >= cycles:
+            desk._stop.set()
+
+    desk.clock = Clock(1.0, lambda: now[0], sleep)
+    desk._run()
+    assert desk.broken == ""
+    return answers
 
 
 def flank_lab() -> Ready:

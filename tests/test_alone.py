@@ -18,7 +18,9 @@ from click.testing import CliRunner
 
 from interlock.cli.main import cli
 from interlock.field import alone
-from interlock.field.alone import InUse, hold, hold_file
+from interlock.field.alone import LOOK_S, Alone, InUse, hold, hold_file
+from interlock.field.plc import LinkLost
+from interlock.record.log import Log
 from tests.test_links import STATION
 
 ALIASES = {"plc-west": ["10.7.0.1", "10.7.0.2"], "west": ["10.7.0.2"], "localhost": ["127.0.0.1", "::1"]}
@@ -220,3 +222,61 @@ def test_many_at_once_one_gets_it(port: int) -> None:
     assert len(got) == 1
     for file in got[0]:
         file.close()
+
+
+class Outputs:
+    """A substation that counts what is written."""
+
+    written = 0
+
+    def read(self) -> dict[str, int]:
+        return {}
+
+    def write(self, values: Any, heartbeat: bool) -> None:
+        self.written += 1
+
+    def close(self) -> None:
+        pass
+
+
+@pytest.mark.parametrize("second", ["none", "runs", "has ended"])
+def test_where_the_lock_is_swept_away_one_controller_writes(
+    port: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, second: str
+) -> None:
+    """A second one started, and both wrote the same outputs until somebody ended one."""
+    monkeypatch.setattr(alone, "FOLDER", tmp_path)
+    now, link = [0.0], Outputs()
+    held = hold([f"10.7.0.1:{port}"])
+    first = Alone(link, held, lambda: now[0])
+    first.write({}, True)
+    for path in tmp_path.glob("*.lock"):
+        path.unlink()
+    other = [] if second == "none" else hold([f"10.7.0.1:{port}"])
+    if second == "has ended":
+        for lock in other:
+            lock.close()
+    now[0] += 2 * LOOK_S
+    for _ in range(3):
+        if second == "none":
+            first.write({}, True)
+            assert first.read() == {}
+        else:
+            with pytest.raises(LinkLost, match="another interlock on this computer writes the same outputs"):
+                first.write({}, True)
+    assert link.written == (4 if second == "none" else 1)
+    if second == "none":
+        with pytest.raises(InUse):
+            hold([f"10.7.0.1:{port}"])
+    for lock in (*held, *other):
+        lock.close()
+
+
+def test_one_file_of_two_names_has_one_writer(tmp_path: Path) -> None:
+    """The events of two panels stood between each other's, and neither record could be read."""
+    path, name = tmp_path / "a.log", tmp_path / "b.log"
+    with Log.create(path) as log:
+        log.add(1, "begin")
+        name.hardlink_to(path)
+        with pytest.raises(OSError, match="another program writes it"):
+            Log.resume(name)
+    Log.resume(name)[0].close()

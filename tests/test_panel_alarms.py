@@ -5,8 +5,12 @@ from __future__ import annotations
 import json
 from typing import Any
 
+import pytest
+from starlette.websockets import WebSocketDisconnect
+
 from interlock.app.reasons import Moment
 from interlock.app.run import Ready
+from interlock.panel.alarms import MORE, MOST, Alarms
 from interlock.panel.desk import Desk
 from tests.panels import all_released, kinds, panel
 
@@ -196,3 +200,59 @@ def test_of_what_lost_inputs_would_tell_nothing_is_said_but_that_they_are_lost(l
         b.until(lambda: b.state["g:N2"][3] is None)
         b.until(lambda: not any(b.state[f"s:{s}"][1] for s in ("w2", "g4")) or b.ask("release all"))
         b.until(lambda: not any(b.state[f"s:{s}"][1] for s in ("w2", "g4")) and b.state["o:F.1"] == [0])
+
+
+@pytest.mark.parametrize("count", [100, 900])
+def test_all_alarms_are_acknowledged_at_once_however_many(ready: Ready, count: int) -> None:
+    """From some eighty on the message was too long for the server, which let the browser go."""
+    with panel(ready) as (desk, browser), browser(name="Ann") as b:
+        for k in range(count):
+            desk.operating.alarms.once(
+                f"signal XB has returned to stop {k}", ("g:XB",), "2026-09-21T14:13:20.000+00:00"
+            )
+        b.until(lambda: len(b.rest["alarms"]) >= count)
+        assert b.ask("acknowledge", alarms=[[a[0], a[3]] for a in b.rest["alarms"]])["ok"]
+        b.until(lambda: not [a for a in b.rest["alarms"] if not a[5]])
+        with pytest.raises(WebSocketDisconnect):  # whatever else is so long is none of a browser's
+            b.ask("remind", at="s:s3", text="x", more=[0] * 5000)
+
+
+def test_what_happens_again_and_again_is_one_alarm_with_its_count() -> None:
+    """A detector that flickered at night left ten thousand alarms, and every message was longer than the last."""
+    alarms = Alarms()
+    for k in range(3):
+        alarms.once("signal XB has returned to stop", ("g:XB",), f"2026-09-21T14:13:2{k}.000+00:00")
+        alarms.once("signal XC has returned to stop", ("g:XC",), f"2026-09-21T14:13:2{k}.000+00:00")
+    first, second = (a.told() for a in alarms.all.values())
+    assert first[1] == "signal XB has returned to stop (3 times since 2026-09-21 14:13:20)"
+    assert first[3] == "2026-09-21T14:13:22.000+00:00" and second[2] == ["g:XC"]
+    assert not alarms.acknowledge([(first[0], "2026-09-21T14:13:21.000+00:00")], "Ann"), "the last one was not seen"
+    assert [a.count for a in alarms.acknowledge([(first[0], first[3])], "Ann")] == [3]
+    assert alarms.once("signal XB has returned to stop", ("g:XB",), "").said == "signal XB has returned to stop"
+
+
+def test_a_cause_that_comes_and_goes_is_counted_and_its_end_is_told() -> None:
+    alarms, cause = Alarms(), {"lost main": ("substation main is lost", ())}
+    new, over = alarms.stand(cause, "2026-09-21T14:13:20.000+00:00")
+    assert len(new) == 1 and not over
+    assert alarms.stand({}, "")[1] == new and alarms.stand({}, "") == ([], [])
+    ((again,), _) = alarms.stand(cause, "2026-09-21T14:14:20.000+00:00")
+    assert again.said == "substation main is lost (2 times since 2026-09-21 14:13:20)" and len(alarms.all) == 1
+
+
+def test_alarms_of_different_things_have_an_end_too() -> None:
+    alarms = Alarms()
+    for k in range(MOST + 50):
+        alarms.once(f"the bystander sees {k}", (), "2026-09-21T14:13:20.000+00:00")
+    assert len(alarms.all) == MOST + 1
+    assert list(alarms.all.values())[-1].said == f"{MORE} (50 times since 2026-09-21 14:13:20)"
+
+
+def test_the_end_of_an_alarm_is_told(ready: Ready) -> None:
+    with panel(ready) as (_, browser), browser() as b:
+        b.ask("speed", times=10)
+        b.released()
+        b.ask("fail", kind="station", name="main", on=True)
+        b.until(lambda: kinds(b.events, "alarm"))
+        b.ask("fail", kind="station", name="main", on=False)
+        b.until(lambda: "over: substation main: no answer" in kinds(b.events, "cleared"))

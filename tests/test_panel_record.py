@@ -10,6 +10,7 @@ import re
 from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
+from typing import Any
 
 import pytest
 from click.testing import CliRunner
@@ -17,11 +18,12 @@ from click.testing import CliRunner
 from interlock.app.run import Ready
 from interlock.cli.main import cli
 from interlock.field.alone import InUse
+from interlock.panel.desk import Desk
 from interlock.panel.event import Event
 from interlock.panel.journal import page, trace
 from interlock.panel.recorder import Recorder
 from interlock.record.log import Chain, Log, read_file
-from tests.panels import kinds, panel
+from tests.panels import in_cycles, kinds, panel
 
 
 def test_blocks_and_reminders_are_restored_from_the_record_that_is_gone_on_with(ready: Ready, tmp_path: Path) -> None:
@@ -64,6 +66,67 @@ def test_a_block_that_cannot_be_restored_is_an_alarm(ready: Ready, tmp_path: Pat
         assert "the block of section s99 cannot be restored: there is no such section" in [
             a[1] for a in b.rest["alarms"]
         ]
+
+
+def started(ready: Ready, folder: Path, day: int, *commands: dict[str, Any]) -> list[str]:
+    """The alarms of a panel that begins a record of its own, after some commands."""
+    desk = Desk(ready, None, 100, Recorder(folder / f"heishan-2026010{day}-060000.log", ready))
+    before = [a.text for a in desk.operating.alarms.all.values()]
+    in_cycles(desk, 10, {2: [("Ann", c) for c in commands]})
+    return before
+
+
+BLOCK: dict[str, Any] = {"do": "block", "section": "s6", "on": True}
+WAS = "section s6 was blocked when heishan-20260101-060000.log ended, and is not blocked now: block it again"
+
+
+@pytest.mark.parametrize("seen_to", [{"do": "acknowledge"}, BLOCK])
+def test_a_block_is_told_at_every_start_until_somebody_has_seen_to_it(
+    ready: Ready, tmp_path: Path, seen_to: dict[str, Any]
+) -> None:
+    """It was told at the first start after it, and forgotten at the second."""
+    started(ready, tmp_path, 1, BLOCK)
+    for day in (2, 3):
+        assert started(ready, tmp_path, day) == [WAS]
+    path = tmp_path / "heishan-20260103-060000.log"
+    again = Desk(ready, None, 100, Recorder(path, ready))
+    assert [a.text for a in again.operating.alarms.all.values()] == [WAS], "where that record goes on, too"
+    in_cycles(again, 10, {2: [("Ann", seen_to)]})
+    told = [] if seen_to["do"] == "acknowledge" else [WAS.replace("20260101", "20260103")]
+    assert started(ready, tmp_path, 4) == told
+
+
+@pytest.mark.parametrize("spoil", ["empty", "unreadable", "damaged", "cut"])
+def test_a_record_that_says_too_little_hides_no_block(ready: Ready, tmp_path: Path, spoil: str) -> None:
+    started(ready, tmp_path, 1, BLOCK)
+    path = tmp_path / "heishan-20260102-060000.log"
+    if spoil == "cut":  # by a crash, as any record may be
+        started(ready, tmp_path, 2)
+        path.write_bytes(path.read_bytes()[:-9])
+        assert started(ready, tmp_path, 3) == [WAS]
+        return
+    if spoil == "damaged":
+        started(ready, tmp_path, 2)
+        path.write_bytes(
+            path.read_bytes().replace(b"is locked", b"is opened").replace(b'"kind":"end"', b'"kind":"eve"')
+        )
+    elif spoil == "empty":
+        path.touch()
+    else:
+        path.mkdir()
+    why = f"{path.name} cannot be read to its end: what was blocked then is not known, and is not blocked now"
+    for day in (3, 4):
+        assert sorted(started(ready, tmp_path, day)) == sorted([WAS, why])
+
+
+def test_a_damaged_record_says_what_it_can(ready: Ready, tmp_path: Path) -> None:
+    started(ready, tmp_path, 1, BLOCK)
+    path = tmp_path / "heishan-20260101-060000.log"
+    path.write_bytes(path.read_bytes().replace(b'"kind":"end"', b'"kind":"eve"'))
+    assert len(started(ready, tmp_path, 2)) == 2
+    path.write_bytes(b"x" + path.read_bytes())
+    (tmp_path / "heishan-20260102-060000.log").unlink()
+    assert len(started(ready, tmp_path, 2)) == 1
 
 
 def test_a_record_of_before_says_what_is_blocked_in_its_operations(ready: Ready, tmp_path: Path) -> None:
@@ -213,7 +276,7 @@ def test_a_block_is_not_lost_with_the_file(ready: Ready, tmp_path: Path, old: st
     (tmp_path / "empty.log").touch()
     recorder = Recorder(tmp_path / new, ready)
     recorder.close()
-    assert recorder.left_behind == (old, ("s3",))
+    assert recorder.left_behind == (("s3", old),)
 
 
 def test_two_panels_do_not_write_one_record(ready: Ready, tmp_path: Path) -> None:

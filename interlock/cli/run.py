@@ -9,7 +9,7 @@ import queue
 import sys
 import threading
 from collections.abc import Callable, Iterable, Mapping
-from contextlib import closing
+from contextlib import closing, suppress
 from pathlib import Path
 from typing import Any
 
@@ -34,7 +34,7 @@ from interlock.cli.operator_place import answering, parsed
 from interlock.dataclass import dataclass
 from interlock.diag.extras import install
 from interlock.dispatch.arbiter import Full
-from interlock.field.alone import InUse, hold
+from interlock.field.alone import Alone, InUse, Lock, hold
 from interlock.field.modbus import ModbusLink
 from interlock.field.operator_place import Reply
 from interlock.field.plc import Cycle, Link
@@ -52,8 +52,9 @@ class _Place:
     device: int
 
 
-def _places(layout: Layout, given: tuple[str, ...]) -> dict[str, _Place]:
-    """Where each substation is, from what --modbus says; nobody else may write there until the command ends."""
+def _places(layout: Layout, given: tuple[str, ...]) -> tuple[dict[str, _Place], list[Lock]]:
+    """Where each substation is, from what --modbus says, and the locks by which nobody else may write there until the
+    command ends."""
     stations = tuple(s.name for s in substations(layout))
     places: dict[str, _Place] = {}
     for text in given:
@@ -73,21 +74,25 @@ def _places(layout: Layout, given: tuple[str, ...]) -> dict[str, _Place]:
         raise click.UsageError(f"--modbus is missing for {', '.join(missing)}")
     try:
         held = hold([f"{p.host}:{p.port}/{p.device}" for p in places.values()])
-        click.get_current_context().call_on_close(lambda: [lock.close() for lock in held])
+        for lock in held:
+            click.get_current_context().call_on_close(lock.close)
     except InUse as error:
         raise click.UsageError(str(error)) from None
-    return places
+    return places, held
 
 
 def _prepared(layout: str, modbus: tuple[str, ...]) -> tuple[Ready, dict[str, Link] | None]:
     """The layout, proved, and the links to its substations, whose addresses are looked at before; None without any."""
     places: dict[str, _Place] = {}
+    held: list[Lock] = []
 
     def checked(found: Checked) -> None:
         if not modbus:
             return
         assert found.layout is not None
-        places.update(_places(found.layout, modbus))
+        found_places, locks = _places(found.layout, modbus)
+        places.update(found_places)
+        held.extend(locks)
         if why := beyond_modbus(found):
             raise click.UsageError(why)
 
@@ -95,7 +100,8 @@ def _prepared(layout: str, modbus: tuple[str, ...]) -> tuple[Ready, dict[str, Li
         ready = prepare(layout, None, report, checked)
     if ready.allocation is None or not modbus:
         return ready, None
-    return ready, {s: ModbusLink(ready.allocation, s, p.host, p.port, p.device) for s, p in places.items()}
+    a = ready.allocation
+    return ready, {s: Alone(ModbusLink(a, s, p.host, p.port, p.device), held) for s, p in places.items()}
 
 
 def _needs(module: str, what: str, extra: str) -> None:
@@ -208,6 +214,26 @@ class _Typed:
         return (*stand, *(f"{TRAIN} {n}" for n in self._operator.numbers.alarms))
 
 
+class _Heard:
+    """Says what happens; where that finds no room the controller goes on, and the standard error output is told once.
+    Somebody who reads no more ends it, as always."""
+
+    def __init__(self, say: Say) -> None:
+        self._say, self._unheard = say, False
+
+    def __call__(self, event: dict[str, Any]) -> None:
+        try:
+            self._say(event)
+            self._unheard = False
+        except BrokenPipeError:
+            raise
+        except OSError as error:
+            if not self._unheard:
+                with suppress(OSError):
+                    click.echo(f"what happens cannot be written: {error.strerror or error}; the run goes on", err=True)
+            self._unheard = True
+
+
 def _run(
     ready: Ready,
     links: Mapping[str, Link],
@@ -217,6 +243,7 @@ def _run(
     say: Say,
 ) -> None:
     """Run on real inputs and outputs until it is over or somebody ends it, and say what changes."""
+    say = _Heard(say)
     typed = _Typed(ready, say)
     typed.begin()
     gc.enable()  # off in the short-lived commands; this one runs on

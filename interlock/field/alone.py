@@ -4,6 +4,10 @@ outputs or the same file is refused.
 Locks on files that the operating system lets go of with the process, however that ends, in one folder for all users.
 Outputs are known by every address to which the name of their host leads, and by the name, which may lead elsewhere
 later, or nowhere.  What another computer writes cannot be seen from here, nor that two addresses lead to one device.
+
+Whoever tidies that folder takes a file away and leaves its lock with nobody who could find it.  So it is looked after
+while the controller runs (`Alone`), and made again; where another controller has come first, this one writes nothing
+any more, for good: it does not know what the other one has let trains do.
 """
 
 from __future__ import annotations
@@ -14,11 +18,14 @@ import os
 import socket
 import sys
 import time
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
+from threading import Lock as Mutex
 from threading import Thread
 from typing import IO
+
+from interlock.field.plc import Link, LinkLost
 
 FOLDER = Path("/tmp") if os.name == "posix" else Path(os.environ.get("PROGRAMDATA", "C:/ProgramData"))
 """Where the files lie, whatever folder a user has of his own."""
@@ -32,6 +39,9 @@ MOST = 32
 TRIES = 5
 """How often a file is opened that another process is just making, or that somebody sweeps away."""
 
+LOOK_S = 2.0
+"""Seconds after which it is looked again whether a lock is where others look for it (our choice)."""
+
 LOOPBACK = "127.0.0.1"
 
 
@@ -39,8 +49,66 @@ class InUse(Exception):
     """Another process holds one of them, or nobody can see whether one does; the message says which."""
 
 
-def hold(places: list[str]) -> list[IO[bytes]]:
-    """Hold outputs, each place as HOST:PORT[/DEVICE], as long as the files that are returned stay open.  Raises
+class Lock:
+    """A file that is locked, and what it is held for, as whoever asks calls it."""
+
+    def __init__(self, file: IO[bytes], path: Path, place: str) -> None:
+        self._file, self._path, self.place = file, path, place
+        self._lost = False
+
+    def look(self) -> bool:
+        """Whether it is held; one that somebody has removed is made again.  Where another one lies there, another
+        process has held it in between, and it is lost for good."""
+        if self._lost or _lies_at(self._file, self._path):
+            return not self._lost
+        try:
+            again = None if os.path.lexists(self._path) else _taken(self._path, self.place)
+        except InUse:
+            again = None
+        if again is None:
+            self._lost = True
+            return False
+        self._file.close()
+        self._file = again
+        return True
+
+    def close(self) -> None:
+        """Let go of it."""
+        self._file.close()
+
+
+class Alone:
+    """The way to a substation, as long as nobody else on this computer holds one of its locks."""
+
+    def __init__(self, link: Link, held: Sequence[Lock], now: Callable[[], float] = time.monotonic) -> None:
+        self._link, self._held, self._now = link, held, now
+        self._looked, self._mutex = now(), Mutex()
+
+    def read(self) -> Mapping[str, int]:
+        """See `Link`."""
+        self._look()
+        return self._link.read()
+
+    def write(self, values: Mapping[str, bool], heartbeat: bool) -> None:
+        """See `Link`."""
+        self._look()
+        self._link.write(values, heartbeat)
+
+    def close(self) -> None:
+        """See `Link`."""
+        self._link.close()
+
+    def _look(self) -> None:
+        with self._mutex:
+            if self._now() - self._looked < LOOK_S:
+                return
+            if not all(lock.look() for lock in self._held):
+                raise LinkLost("another interlock on this computer writes the same outputs: end one, start this again")
+            self._looked = self._now()
+
+
+def hold(places: list[str]) -> list[Lock]:
+    """Hold outputs, each place as HOST:PORT[/DEVICE], until the locks that are returned are closed.  Raises
     `InUse`."""
     parts = [_parted(place) for place in places]
     addresses = _looked_up({host for host, _, _ in parts})
@@ -54,7 +122,7 @@ def hold(places: list[str]) -> list[IO[bytes]]:
     return _hold(owner, "outputs")
 
 
-def hold_file(path: Path) -> list[IO[bytes]]:
+def hold_file(path: Path) -> list[Lock]:
     """Hold a record, likewise."""
     return _hold({str(path.resolve()): str(path)}, "record")
 
@@ -96,15 +164,16 @@ def _looked_up(hosts: Iterable[str]) -> Mapping[str, tuple[str, ...]]:
     return dict(found)
 
 
-def _hold(names: Mapping[str, str], what: str) -> list[IO[bytes]]:
+def _hold(names: Mapping[str, str], what: str) -> list[Lock]:
     """Take a lock for each name, all or none; beside each what it is called by whoever asks."""
-    held: list[IO[bytes]] = []
+    held: list[Lock] = []
     try:
         for name, place in names.items():
-            file = _taken(FOLDER / f"interlock-{hashlib.sha256(name.encode()).hexdigest()[:20]}.lock", place)
+            path = FOLDER / f"interlock-{hashlib.sha256(name.encode()).hexdigest()[:20]}.lock"
+            file = _taken(path, place)
             if file is None:
                 raise InUse(f"{place} is held by another interlock on this computer: two may not write the same {what}")
-            held.append(file)
+            held.append(Lock(file, path, place))
     except InUse:
         for one in held:
             one.close()
@@ -122,12 +191,20 @@ def _taken(path: Path, place: str) -> IO[bytes] | None:
             if not _lock(file):
                 file.close()
                 return None
-            if os.path.samestat(os.fstat(file.fileno()), os.lstat(path)):
+            if _lies_at(file, path):
                 return file
             file.close()
         except OSError as error:
             why = error.strerror or type(error).__name__
     raise InUse(f"it cannot be seen whether another interlock holds {place}: {path}: {why}; remove that file")
+
+
+def _lies_at(file: IO[bytes], path: Path) -> bool:
+    """Whether this file is the one of that name."""
+    try:
+        return os.path.samestat(os.fstat(file.fileno()), os.lstat(path))
+    except OSError:
+        return False
 
 
 def _open(path: Path) -> IO[bytes]:

@@ -25,8 +25,12 @@ from typing import Any
 
 from interlock.dataclass import dataclass
 from interlock.field.plc import Cycle
+from interlock.field.sockets import keeps_alive, most
 from interlock.logic.controller import Controller
 from interlock.logic.words import UNKNOWN
+
+IDLE_S = 60.0
+"""Seconds after which a connection over which nothing was asked is let go (our choice)."""
 
 FORM = 1
 """The form of these registers."""
@@ -243,8 +247,26 @@ class OperatorPlace:
         from pymodbus.simulator import DataType, SimData, SimDevice
 
         class Handler(ServerRequestHandler):
+            asks = False
+
+            def callback_connected(self) -> None:
+                super().callback_connected()
+                if sock := self.transport.get_extra_info("socket"):
+                    keeps_alive(sock)
+                if len(self.server.active_connections) > most():
+                    self.loop.call_soon(self.close)
+                self.loop.call_later(IDLE_S, self.look)
+
+            def look(self) -> None:
+                if not self.asks:
+                    self.close()
+                elif not self.is_closing:
+                    self.asks = False
+                    self.loop.call_later(IDLE_S, self.look)
+
             async def handle_request(self) -> None:
                 found = self.transport.get_extra_info("peername") if self.transport else None
+                self.asks = True
                 _peer.set(f"{found[0]}:{found[1]}" if found else "unknown")
                 await super().handle_request()  # type: ignore[no-untyped-call]
 

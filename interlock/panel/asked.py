@@ -6,10 +6,11 @@ from collections.abc import Iterator
 
 from interlock.app.reasons import Moment, Reason, Reasons
 from interlock.app.run import Operator
-from interlock.dispatch.arbiter import Source
+from interlock.dispatch.arbiter import Request, Source
 from interlock.field.plc import Cycle
 from interlock.logic.symbols import Symbols
 from interlock.logic.words import UNKNOWN
+from interlock.panel.commands import Refused
 from interlock.panel.event import Event
 
 
@@ -18,11 +19,35 @@ class Asked:
 
     def __init__(self, symbols: Symbols, operator: Operator) -> None:
         self._symbols, self._operator = symbols, operator
-        self._waiting: dict[int, str] = {}
+        self._waiting: dict[int, list[str]] = {}
+        self._answered: tuple[Request | None, str] = (None, "")
+        """The request that a person has made and a scan has answered last, and who that was."""
 
     def ask(self, number: int, who: str) -> None:
-        """Somebody asks for a number."""
-        self._waiting[number] = who
+        """Somebody has asked for a number: one of a route once for all who ask while it waits, one of a swing for each.
+        Raises `Refused` where a scan has answered that request before it was asked for again: nothing answers twice."""
+        answered, by = self._answered
+        if answered is not None and answered.stage.number == number and answered in self._waits(number):
+            name = answered.stage.route
+            raise Refused(f"route {name} is asked for already by {by}", f"g:{answered.stage.entry}")
+        self._waiting.setdefault(number, []).append(who)
+
+    def _waits(self, number: int) -> list[Request]:
+        """Requests of people for a route that wait, or are being made."""
+        waiting = self._operator.dispatcher.arbiter.waiting
+        return [r for r in waiting if r.stage.number == number and r.source is Source.HAND]
+
+    def _who(self, number: int, is_route: bool) -> str:
+        """Whose request a scan has read: people's, if it is theirs that was made, and not one of a dispatcher."""
+        if not is_route:
+            names = self._waiting.get(number, [])
+            return names.pop(0) if names else ""
+        made = self._operator.dispatcher.arbiter.asked
+        if made is None or made.stage.number != number or made.source is not Source.HAND:
+            return ""
+        who = ", ".join(dict.fromkeys(self._waiting.pop(number, ())))
+        self._answered = made, who
+        return who
 
     def answers(self, reasons: Reasons, before: Cycle, cycle: Cycle, moment: Moment) -> Iterator[Event]:
         """What the scan has answered: a route is set, or refused; a request of a person is made once."""
@@ -33,7 +58,7 @@ class Asked:
         if not number or before.inputs.get(y.requests.request, 0) or not cycle.valid:
             return
         route = next((r for r in y.routes if r.number == number), None)
-        who = self._waiting.pop(number, "")
+        who = self._who(number, route is not None)
         if route is None:
             yield from self._swing(reasons, before, cycle, moment, who)
             return
@@ -75,15 +100,16 @@ class Asked:
 
     def given_up(self, why: str) -> Iterator[Event]:
         """What was asked for before is not to come true some time after: inputs are lost, or signals put to stop."""
-        for number, who in self._waiting.items():
+        for number, names in self._waiting.items():
             name = next((f"route {r.id}" for r in self._symbols.routes if r.number == number), "the overlap's swing")
             self._withdraw(number)
-            yield Event("refusal", f"{name} is refused", who, (), (Reason(why),))
+            for who in dict.fromkeys(names):
+                yield Event("refusal", f"{name} is refused", who, (), (Reason(why),))
         self._waiting.clear()
 
     def _withdraw(self, number: int) -> None:
         dispatcher = self._operator.dispatcher
-        for r in [r for r in dispatcher.arbiter.waiting if r.stage.number == number and r.source is Source.HAND]:
+        for r in self._waits(number):
             dispatcher.arbiter.withdraw(r)
         while number in dispatcher.other:
             dispatcher.other.remove(number)

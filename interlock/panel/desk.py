@@ -18,7 +18,7 @@ from typing import Any
 
 from interlock.app.alarms import HAZARD, RECORD, TRAIN, Watch
 from interlock.app.reasons import Moment, Reason
-from interlock.app.run import Ready, run
+from interlock.app.run import Ready, run, since_boot
 from interlock.dataclass import dataclass
 from interlock.field.plc import Cycle, Link
 from interlock.field.polling import Beside, InTurn
@@ -133,7 +133,7 @@ class Desk:
             self.ended()
 
     def _powered(self) -> None:
-        now, sleep = (time.monotonic, time.sleep) if self.field is None else (self.clock.now, self.clock.sleep)
+        now, sleep = (since_boot, time.sleep) if self.field is None else (self.clock.now, self.clock.sleep)
         self._last = Cycle({}, {}, False, ())
         self._watch = self._watching()
         self._once("the controller starts: every section stays locked until it is released")
@@ -189,7 +189,10 @@ class Desk:
             found |= {f"{TRAIN} {n}": told for n, told in self.operating.operator.numbers.alarms.items()}
             if self._recorder is not None and self._recorder.lost:
                 found[RECORD] = (self._recorder.lost, ())
-            for a in self.operating.alarms.stand(found, stamp()):
+            new, over = self.operating.alarms.stand(found, stamp())
+            for a in over:
+                self._note(Event("cleared", f"over: {a.text}", at=a.at))
+            for a in new:
                 self._alarm(a)
         if self.field is not None:
             hazards = self.field.world.watch.found
@@ -211,15 +214,13 @@ class Desk:
         return Watch(layout, controller, allocation)
 
     def _restore(self) -> None:
-        """What was blocked when the server ended is blocked again, and reminders stand; where the record does not say
-        it because another one has begun, that is an alarm."""
+        """What was blocked when the server ended is blocked again, and reminders stand; what the record does not say
+        because another one has begun is an alarm, and stays with the record until somebody has seen to it."""
         if self._recorder is None:
             return
-        self.operating.restore(self._recorder.standing)
+        for a in self.operating.restore(self._recorder.standing, self._recorder.left_behind):
+            self._alarm(a)
         self._recorder.stands(self.operating.stands)
-        log, blocks = self._recorder.left_behind
-        for s in blocks:
-            self._once(f"section {s} was blocked when {log} ended, and is not blocked now: block it again", f"s:{s}")
         self.browsers.tell(self.picture.dark(self.operating.stands.blocks), lambda: self._rest(None))
 
     def _once(self, text: str, *at: str) -> None:

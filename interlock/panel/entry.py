@@ -26,14 +26,17 @@ LONGEST = 1000
 LARGEST = 10**12
 """The largest number, either way: more than the seconds of any clock."""
 
-MOST_ALARMS = 1000
-"""Alarms that are acknowledged at once."""
+MOST_ALARMS = 10_000
+"""Alarms that are acknowledged at once: more than there can be."""
+
+ACKNOWLEDGE = "acknowledge"
+"""The command that names alarms, and may be so long."""
 
 CLOCK = "clock"
 """Asks for the clock here, which is answered at once and not by the cycle."""
 
 STOP = "stop"
-NEVER_LATE = (STOP, "cancel", "acknowledge", "remind", "lamp test")
+NEVER_LATE = (STOP, "cancel", ACKNOWLEDGE, "remind", "lamp test")
 """Commands that do no harm however late they come; so does to block a section."""
 
 NOT_KNOWN = "this panel does not know such a command"

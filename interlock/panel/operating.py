@@ -9,12 +9,12 @@ from interlock.app.run import Operator, Ready
 from interlock.dataclass import dataclass
 from interlock.field.plc import Cycle
 from interlock.logic.words import UNKNOWN
-from interlock.panel.alarms import Alarms
+from interlock.panel.alarms import Alarm, Alarms
 from interlock.panel.asked import Asked
 from interlock.panel.commands import Buttons, Refused, block_of
 from interlock.panel.entry import Command, NotKnown, line
 from interlock.panel.event import Event, stamp
-from interlock.panel.standing import BLOCK, FREE, Standing
+from interlock.panel.standing import BLOCK, FREE, Standing, told
 
 
 @dataclass(frozen=True)
@@ -42,6 +42,8 @@ class Operating:
         self.reasons = Reasons(ready.layout, ready.controller)
         self.alarms = Alarms()
         self.reminders: dict[str, list[str]] = {}
+        self._left: dict[str, tuple[str, str]] = {}
+        """What records have left, by the key of its alarm."""
         self.releases = releases
         """Releases by hand, counted; the count goes on with a record that goes on."""
         self._symbols = ready.controller.symbols
@@ -63,12 +65,17 @@ class Operating:
         """The same, with these reminders, and when these blocks are switched."""
         held = {**self.operator.held, **switched}
         blocks = tuple(str(s) for s, n in self._symbols.sections.blocked.items() if held.get(n))
-        return Standing(blocks, {k: list(v) for k, v in reminders.items()})
+        left = tuple(x for x in self._left.values() if x[0] not in blocks)
+        return Standing(blocks, {k: list(v) for k, v in reminders.items()}, left)
 
-    def restore(self, before: Standing) -> None:
-        """The server has started again, and goes on with a record: what was blocked is, and reminders stand."""
+    def restore(self, before: Standing, left: Iterable[tuple[str, str]] = ()) -> list[Alarm]:
+        """The server has started again: what was blocked in a record that goes on is blocked, and reminders stand.  The
+        alarms of what another record has left, and of what this one has of that."""
         self.reminders |= {k: list(v) for k, v in before.reminders.items() if k in self._elements}
         self._block(before.blocks)
+        found = {self.alarms.once(told(*x), (f"s:{x[0]}",) if x[0] else (), stamp()): x for x in (*before.left, *left)}
+        self._left = {a.key: x for a, x in found.items()}
+        return list(found)
 
     def _block(self, sections: Iterable[str]) -> None:
         """Block again what was blocked; what cannot be is an alarm."""
@@ -128,6 +135,8 @@ class Operating:
             case "block":
                 self._keep(self._standing(self.reminders, {block_of(self._ready, c["section"]): c["on"]}))
                 b.block(c["section"], c["on"])
+                if c["on"]:
+                    self._left = {key: x for key, x in self._left.items() if x[0] != c["section"]}
                 return f"{BLOCK if c['on'] else FREE}{c['section']}"
             case "turn":
                 return b.turn(c["machine"], c["to"], last)
@@ -149,7 +158,9 @@ class Operating:
                 return f"train {c['name']} stands in {c['section']}"
             case "acknowledge":
                 for a in self.alarms.acknowledge(c.get("alarms"), who.name):
-                    self._note(Event("acknowledged", f"seen: {a.text}", who.name, a.at))
+                    self._note(Event("acknowledged", f"seen: {a.said}", who.name, a.at))
+                    self._left.pop(a.key, None)
+                self._keep(self.stands)
                 return ""
             case "remind":
                 return self._remind(c["at"], c.get("text", ""), who)

@@ -1,31 +1,27 @@
 """The panel's record: every event and every change of what the player shows, in a log that tells when it was changed.
 
-Where it cannot be written (no room, a share that is gone), the panel works on: what happens meanwhile is kept, and
-written when that is possible again.
+Where it cannot be written (no room, a share that is gone), the panel works on (`panel.written`).
 """
 
 from __future__ import annotations
 
 import time
-from collections import deque
 from pathlib import Path
 from typing import Any
 
 from interlock import __version__
 from interlock.app.alarms import to_release
-from interlock.app.run import Ready
+from interlock.app.run import Ready, since_boot
 from interlock.emit.drawing import plan_svg
 from interlock.field.alone import hold_file
 from interlock.field.plc import Cycle
 from interlock.model.machines import shown_by
 from interlock.model.traversal import topology
 from interlock.panel.event import Event, rules
-from interlock.panel.journal import PICTURE
+from interlock.panel.journal import BEGIN, PICTURE, SET_BACK_S, clock, released
 from interlock.panel.standing import KEPT, Standing, left_behind, standing
-from interlock.record.log import END, Log
-
-WAITING = 100_000
-"""Lines that are kept at most while nothing can be written."""
+from interlock.panel.written import Written
+from interlock.record.log import Log
 
 AGAIN_S = 1.0
 """Seconds after which writing is tried again."""
@@ -54,7 +50,8 @@ def views(ready: Ready) -> Views:
 
 def _kept(now: Standing) -> dict[str, Any]:
     """What stands, as it is written; a copy, since what cannot be written at once is kept."""
-    return {"blocks": list(now.blocks), "reminders": {k: list(v) for k, v in now.reminders.items()}}
+    left = {"left": [list(x) for x in now.left]} if now.left else {}
+    return {"blocks": list(now.blocks), "reminders": {k: list(v) for k, v in now.reminders.items()}, **left}
 
 
 def _blocked(there: Standing) -> str:
@@ -75,32 +72,27 @@ class Recorder:
         where another panel writes it, and `OSError`."""
         assert ready.controller is not None and ready.layout is not None and ready.table is not None
         y = ready.controller.symbols
-        self.path, self.lost = path, ""
+        self.path = path
         self._held = hold_file(path)
         self._clear: tuple[str, ...] = tuple(y.sections.clear.values())
         self._contacts: tuple[str, ...] = tuple(y.machines.detected.values())
         self._state: tuple[str, ...] = tuple(n for n in views(ready) if n not in {*self._clear, *self._contacts})
         self._on: frozenset[str] | None = None
-        self._base: frozenset[str] | None = None
-        """What was on when writing had to stop."""
-        self._waiting: deque[tuple[int, str, dict[str, Any]]] = deque(maxlen=WAITING)
-        self._dropped = 0
         self._tried = 0.0
         self.releases = 0
         """Releases by hand that the log counts already."""
         self.standing = Standing()
         """What is blocked and what reminds, as the log has it."""
-        self.left_behind: tuple[str, tuple[str, ...]] = ("", ())
-        """Where the log begins anew: the one before it, and what is blocked there."""
-        self._log: Log | None = None
-        self._left: Log | None = None
-        """Where writing had to stop."""
+        self.left_behind: tuple[tuple[str, str], ...] = ()
+        """Where the log begins anew: what was blocked at the end of the one before it."""
+        self._broke_off = ""
+        """Where the log goes on, and the session before did not come to its end: that, and when."""
         try:
-            self._open(str(ready.layout.name), ready.table.layout_digest, views(ready))
+            log = self._open(str(ready.layout.name), ready.table.layout_digest, views(ready))
         except (OSError, ValueError):
             self._let_go()
             raise
-        self._heading = {
+        heading = {
             "program": f"interlock {__version__}",
             "layout": ready.layout.name,
             "title": ready.layout.printed.title or ready.layout.name,
@@ -108,14 +100,23 @@ class Recorder:
             "plan": plan_svg(ready.layout),
             "views": views(ready),
         }
-        self._put("begin", **self._heading)
+        self._written = Written(path, log, heading, None if self.standing == Standing() else _kept(self.standing))
+        self._clock = time.time(), since_boot()
+        self._put(BEGIN, **heading)
+        if self._broke_off:
+            self.event(Event("note", self._broke_off))
 
-    def _open(self, layout: str, digest: str, shown: Views) -> None:
+    @property
+    def lost(self) -> str:
+        """Why not all is written; empty where it is."""
+        return self._written.lost
+
+    def _open(self, layout: str, digest: str, shown: Views) -> Log:
         """Begin the log, or go on with it: one of another kind, or of the layout as it was, would be told wrongly."""
         if not self.path.exists():
-            self._log, self.left_behind = Log.create(self.path), left_behind(self.path, layout, shown)
-            return
-        self._log, found = Log.resume(self.path)
+            log, self.left_behind = Log.create(self.path), left_behind(self.path, layout, shown)
+            return log
+        log, found = Log.resume(self.path)
         first = found.events[0] if found.events else None
         if first is not None:
             wrong = ""
@@ -125,11 +126,19 @@ class Recorder:
                 wrong = f"{self.path} is the record of {first.get('layout')}"
             elif first.get("digest") != digest:
                 wrong = f"{self.path} is the record of {layout} as it was before its layout was changed"
+            elif first["views"] != shown:
+                by = first.get("program", "another program")
+                wrong = f"{self.path} is the record of {layout} by {by}, which calls what it shows otherwise"
             if wrong:
-                self._log.close()
+                log.close()
                 raise ValueError(f"{wrong}: choose another file{_blocked(standing(found.events))}")
-        self.releases = sum(e["kind"] == "release" for e in found.events)
+        self.releases = sum(released(e) for e in found.events)
         self.standing = standing(found.events)
+        if first is not None and not found.ended:
+            since = clock(found.events[-1]["t"], True)
+            torn = f"; {found.torn} bytes of another were torn off" if found.torn else ""
+            self._broke_off = f"the session before did not come to its end: its last event is of {since}{torn}"
+        return log
 
     def _let_go(self) -> None:
         for lock in self._held:
@@ -149,7 +158,12 @@ class Recorder:
     def cycle(self, cycle: Cycle | None) -> None:
         """A cycle has ended; None while there is no power."""
         if time.monotonic() - self._tried > AGAIN_S:
-            self._look()
+            self._tried = time.monotonic()
+            self._look_at_the_clock()
+            for lock in self._held:
+                lock.look()  # the log has a lock of its own, too
+            self._written.try_again(_now_ms())
+        self._written.some()
         if cycle is None:
             on = frozenset(self._clear)
         else:
@@ -164,62 +178,26 @@ class Recorder:
 
     def close(self) -> None:
         """The panel ends."""
-        self._put(END)
+        self._look_at_the_clock()
+        self._written.close(_now_ms())
         self._let_go()
-        if self._log is not None:
-            self._log.close()
-            self._log = None
 
     def _put(self, kind: str, **fields: Any) -> None:
-        t_ms = round(time.time() * 1000)
-        if self._log is None:
-            self._keep(t_ms, kind, fields)
-            return
-        try:
-            self._log.add(t_ms, kind, **fields)
-        except OSError as error:
-            self._broken(error)
-            self._keep(t_ms, kind, fields)
+        self._look_at_the_clock()
+        before = self.lost
+        self._written.put(_now_ms(), kind, fields)
+        if self.lost and not before:
+            self._tried = time.monotonic()
 
-    def _keep(self, t_ms: int, kind: str, fields: dict[str, Any]) -> None:
-        self._dropped += len(self._waiting) == WAITING
-        self._waiting.append((t_ms, kind, fields))
+    def _look_at_the_clock(self) -> None:
+        """Somebody has put it forward: from the times of events alone that looks like an hour in which nothing
+        happened.  Whoever reads them sees by himself that it was set back."""
+        (wall, real), self._clock = self._clock, (time.time(), since_boot())
+        ahead = round(self._clock[0] - wall - (self._clock[1] - real))
+        if ahead > SET_BACK_S:
+            self.event(Event("note", f"the clock of this computer was put forward by {ahead} s"))
 
-    def _look(self) -> None:
-        """Once in a while: go on where nothing could be written; a file that is gone takes nothing any more."""
-        self._tried = time.monotonic()
-        if self._log is None:
-            self._again()
-        elif not self._log.lies_at(self.path):
-            self._broken(OSError(0, f"{self.path} was moved away or removed"))
 
-    def _broken(self, error: OSError) -> None:
-        self.lost = f"the record cannot be written: {error.strerror or error}"
-        self._tried = time.monotonic()
-        if not self._waiting:
-            self._base = self._on
-        if self._log is not None:
-            self._log.close()
-            self._left, self._log = self._log, None
-
-    def _again(self) -> None:
-        """Try to go on: what was torn off is cut away, what was kept is written, in a file that begins anew if the
-        other one is gone."""
-        since = self._waiting[0][0] if self._waiting else round(time.time() * 1000)
-        try:
-            left = self._left if self.path.exists() else None
-            self._log = Log.create(self.path) if left is None else Log.again(self.path, left)
-            if left is None:
-                self._log.add(since, "begin", **self._heading)
-                self._log.add(since, PICTURE, on=sorted(self._base or ()), off=[], whole=True)
-                if self.standing != Standing():
-                    self._log.add(since, KEPT, **_kept(self.standing))
-            self._log.add(since, "gap", text=self.lost, dropped=self._dropped)
-            while self._waiting:
-                t_ms, kind, fields = self._waiting[0]
-                self._log.add(t_ms, kind, **fields)
-                self._waiting.popleft()
-        except (OSError, ValueError) as error:
-            self._broken(error if isinstance(error, OSError) else OSError(str(error)))
-            return
-        self.lost, self._dropped = "", 0
+def _now_ms() -> int:
+    """The time on the wall; of a clock that has lost it, and begins before all time, the beginning."""
+    return max(0, round(time.time() * 1000))

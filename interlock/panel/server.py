@@ -25,8 +25,10 @@ from starlette.routing import Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from interlock.dataclass import dataclass
+from interlock.field.sockets import keeps_alive
 from interlock.panel import entry
 from interlock.panel.browsers import clock, sent
+from interlock.panel.connection import HELLO_S, Connection
 from interlock.panel.desk import Desk
 from interlock.panel.operating import Person
 
@@ -57,6 +59,13 @@ not refused because of others (our choice)."""
 
 LARGEST = 4096
 """Characters of a command at most."""
+
+LONGEST = 200 * entry.MOST_ALARMS
+"""The same of one that acknowledges alarms, each of which it names."""
+
+
+BACKLOG = 64
+"""Connections that wait to be taken, and are taken at once."""
 
 
 @dataclass(frozen=True)
@@ -130,7 +139,11 @@ class _Talk:
 
     async def run(self) -> None:
         """From hello until it goes."""
-        hello = await self._read()
+        try:
+            hello = await asyncio.wait_for(self._read(), HELLO_S)
+        except TimeoutError:
+            await self.ws.close(1008)
+            return
         who = self.access.person(hello)
         if who is None:
             given = isinstance(hello, dict) and hello.get("token")
@@ -170,7 +183,11 @@ class _Talk:
         """The next message, None for one that is none."""
         try:
             text = await self.ws.receive_text()
-            return json.loads(text) if len(text) <= LARGEST else None
+            if len(text) > LONGEST:
+                return None
+            found = json.loads(text)
+            names = isinstance(found, dict) and found.get("do") == entry.ACKNOWLEDGE
+            return found if names or len(text) <= LARGEST else None
         except (KeyError, ValueError, RecursionError):  # KeyError: it is bytes
             return None
 
@@ -200,9 +217,10 @@ def listening(host: str, port: int) -> socket.socket:
     kind = socket.AF_INET6 if ":" in host else socket.AF_INET
     sock = socket.socket(kind, socket.SOCK_STREAM)
     sock.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    keeps_alive(sock)
     try:
         sock.bind((host, port))
-        sock.listen(64)
+        sock.listen(BACKLOG)
     except OSError:
         sock.close()
         raise
@@ -223,8 +241,10 @@ def serve(desk: Desk, access: Access, sock: socket.socket) -> None:
         log_level="error",
         access_log=False,
         lifespan="on",
+        http=Connection,
+        backlog=BACKLOG,
         ws="websockets-sansio",
-        ws_max_size=4 * LARGEST,
+        ws_max_size=4 * LONGEST,
         timeout_graceful_shutdown=1,
     )
     server = _Server(config)

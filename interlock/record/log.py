@@ -14,10 +14,12 @@ at the end cannot be seen from a log alone; it ends with the event `end` if its 
 
 from __future__ import annotations
 
+import errno
 import hashlib
 import json
 import os
 import re
+import sys
 from dataclasses import field, replace
 from pathlib import Path
 from typing import Any
@@ -144,6 +146,22 @@ def read_file(path: Path) -> Recorded:
     return read(path.read_bytes())
 
 
+def _locked(handle: int, path: Path) -> int:
+    """A file that nobody else writes by whatever name, as far as the system knows locks of files; it lets go of the
+    lock with the file.  Raises `OSError`."""
+    if sys.platform != "win32":
+        import fcntl
+
+        try:
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            os.close(handle)
+            raise OSError(errno.EWOULDBLOCK, "another program writes it", str(path)) from None
+        except OSError:  # a share that has no locks
+            pass
+    return handle
+
+
 class Log:
     """A log on disk, open for more events.  `sync`: each event is on the disk before `add` returns."""
 
@@ -156,9 +174,10 @@ class Log:
     def create(path: Path, sync: bool = False) -> Log:
         """Begin a log.  Raises `LogExists`, `OSError`."""
         try:
-            return Log(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND, 0o644), Chain(), sync)
+            handle = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND, 0o644)
         except FileExistsError:
             raise LogExists(f"{path} exists; a log is never written over") from None
+        return Log(_locked(handle, path), Chain(), sync)
 
     @staticmethod
     def resume(path: Path, sync: bool = False) -> tuple[Log, Recorded]:
@@ -166,27 +185,33 @@ class Log:
 
         A damaged log is not gone on with.  Raises `ValueError` for one, `OSError`.
         """
-        found = read_file(path)
-        if found.problem is not None:
-            raise ValueError(f"{path}:{found.problem.line}: {found.problem.text}")
-        handle = os.open(path, os.O_WRONLY | os.O_APPEND)
-        if found.torn:
-            os.ftruncate(handle, os.fstat(handle).st_size - found.torn)
+        handle = _locked(os.open(path, os.O_WRONLY | os.O_APPEND), path)
+        try:
+            found = read_file(path)
+            if found.problem is not None:
+                raise ValueError(f"{path}:{found.problem.line}: {found.problem.text}")
+            if found.torn:
+                os.ftruncate(handle, os.fstat(handle).st_size - found.torn)
+        except (OSError, ValueError):
+            os.close(handle)
+            raise
         return Log(handle, found.chain, sync), found
 
     @staticmethod
     def again(path: Path, before: Log) -> Log:
         """Go on where the same process could not write: what is torn off at the end is cut away.  Nothing is read but
-        the last digest, so that a long log takes no longer than a short one.
+        the last digest, so that a long log takes no longer than a short one.  A file that is empty begins anew.
 
         Raises `ValueError` where the file does not end as it was left, `OSError`.
         """
-        handle = os.open(path, os.O_RDWR | os.O_APPEND)
+        handle = _locked(os.open(path, os.O_RDWR | os.O_APPEND), path)
         try:
+            if not os.fstat(handle).st_size:
+                return Log(handle, Chain(), before._sync)
             end = f'"chain":"{before.chain.digest}"}}\n'.encode() if before.chain.number else b""
             os.lseek(handle, before.size - len(end), os.SEEK_SET)
             if os.read(handle, len(end)) != end:
-                raise ValueError(f"{path} is not the log that was written until then")
+                raise ValueError(f"{path} is not the log that was written until then: move it away")
             os.ftruncate(handle, before.size)
             return Log(handle, before.chain, before._sync)
         except (OSError, ValueError):
@@ -209,12 +234,16 @@ class Log:
             raise
         self.size += size
 
-    def lies_at(self, path: Path) -> bool:
-        """Whether this log is the file of that name, which may have been moved or removed."""
+    def differs(self, path: Path) -> str:
+        """What has been done to the file of that name: moved away, removed, cut or written by another; empty where it
+        is this log as it was left."""
         try:
-            return os.path.samestat(os.stat(path), os.fstat(self._handle))
+            own, there = os.fstat(self._handle), os.stat(path)
         except OSError:
-            return False
+            return f"{path} was moved away or removed"
+        if not os.path.samestat(own, there):
+            return f"{path} was moved away or removed, and is another file"
+        return "" if own.st_size == self.size else f"{path} was cut, or written by another program"
 
     def close(self) -> None:
         """Let go of the file."""
