@@ -203,6 +203,37 @@ class Lamps(Ahead):
     def w_lamp_proved(self) -> list[Calling]:
         return self.w_all_callings() if self.r.drawn.asks("lamp_proof") else []
 
+    def w_stop_intact(self, c: Calling) -> Formula:
+        return leaf(f"RL_{c.signal.safe}")
+
+    def w_clear_intact(self, g: Signal) -> Formula:
+        return leaf(f"GL_{g.safe}")
+
+    def w_identifier_intact(self, g: Signal) -> Formula:
+        return leaf(f"NL_{g.safe}")
+
+    def w_identifier_lamp_proved(self) -> list[Signal]:
+        """Signals with an identifier light, where lamps are reported."""
+        return [g for g in self.w_opening() if self.r.drawn.asks("lamp_proof") and self.lamps(g, IDENTIFIER)]
+
+    def w_second_intact(self, g: Signal) -> Formula:
+        return leaf(f"UL_{g.safe}")
+
+    def w_second_lamp_proved(self) -> list[Signal]:
+        """Signals with a second yellow lamp, where lamps are reported."""
+        return [g for g in self.w_opening() if self.r.drawn.asks("lamp_proof") and self.w_second_lamps(g)]
+
+    def w_speed_intact(self, g: Signal) -> Formula:
+        return leaf(f"VL_{g.safe}")
+
+    def w_speed_lamp_proved(self) -> list[Signal]:
+        """Signals with a speed indicator, where lamps are reported."""
+        return [g for g in self.w_opening() if self.r.drawn.asks("lamp_proof") and self.w_speed_lamps(g)]
+
+    def w_last_intact(self, g: Signal) -> Formula:
+        """The lamp of the most restrictive proceed: caution, if there is one."""
+        return leaf(f"{'GL' if self.r.drawn.rules['caution'] == 'never' else 'CL'}_{g.safe}")
+
     def w_line_checked(self, p: Path) -> Formula:
         """A departure is tied to the line beyond (R12), and is not too slow for clear (R11)."""
         return fact(self._onto_checked_line(p) and not self._slow(p))

@@ -79,37 +79,6 @@ class Terminals(Lamps):
     def w_all_by_hand(self) -> Formula:
         return leaf("RELALL")
 
-    def w_stop_intact(self, c: Calling) -> Formula:
-        return leaf(f"RL_{c.signal.safe}")
-
-    def w_clear_intact(self, g: Signal) -> Formula:
-        return leaf(f"GL_{g.safe}")
-
-    def w_identifier_intact(self, g: Signal) -> Formula:
-        return leaf(f"NL_{g.safe}")
-
-    def w_identifier_lamp_proved(self) -> list[Signal]:
-        """Signals with an identifier light, where lamps are reported."""
-        return [g for g in self.w_opening() if self.r.drawn.asks("lamp_proof") and self.lamps(g, IDENTIFIER)]
-
-    def w_second_intact(self, g: Signal) -> Formula:
-        return leaf(f"UL_{g.safe}")
-
-    def w_second_lamp_proved(self) -> list[Signal]:
-        """Signals with a second yellow lamp, where lamps are reported."""
-        return [g for g in self.w_opening() if self.r.drawn.asks("lamp_proof") and self.w_second_lamps(g)]
-
-    def w_speed_intact(self, g: Signal) -> Formula:
-        return leaf(f"VL_{g.safe}")
-
-    def w_speed_lamp_proved(self) -> list[Signal]:
-        """Signals with a speed indicator, where lamps are reported."""
-        return [g for g in self.w_opening() if self.r.drawn.asks("lamp_proof") and self.w_speed_lamps(g)]
-
-    def w_last_intact(self, g: Signal) -> Formula:
-        """The lamp of the most restrictive proceed: caution, if there is one."""
-        return leaf(f"{'GL' if self.r.drawn.rules['caution'] == 'never' else 'CL'}_{g.safe}")
-
     # --- what else it tells ---
 
     def w_driven(self, m: str, x: str) -> Formula:
