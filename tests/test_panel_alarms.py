@@ -7,6 +7,7 @@ from typing import Any
 
 from interlock.app.reasons import Moment
 from interlock.app.run import Ready
+from interlock.panel.alarms import Alarms
 from interlock.panel.desk import Desk
 from tests.panels import all_released, kinds, panel
 
@@ -196,3 +197,13 @@ def test_of_what_lost_inputs_would_tell_nothing_is_said_but_that_they_are_lost(l
         b.until(lambda: b.state["g:N2"][3] is None)
         b.until(lambda: not any(b.state[f"s:{s}"][1] for s in ("w2", "g4")) or b.ask("release all"))
         b.until(lambda: not any(b.state[f"s:{s}"][1] for s in ("w2", "g4")) and b.state["o:F.1"] == [0])
+
+
+def test_an_alarm_that_came_again_is_not_acknowledged_by_who_saw_it_the_first_time() -> None:
+    alarms = Alarms()
+    alarms.stand({"x": ("points x are not detected", ())}, "06:00")
+    alarms.stand({}, "06:01")
+    alarms.stand({"x": ("points x are not detected", ())}, "06:02")
+    assert alarms.acknowledge([("x", "06:00")], "Ada") == [] and not alarms.all["x"].by
+    (seen,) = alarms.acknowledge([("x", "06:02")], "Ada")
+    assert seen.since == "06:02" and alarms.all["x"].by == "Ada"
