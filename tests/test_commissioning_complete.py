@@ -22,7 +22,7 @@ from interlock.table.cells import RouteKind, Shows
 from interlock.table.rows import InterlockingTable, RouteRow
 
 Made = tuple[Layout, InterlockingTable, Controller, Allocation, list[Step]]
-FOR_TESTS = ("token", "overlap_past_signals", "identifier", "called_on", "held_apart")
+FOR_TESTS = ("token", "overlap_past_signals", "identifier", "identifiers", "called_on", "held_apart")
 NAMES = [
     *("layouts/flank_lab", "layouts/depot", "layouts/incline_hoist", "layouts/crossing_line"),
     *(f"tests/layouts_for_tests/{n}" for n in FOR_TESTS),

@@ -167,15 +167,6 @@ def test_stop_cancels_the_routes_of_every_signal_once() -> None:
     assert len(cancels) > 4 and cancels <= pressed and not cancels & later
 
 
-def test_after_a_restart_every_section_is_blocked_if_so_asked() -> None:
-    ready = unproved(Path("layouts/heishan.yaml").read_text("utf-8"))
-    assert ready.controller is not None
-    operator = Operator(ready)
-    blocked = operator.block_all()
-    pressed = {n for n, v in operator.inputs(None, 100).items() if v}
-    assert pressed == set(blocked.values()) == {str(n) for n in ready.controller.symbols.sections.blocked.values()}
-
-
 def test_who_cancels_at_a_signal_ends_the_automatic_working_of_routes_that_lead_past_it() -> None:
     """The longer route would be set again at once, and with it what was cancelled."""
     text = Path("tests/layouts_for_tests/identifiers.yaml").read_text("utf-8")

@@ -45,6 +45,18 @@ def test_while_inputs_are_lost_every_section_is_occupied_and_no_machine_lies_any
     assert all(v[0] == "dark" for k, v in lost.items() if k.startswith("g:")), "no lamp is lit"
 
 
+def test_while_inputs_are_lost_no_detector_counts_as_faulty() -> None:
+    """That is not known then; the section shows as occupied."""
+    text = Path("layouts/flank_lab.yaml").read_text("utf-8")
+    r = unproved(text.replace("principles: {", "principles: {sensor_faults: yes, "))
+    assert r.controller is not None and r.controller.symbols.sections.healthy
+    faulty = {
+        valid: {k for k, v in Picture(r).of(Cycle({}, {}, valid, (), Memory({}, {}))).items() if k[:2] == "s:" and v[7]}
+        for valid in (True, False)
+    }
+    assert faulty == {True: {f"s:{s}" for s in r.controller.symbols.sections.healthy}, False: set()}
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_every_way_that_is_locked_is_shown(name: str) -> None:
     r = ready(name)
