@@ -291,3 +291,13 @@ def test_a_door_that_another_route_holds_open_longer_is_counted_down() -> None:
     counted = [x for x in left if x is not None]
     assert counted == [*range(10_000, -1, -1000)] and left[-1] is None, left
     assert not any(left[: left.index(10_000)]), "nothing is counted yet"
+
+
+def test_a_train_waits_under_a_door_that_is_over_several_sections_too() -> None:
+    """The door's other section does not matter: the train stands in one of them."""
+    sink = Sink()
+    layout, _ = load_text("air_lock_doors.yaml", TEXT.replace("over: [a]", "over: [a, lock]"), sink)
+    assert layout is not None
+    derive(layout, sink)
+    waits = [d.message for d in sink.diagnostics if d.code == "IL4022" and "waits" in d.message]
+    assert [x.split(":")[0] for x in waits] == ["X2-E needs D2 open while its train waits in lock under D1"]

@@ -126,3 +126,22 @@ def test_the_second_checker_asks_for_the_speed_far_away_too() -> None:
 def test_a_board_holds_nothing() -> None:
     text = YARD.replace("D3: {from: l2, into: l1, kind: shunt", "D3: {from: l2, into: l1, kind: limit, release: 60")
     assert codes(text) == ["IL3027 no route begins at D3: `release` says nothing of it"]
+
+
+TOLD = """interlock: 1
+name: told
+principles: {line_speed_kmh: 80, restart_delay_s: 300}
+boundaries: {W: {approach: wa 900, trains: in}, E: {approach: ea 900, trains: out}}
+tracks: {line: [W, a 600, r 50, q 1500, z 300, E]}
+signals: {X: {from: W, into: a}, S1: {from: r, into: q}, S: {from: q, into: z}}
+"""
+
+
+def test_a_driver_whom_the_signal_before_told_runs_on_until_he_acts_over_short_sections_too() -> None:
+    """At 80 km/h he is farther off than r is long when S falls back: a is part of the approach of S, too."""
+    made = grown(TOLD)
+    assert made is not None and audit(made[0], made[1]) == ()
+    rules = made[0].principles
+    assert 50 < rules.line_speed_kmh / 3.6 * (rules.reaction_s + rules.output_delay_s) < 650
+    (row,) = (r for r in made[1].routes if r.entry == "S")
+    assert row.locking.approach.sections == ("q", "r", "a")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from interlock.app.presses import Presses
@@ -10,6 +12,7 @@ from interlock.cli.run import _Typed
 from interlock.field.plc import Cycle
 from interlock.model.elements import Position
 from tests.layouts import built
+from tests.panels import unproved
 
 
 def test_what_the_operator_types(mine: Ready) -> None:
@@ -152,3 +155,32 @@ def test_what_was_refused_is_not_asked_for_again(mine: Ready, valid: bool) -> No
     assert not any(asked(False) for _ in range(200)), "20 s"
     operator.type("set j1")
     assert asked(False)
+
+
+def test_stop_cancels_the_routes_of_every_signal_once() -> None:
+    ready = unproved(Path("layouts/heishan.yaml").read_text("utf-8"))
+    assert ready.controller is not None
+    operator = Operator(ready)
+    operator.type("stop")
+    cancels = {str(n) for n in ready.controller.symbols.cancellation.cancel.values()}
+    pressed, later = ({n for n, v in operator.inputs(None, 100).items() if v} for _ in range(2))
+    assert len(cancels) > 4 and cancels <= pressed and not cancels & later
+
+
+def test_who_cancels_at_a_signal_ends_the_automatic_working_of_routes_that_lead_past_it() -> None:
+    """The longer route would be set again at once, and with it what was cancelled."""
+    text = Path("tests/layouts_for_tests/identifiers.yaml").read_text("utf-8")
+    ready = unproved(text + "automatic:\n  - {from: X, to: W}\n  - {from: Q, to: F}\n")
+    assert ready.controller is not None
+    y = ready.controller.symbols
+    past = {number for number in y.requests.automatic if y.routes.number[number].path.onward is not None}
+    for signal in ("Z", "Y", "X", "Q"):
+        operator = Operator(ready)
+        for name in y.requests.automatic.values():
+            operator.type(f"{name}=1")
+        ends = operator.type(f"cancel {signal}")
+        left = set(operator.automatic())
+        assert past and bool(past & left) is (signal == "Q") and bool(ends), (signal, ends)
+        assert left == set(y.requests.automatic) - {
+            n for n in y.requests.automatic if str(y.routes.number[n].id) in ends
+        }

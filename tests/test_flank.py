@@ -10,13 +10,14 @@ import pytest
 
 from interlock.app.check import check_file
 from interlock.audit import audit
-from interlock.derivation.flank import told
+from interlock.derivation.flank import requesters, told
 from interlock.diag import Element, Sink
 from interlock.diag.called import called
 from interlock.logic.lower import lower
 from interlock.model.elements import Position, RouteId, SectionId
 from interlock.model.layout import Layout
 from interlock.model.principles import PROFILES
+from interlock.model.traversal import topology
 from interlock.proof.claims.catalogue import claims
 from interlock.proof.claims.kinds import Facts
 from interlock.proof.engines.limits import Limits
@@ -27,7 +28,7 @@ from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
 from interlock.table.cells import Because, ClearCell, PointDemand, Provider, ProviderKind, Role
 from interlock.table.rows import InterlockingTable
-from tests.layouts import grown
+from tests.layouts import built, grown
 
 SCISSORS = {
     "layouts/terminus": {("201", "N"), ("202", "N")},
@@ -601,3 +602,24 @@ def test_of_one_route_it_is_said_that_it_passes_there(tmp_path: Path) -> None:
     file.write_text(text, "utf-8")
     (bare,) = [d.message for d in check_file(str(file)).diagnostics if d.code == "IL4001"]
     assert bare == "nothing keeps vehicles away from P1.reverse; route X2-C passes there"
+
+
+@pytest.mark.parametrize("name", ["junction", "cn6502", "slip_junction"])
+def test_a_signal_protects_from_beyond_the_fouling_point_and_the_clearance_at_points_and_diamonds(name: str) -> None:
+    layout, _, _ = built(name)
+    rules, seen = layout.principles, set[str]()
+    for r in (r for ways in topology(layout).traversals.values() for t in ways for r in requesters(layout, t)):
+        point = layout.pointwork.point_at.get(r.node)
+        fouling = rules.fouling_m if point is None else point.fouling
+        assert r.clear_of == fouling + rules.clearance_m, r.name
+        seen.add("diamond" if point is None else "point")
+    assert "point" in seen and (name != "junction" or "diamond" in seen)
+
+
+def test_the_stop_lamps_of_all_signals_behind_a_toe_are_asked_for() -> None:
+    """Where a flank is handed on at a toe both legs are looked at, and each signal there protects."""
+    text = Path("layouts/heishan.yaml").read_text("utf-8") + "\nprinciples: {flank_lamp: yes, lamp_proof: yes}\n"
+    made = grown(text)
+    assert made is not None
+    lamps = {c.name for c in made[1].route[RouteId("XL1-XT3")].clear.space if c.lamp}
+    assert lamps >= {"XT7", "XL2"} and audit(made[0], made[1]) == ()

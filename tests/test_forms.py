@@ -2,6 +2,14 @@
 
 from __future__ import annotations
 
+import re
+
+import pytest
+
+from interlock.table.cells import HostileClass, RouteKind
+from interlock.table.national import Sheet, national_sheets
+from interlock.table.national.cn import _Form, chinese_table
+from tests.layouts import SHIPPED, built, grown
 from tests.test_national import chinese, only, sheets, told
 
 
@@ -63,3 +71,170 @@ def test_german_shunt_routes_tell_whether_movements_against_them_are_excluded() 
     said = {(r["Start"], r["Destination"]): r["Opposing excluded"] for r in rows}
     assert said["D1", "D15"] == said["D1", "D9"] == said["D9", "D13"] == "ja"
     assert said["D3", "D11"] == said["D5", "IIAG"] == said["D7", "IAG"] == ""
+
+
+FOUL_WHILE_LOCKED = """interlock: 1
+name: foul_demanded
+profile: cn
+boundaries: {W: {approach: wa 600}, E: {trains: out}, V: {approach: va 600}, U: {trains: out}}
+buffers: [B]
+tracks: {west: [W, s1 200], east: [s3 200, E], v: [V, s5 200], u: [s7 200, U], b: [s4 200, B]}
+points:
+  1: {section: s2, toe: west.end, normal: east.start, reverse: 2.toe, legs: 40}
+  2: {section: s2, normal: 3.normal, reverse: b.start, legs: 20}
+  3: {section: s6, toe: v.end, reverse: u.start, legs: 10}
+signals:
+  X: {from: W, into: s1}
+  A: {from: s1, into: s2}
+  Y: {from: V, into: s5}
+  D: {from: s5, into: s6}
+  F: {from: s4, into: s2, at: 2}
+"""
+DEMANDED = "demand:\n  - {point: 2, lies: LIES, routes: {from: D}, reason: vehicles of the depot}\n"
+
+
+def chinese_rows(sheet: Sheet) -> list[dict[str, str]]:
+    """Rows by Chinese heading."""
+    return [dict(zip([h.zh for h in sheet.headings], row, strict=True)) for row in sheet.rows]
+
+
+def in_chinese(layout: str, more: str = "") -> list[dict[str, str]]:
+    """The rows of the Chinese table of a layout, with what is added to it."""
+    changes = {"signals:": f"{more}signals:"} if more else {}
+    return chinese_rows(sheets(layout, "cn", **changes)["cn"])
+
+
+def of_tests(name: str) -> str:
+    """A layout that only tests use, beside those that are shipped."""
+    return f"../tests/layouts_for_tests/{name}"
+
+
+@pytest.mark.parametrize(
+    ("demand", "sections"),
+    [
+        ("", "s6、<2>s2、s7"),
+        (DEMANDED.replace("LIES", "normal"), "s6、s2、s7"),
+        (DEMANDED.replace("LIES", "reverse"), "s6、s7"),
+    ],
+)
+def test_a_chinese_foul_section_has_its_condition_where_the_route_does_not_settle_it(
+    demand: str, sections: str
+) -> None:
+    """s2 fouls the way of D over 3 while 2 lies normal: a route that locks it so always asks for s2."""
+    made = grown(FOUL_WHILE_LOCKED + demand)
+    assert made is not None
+    rows = chinese_rows(chinese_table(made[0], made[1]))
+    assert only(rows, 信号机名称="D", 方向="U发车")["轨道区段"] == sections
+
+
+def test_what_fouls_a_chinese_overlap_stands_with_it() -> None:
+    told = only(in_chinese(of_tests("foul_overlap")), 信号机名称="S0")
+    assert (told["轨道区段"], told["其他联锁"]) == ("q1", "保护区段 o，侵限 v1")
+    told = only(chinese_rows(chinese_table(*built("junction")[:2])), 信号机名称="S1")
+    assert told["其他联锁"] == "o1: 保护区段 AC、AD，道岔 101; o2: 保护区段 AC、CD，侵限 <102>BC，道岔 (101)"
+
+
+def test_chinese_hostile_signals_are_those_of_declared_hostile_routes_too() -> None:
+    hostile = "hostile:\n  - {one: {from: X1}, other: {from: S3}, reason: oversize loads meet}\n"
+    for more, x1, s3 in (("", "S", "X"), (hostile, "S3、S", "X1、X")):
+        rows = in_chinese("passing_loop", more)
+        assert only(rows, 信号机名称="X1")["敌对信号"] == x1 and only(rows, 信号机名称="S3")["敌对信号"] == s3
+
+
+def test_chinese_hostile_signals_are_those_of_routes_kept_apart_without_a_common_section_too() -> None:
+    """By a foul joint, with the point that tells the hostile routes from others, and beside a diamond."""
+    rows = in_chinese(of_tests("foul_berth"))
+    assert {x["敌对信号"] for x in rows if x["信号机名称"] == "X"} == {"H", ""}
+    assert only(rows, 信号机名称="H", 方向="N发车")["敌对信号"] == "<(P)>X"
+    rows = in_chinese(of_tests("foul_facing"))
+    assert only(rows, 信号机名称="SP", 方向="E发车")["敌对信号"] == "SN"
+    assert only(rows, 信号机名称="SN", 方向="N接车")["敌对信号"] == "SW、<P>SP"
+
+
+def test_a_chinese_route_past_signals_is_hostile_to_those_that_begin_there() -> None:
+    rows = in_chinese(of_tests("identifiers"))
+    assert only(rows, 进路="越过Y、Z至W")["敌对信号"] == "Y、Z"
+    assert only(rows, 信号机名称="Z", 进路="至p3股道")["敌对信号"] == "Y、X"
+    assert only(rows, 信号机名称="Y", 进路="至p2股道")["敌对信号"] == "X"
+
+
+FACING = ("迎面进路 列车", "迎面进路 调车")
+
+
+@pytest.mark.parametrize(
+    "name",
+    [*SHIPPED, *map(of_tests, ("called_on", "foul_facing", "identifiers", "spaces"))],
+)
+def test_every_hostile_route_is_in_the_chinese_table_or_left_out_as_it_says(name: str) -> None:
+    """Left out: what points exclude, what the columns of facing routes tell, what an overlap alone keeps apart, and
+    call-on routes."""
+    layout, table, _ = built(name)
+    form, rows = _Form(layout, table), {x["进路号码"]: x for x in chinese_rows(chinese_table(layout, table))}
+    for number, way in enumerate(form.printed, start=1):
+        r, row = way.rows[0], rows[str(number)]
+        held = {p.machine: p.position for q in table.parts(r) for p in q.locking.points}
+        told = set(re.split(r"、|; |: |<[^>]*>", row["敌对信号"]))
+        for h in r.locking.hostile:
+            t = table.route[h.route]
+            theirs = [p for q in table.parts(t) for p in q.locking.points]
+            if t.kind not in (RouteKind.MAIN, RouteKind.SHUNT) or set(h.kinds) == {HostileClass.OVERLAP}:
+                continue
+            if any(held.get(p.machine, p.position) is not p.position for p in theirs) or t.entry == r.entry:
+                continue
+            ends = {table.parts(x)[-1].path.section_ids[-1] for x in (r, t)}
+            facing = len(ends) == 1 and bool(row[FACING[t.kind is RouteKind.SHUNT]])
+            names = {f"{t.entry}{mark}" for mark in ("", "LD"[t.kind is RouteKind.SHUNT])}
+            assert facing or told & names, (r.id, t.id, h.kinds)
+
+
+BEYOND = """interlock: 1
+name: beyond
+profile: de
+principles: {main_closes: whole-movement, line_speed_kmh: 40}
+boundaries:
+  W: {approach: apw 300}
+  E: {approach: ape 300}
+tracks:
+  t: [W, a 100, b 100, c 100, d 100, f 100, E]
+signals:
+  X: {from: W, into: a}
+  Y: {from: E, into: f}
+  S: {from: b, into: c}
+  T: {from: d, into: f, identifier: yes}
+exclude:
+  - {from: S, to: T, reason: trains do not stop at T}
+level_crossings:
+  LC9: {over: [f], text: road}
+conditions:
+  BRIDGE: {text: bridge locked, over: [f]}
+zones:
+  Z: {sections: [f], trains: 1}
+overlaps: {T: {length: 0}}
+"""
+
+
+def test_german_train_routes_tell_what_is_asked_past_a_signal_at_identifier_light() -> None:
+    """Level crossings, conditions, zones and the line beyond: trains have no row there."""
+    made = grown(BEYOND)
+    assert made is not None
+    forms = {s.key: told(s) for s in national_sheets(made[0], made[1])}
+    past, own = only(forms["de_sslz"], Route="S/E"), only(forms["de_sslz"], Route="T/E")
+    assert past["Level crossings"] == own["Level crossings"] == "LC9"
+    asked = {"BRIDGE", "Z nicht voll", "ape frei (Strecke)"}
+    assert asked <= set(own["Remarks"].split(", ")) and asked <= set(past["Remarks"].split(", "))
+    assert "T zeigt Kennlicht" in past["Remarks"]
+
+
+def test_german_shunt_routes_tell_the_speed_of_their_path() -> None:
+    """Sslr has no column for it."""
+    rows = told(sheets("cn6502", **{"profile: cn": "profile: de\nsections: {3DG: {speed: 25}}"})["de_sslr"])
+    said = {(r["Start"], r["Destination"]): "v Fahrweg 25 km/h" in r["Remarks"].split(", ") for r in rows}
+    assert said["D1", "D9"] and not said["D5", "IIAG"]
+
+
+@pytest.mark.parametrize(("profile", "key"), [("uk", "uk_routes"), ("generic", "us_locking"), ("de", "de_verschluss")])
+def test_a_form_without_a_column_for_driven_points_says_where_they_stand(profile: str, key: str) -> None:
+    driven = sheets(of_tests("driven"), **{"profile: cn": f"profile: {profile}\nprinciples: {{drive_points: yes}}"})
+    assert sum("Driven" in sign or "mitlaufend" in sign for sign, _ in driven[key].legend) == 1
+    plain = sheets(of_tests("driven"), **{"profile: cn": f"profile: {profile}"})
+    assert len(plain[key].legend) == len(driven[key].legend) - 1

@@ -256,3 +256,13 @@ def test_the_end_of_an_alarm_is_told(ready: Ready) -> None:
         b.until(lambda: kinds(b.events, "alarm"))
         b.ask("fail", kind="station", name="main", on=False)
         b.until(lambda: "over: substation main: no answer" in kinds(b.events, "cleared"))
+
+
+def test_an_alarm_that_came_again_is_not_acknowledged_by_who_saw_it_the_first_time() -> None:
+    alarms = Alarms()
+    alarms.stand({"x": ("points x are not detected", ())}, "06:00")
+    alarms.stand({}, "06:01")
+    alarms.stand({"x": ("points x are not detected", ())}, "06:02")
+    assert alarms.acknowledge([("x", "06:00")], "Ada") == [] and not alarms.all["x"].by
+    (seen,) = alarms.acknowledge([("x", "06:02")], "Ada")
+    assert seen.since == "06:02" and alarms.all["x"].by == "Ada"

@@ -17,7 +17,7 @@ Input: layout and table.  Everything comes from topology, geometry and the table
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from dataclasses import replace
 from functools import cached_property
 
@@ -28,13 +28,14 @@ from interlock.model.elements import (
     NodeId,
     PointId,
     Position,
+    RouteId,
     SectionId,
     SignalId,
     SignalKind,
 )
 from interlock.model.layout import Layout
-from interlock.model.traversal import Topology, Traversal, topology
-from interlock.table.cells import ExitKind, OverlapCell, Role, RouteKind, Shows
+from interlock.model.traversal import Traversal
+from interlock.table.cells import ExitKind, HostileClass, OverlapCell, Role, RouteKind, Shows
 from interlock.table.national.cn_notation import DEVICE, HEADINGS, LEGEND, NOT_PRINTED, OVERLAP, lying, order
 from interlock.table.national.reading import Reading
 from interlock.table.national.sheet import Cell, Heading, Sheet, route_rows
@@ -69,10 +70,6 @@ class _Form:
 
     layout: Layout
     table: InterlockingTable
-
-    @cached_property
-    def topo(self) -> Topology:
-        return topology(self.layout)
 
     @cached_property
     def _reading(self) -> Reading:
@@ -118,15 +115,12 @@ class _Form:
 
     # --- small questions -----------------------------------------------------------------------
 
-    def _way(self, key: tuple[SectionId, int]) -> Traversal:
-        return self.topo.traversals[key[0]][key[1] - 1]
-
     def _is_plain(self, s: SectionId) -> bool:
-        return not any(t.points or t.crossings for t in self.topo.traversals[s])
+        return not any(t.points or t.crossings for t in self._reading.topo.traversals[s])
 
     def _behind(self, r: RouteRow) -> SectionId | None:
         """The section in rear of the route's signal, inside the layout."""
-        return self.topo.beyond(r.path.traversals[0][0], r.path.entry_node)
+        return self._reading.topo.beyond(r.path.traversals[0][0], r.path.entry_node)
 
     def _receiving(self, r: RouteRow) -> bool:
         return r.path.entry_node in self.layout.track.boundary_at
@@ -136,11 +130,29 @@ class _Form:
 
     def _opposing(self, s: SectionId, node: NodeId) -> SignalId | None:
         """The signal that governs leaving a section at the end over which the route came in."""
-        rear = self.topo.beyond(s, node)
-        return None if rear is None else self.topo.signal_into.get((node, rear))
+        rear = self._reading.topo.beyond(s, node)
+        return None if rear is None else self._reading.topo.signal_into.get((node, rear))
 
     def _path(self, r: RouteRow) -> dict[MachineId, Position]:
         return {p.machine: p.position for p in r.locking.points if p.role is Role.PATH}
+
+    def _whole_path(self, r: RouteRow) -> dict[MachineId, Position]:
+        """The points of its path, and past the signals that it passes."""
+        return {m: x for p in self.table.parts(r) for m, x in self._path(p).items()}
+
+    @cached_property
+    def _held(self) -> dict[RouteId, dict[MachineId, Position]]:
+        """All points that each route locks, past the signals that it passes, too."""
+        parts = self.table.parts
+        return {r.id: {q.machine: q.position for p in parts(r) for q in p.locking.points} for r in self.table.routes}
+
+    @cached_property
+    def _ways(self) -> dict[RouteId, dict[SectionId, Traversal]]:
+        """The sections of each route, past the signals that it passes, too, with its way through them."""
+        parts = self.table.parts
+        return {
+            r.id: {k[0]: self._reading.way(k) for p in parts(r) for k in p.path.traversals} for r in self.table.routes
+        }
 
     # --- order ---------------------------------------------------------------------------------
 
@@ -150,6 +162,10 @@ class _Form:
             track = self._track_name(self._end(r)) if self._receiving(r) else self._target(r)[1:].removesuffix("股道")
             return (0, line[:-2], not self._receiving(r), order(r.entry), order(track), r.path.variant)
         return (1, "", False, order(r.entry), order(self._target(r)[1:].removesuffix("股道")), r.path.variant)
+
+    def _last(self, r: RouteRow) -> RouteRow:
+        """What lies at its destination, where it leads past signals, as a train route."""
+        return r if r.path.onward is None else replace(self.table.parts(r)[-1], kind=RouteKind.MAIN)
 
     def _end(self, r: RouteRow) -> SectionId:
         return r.path.traversals[-1][0]
@@ -181,8 +197,7 @@ class _Form:
 
     def _past(self, r: RouteRow, number: str) -> tuple[Cell, ...]:
         """A route that leads past signals: with the points and sections beyond them, in one row."""
-        parts = [r, *(replace(p, kind=RouteKind.MAIN) for p in self.table.parts(r)[1:])]
-        passed, last = "、".join(r.path.passed or ()), parts[-1]
+        parts, last, passed = self.table.parts(r), self._last(r), "、".join(r.path.passed or ())
         facing, told = self._facing(last), [*map(self._other, parts), f"越过{passed}（标志灯）"]
         return (
             self._direction(r),
@@ -239,7 +254,7 @@ class _Form:
         """The line to or from which a train goes, and whether it is received (接车) or departs (发车)."""
         if r.kind is RouteKind.SHUNT:
             return "调车"
-        node = r.path.entry_node if self._receiving(r) else self._way(r.path.traversals[-1]).exit
+        node = r.path.entry_node if self._receiving(r) else self._reading.way(r.path.traversals[-1]).exit
         name = self.layout.printed.labels.get(node, node).split(" (")[0]
         if self._receiving(r) and r.path.exit_kind is ExitKind.BOUNDARY and self._end(r) not in self._tracks:
             return f"{name}通过"
@@ -257,7 +272,7 @@ class _Form:
             return f"至{self._track_name(self._end(r))}股道"
         if r.path.exit_kind is ExitKind.SIGNAL and self._end(r) not in self._tracks:
             return f"至{r.exit}"
-        facing = self._opposing(self._end(r), self._way(r.path.traversals[-1]).entry)
+        facing = self._opposing(self._end(r), self._reading.way(r.path.traversals[-1]).entry)
         if self._end(r) in self._tracks or facing is None:
             return f"至{self._track_name(self._end(r))}股道"
         return f"向{facing}"
@@ -291,7 +306,7 @@ class _Form:
         if r.kind is RouteKind.MAIN:
             out = [f"{r.entry}LA", *self._between(r)]
             return [*out, self._end_of_train(r)]
-        last = self._way(r.path.traversals[-1])
+        last = self._reading.way(r.path.traversals[-1])
         if r.path.berth is not None:
             end = self._opposing(last.section, last.entry)
         else:
@@ -301,16 +316,16 @@ class _Form:
 
     def _opposing_at_exit(self, last: Traversal) -> SignalId | None:
         """The signal back to back with the one at which the route ends."""
-        return self.topo.signal_into.get((last.exit, last.section))
+        return self._reading.topo.signal_into.get((last.exit, last.section))
 
     def _shunt_button(self, g: SignalId) -> str:
         return f"{g}DA" if self.layout.signalling.signal[g].kind is SignalKind.COMBINED else f"{g}A"
 
     def _end_of_train(self, r: RouteRow) -> str:
-        last = self._way(r.path.traversals[-1])
+        last = self._reading.way(r.path.traversals[-1])
         if self._departing(r):
             boundary = self.layout.track.boundary_at[last.exit]
-            back = self.topo.signal_into.get((last.exit, last.section))
+            back = self._reading.topo.signal_into.get((last.exit, last.section))
             return boundary.button or (f"{back}LA" if back is not None else f"{last.exit}LA")
         facing = self._opposing(last.section, last.entry)
         if facing is None:
@@ -331,9 +346,9 @@ class _Form:
         """Shunt signals at the joints within the route, in order."""
         out: list[SignalId] = []
         for a, b in zip(r.path.traversals, r.path.traversals[1:], strict=False):
-            node = self._way(a).exit
+            node = self._reading.way(a).exit
             for key in ((node, b[0]), (node, a[0])):
-                g = self.topo.shunt_into.get(key)
+                g = self._reading.topo.shunt_into.get(key)
                 if g is not None and not self.layout.signalling.signal[g].main:
                     out.append(g)
         return out
@@ -344,7 +359,7 @@ class _Form:
         if r.kind is RouteKind.SHUNT:
             return "B"
         if self._departing(r):
-            block = self.layout.track.boundary_at[self._way(r.path.traversals[-1]).exit].block
+            block = self.layout.track.boundary_at[self._reading.way(r.path.traversals[-1]).exit].block
             return "L、U、LU" if block is BlockKind.AUTOMATIC else "L"
         return "UU" if r.signal.aspect.shows is Shows.TWO_YELLOWS else "U"
 
@@ -357,7 +372,7 @@ class _Form:
         on_path, flank = self._path(r), [p for p in r.locking.points if p.role in (Role.FLANK, Role.ADDED)]
         out: dict[MachineId, str] = {}
         for key in r.path.traversals:
-            for q, _ in self._way(key).points:
+            for q, _ in self._reading.way(key).points:
                 m = self.layout.pointwork.point[q].machine
                 out.setdefault(m, lying(m, on_path[m]))
             for p in flank:
@@ -369,28 +384,37 @@ class _Form:
         return list(out.values())
 
     def _sections(self, r: RouteRow) -> list[str]:
-        """Sections to be clear, each foul section behind the one that it fouls."""
-        named = {p.machine for p in (*r.locking.points, *r.locking.driven)}
+        """Sections to be clear, each foul section behind the one that it fouls; those that foul the overlap stand
+        with it."""
         out: list[str] = []
-        foul = list(r.clear.foul)
         for cell in r.clear.sections:
-            out.append(cell.section)
-            for f in [f for f in foul if f.of == cell.section]:
-                foul.remove(f)
-                if f.when is None:
-                    out.append(f.section)
-                elif f.when[0] not in named:
-                    out.append(f"<{lying(self._end_in(f.section, f.when[0]), f.when[1])}>{f.section}")
+            out += [cell.section, *self._foul(r, {cell.section})]
+        if r.locking.overlap is None:
+            out += self._foul_beyond(r)
         out += [c.name for c in r.clear.space if not c.lamp]
         out += [c.section for c in r.clear.demanded or ()]
         return list(dict.fromkeys(out))
+
+    def _foul_beyond(self, r: RouteRow) -> list[str]:
+        """What fouls no section that the path has clear: the overlap."""
+        return list(dict.fromkeys(self._foul(r, {f.of for f in r.clear.foul} - r.clear.section_ids)))
+
+    def _foul(self, r: RouteRow, of: Container[SectionId]) -> Iterator[str]:
+        """The foul sections of some sections: without condition where the route holds the points so that they foul,
+        none where it holds them otherwise; driven points are never checked, and settle nothing."""
+        held = self._held[r.id]
+        for f in (f for f in r.clear.foul if f.of in of):
+            if f.when is None or held.get(f.when[0]) is f.when[1]:
+                yield f.section
+            elif f.when[0] not in held:
+                yield f"<{lying(self._end_in(f.section, f.when[0]), f.when[1])}>{f.section}"
 
     def _facing(self, r: RouteRow) -> tuple[str, str]:
         """What routes from the other end of the track exclude: train routes, shunt routes."""
         track = self._end(r)
         if track not in self._tracks or self._departing(r):
             return "", ""
-        exits = self._opposing(track, self._way(r.path.traversals[-1]).entry)
+        exits = self._opposing(track, self._reading.way(r.path.traversals[-1]).entry)
         trains = track if exits is not None and self.layout.signalling.signal[exits].main else ""
         shunts = r.kind is RouteKind.MAIN or any(self._meet(r, t) for t in self._into[track] if t.kind is r.kind)
         return trains, track if shunts else ""
@@ -405,19 +429,19 @@ class _Form:
 
     def _meet(self, r: RouteRow, t: RouteRow) -> bool:
         """Both end in one track, into which they come at its two ends, and share nothing else."""
-        mine, theirs = self._way(r.path.traversals[-1]), self._way(t.path.traversals[-1])
-        shared = set(r.path.section_ids) & set(t.path.section_ids)
+        mine, theirs = (self._reading.way(self._last(x).path.traversals[-1]) for x in (r, t))
+        shared = self._ways[r.id].keys() & self._ways[t.id].keys()
         return mine.section == theirs.section and mine.entry != theirs.entry and shared <= {mine.section}
 
     def _told_as_facing(self, r: RouteRow, t: RouteRow) -> bool:
         """The columns of facing routes tell that the two are hostile."""
-        return bool(self._facing(r)[t.kind is not RouteKind.MAIN]) and self._meet(r, t)
+        return bool(self._facing(self._last(r))[t.kind is not RouteKind.MAIN]) and self._meet(r, t)
 
     def _other(self, r: RouteRow) -> str:
         """The block of the line on which a train departs (BS: 闭塞), level crossings, doors and other devices, the
         overlap, which has no column, and what stays locked longer."""
         block = (
-            self.layout.track.boundary_at[self._way(r.path.traversals[-1]).exit].block
+            self.layout.track.boundary_at[self._reading.way(r.path.traversals[-1]).exit].block
             if self._departing(r)
             else BlockKind.NONE
         )
@@ -429,7 +453,8 @@ class _Form:
         return "、".join([*parts, *(c for c in r.requirements if not self._is_block(c)), *overlap, *longer])
 
     def _overlap(self, r: RouteRow, over: OverlapCell) -> str:
-        """An overlap's sections, its points, those that protect it, and the speed for which it is made."""
+        """An overlap's sections, what fouls them, its points, those that protect it, and the speed for which it is
+        made."""
         inside = {s for s, _ in over.ways}
         own = [
             lying(p.machine, p.position)
@@ -443,6 +468,7 @@ class _Form:
         ]
         kmh = self._reading.entry_kmh(r)
         said = [f"保护区段 {'、'.join(dict.fromkeys(s for s, _ in over.ways))}"]
+        said += [f"侵限 {'、'.join(foul)}" for foul in [self._foul_beyond(r)] if foul]
         said += [f"道岔 {'、'.join(dict.fromkeys(own))}"] * bool(own) + [f"限速 {kmh} km/h"] * bool(kmh)
         return "，".join(said)
 
@@ -455,12 +481,13 @@ class _Form:
     def _hostile(self, r: RouteRow) -> list[str]:
         """Hostile signals; first those without condition, then each condition with its signals."""
         found: dict[str, list[tuple[SignalId, str]]] = {}
+        told = self._told(r)
         for g in sorted(self.layout.signalling.signals, key=lambda s: order(s.id)):
             functions: dict[str, str] = {}
             for kind, mark in ((RouteKind.MAIN, "L"), (RouteKind.SHUNT, "D")):
                 if g.id == r.entry and kind is r.kind:
                     continue
-                condition = self._when_hostile(r, g.id, kind)
+                condition = self._when_hostile(r, self._of_signal.get((g.id, kind), []), told)
                 if condition is not None:
                     functions[mark] = condition
             if g.kind is not SignalKind.COMBINED:
@@ -477,30 +504,41 @@ class _Form:
             out += [condition + names[0], *names[1:]]
         return out
 
-    def _when_hostile(self, r: RouteRow, g: SignalId, kind: RouteKind) -> str | None:
+    def _told(self, r: RouteRow) -> frozenset[RouteId]:
+        """The hostile routes of which the column tells: all but those that points exclude, that the columns of facing
+        routes tell, or that are hostile by an overlap alone."""
+        mine = self._ways[r.id].keys()
+        asked = [t for h in r.locking.hostile.routes if self._agree(r, t := self.table.route[h])]
+        asked = [t for t in asked if not self._told_as_facing(r, t)]
+        sharing = {t.id for t in asked if mine & self._ways[t.id].keys()}
+        beside = {t.id for t in asked} - sharing
+        why = {h.route: set(h.kinds) for h in r.locking.hostile} if beside else {}  # told of all, for a few
+        return frozenset(sharing | {h for h in beside if why[h] != {HostileClass.OVERLAP}})
+
+    def _when_hostile(self, r: RouteRow, function: list[RouteRow], told: frozenset[RouteId]) -> str | None:
         """The condition under which a signal's function is hostile: "" always, None never.
 
         It tells the signal's hostile routes from its other routes that the points of this one permit.
         """
-        routes = [t for t in self._of_signal.get((g, kind), []) if self._agree(r, t)]
-        bad = [t for t in routes if self._conflicts(r, t) and not self._told_as_facing(r, t)]
+        routes = [t for t in function if self._agree(r, t)]
+        bad = [t for t in routes if t.id in told]
         if not bad:
             return None
         good = [t for t in routes if t not in bad]
         if not good:
             return ""
-        own = self._path(r)
-        first = list(self._path(bad[0]).items())
-        common = [need for need in first if all(need in self._path(t).items() for t in bad)]
+        own = self._whole_path(r)
+        first = list(self._whole_path(bad[0]).items())
+        common = [need for need in first if all(need in self._whole_path(t).items() for t in bad)]
         ranked = sorted(common, key=lambda need: (need[0] not in own, first.index(need)))
         chosen: list[Need] = []
         for need in ranked:
-            if not any(need in self._path(t).items() for t in good):
+            if not any(need in self._whole_path(t).items() for t in good):
                 return f"<{self._named(need, bad[0])}>"
         for need in ranked:
-            if any(need not in self._path(t).items() for t in good):
+            if any(need not in self._whole_path(t).items() for t in good):
                 chosen.append(need)
-                good = [t for t in good if need in self._path(t).items()]
+                good = [t for t in good if need in self._whole_path(t).items()]
             if not good:
                 return "<" + "、".join(self._named(n, bad[0]) for n in chosen) + ">"
         return ""
@@ -508,7 +546,7 @@ class _Form:
     def _named(self, need: Need, t: RouteRow) -> str:
         """A condition by the end of the machine at which a route parts from others, else the first that it passes."""
         machine, position = need
-        passed = [p for key in t.path.traversals for p, _ in self._way(key).points]
+        passed = [p for key in t.path.traversals for p, _ in self._reading.way(key).points]
         ends = [*(p for p, _ in self._reading.machines.facing_ends(t)), *passed]
         return lying(next((p for p in ends if self.layout.pointwork.point[p].machine == machine), machine), position)
 
@@ -518,19 +556,5 @@ class _Form:
 
     def _agree(self, r: RouteRow, t: RouteRow) -> bool:
         """Both can have their points: what the points exclude is not printed as hostile."""
-        needs = {p.machine: p.position for p in r.locking.points}
-        return all(needs.get(p.machine, p.position) is p.position for p in t.locking.points)
-
-    def _conflicts(self, r: RouteRow, t: RouteRow) -> bool:
-        """Sections are shared, and they are not two shunting movements in one direction."""
-        shared = set(r.path.section_ids) & set(t.path.section_ids)
-        if not shared:
-            return False
-        if r.kind is RouteKind.MAIN or t.kind is RouteKind.MAIN:
-            return True
-        mine = {k[0]: self._way(k) for k in r.path.traversals}
-        return any(self._against(mine[k[0]], self._way(k)) for k in t.path.traversals if k[0] in shared)
-
-    @staticmethod
-    def _against(x: Traversal, y: Traversal) -> bool:
-        return x.entry == y.exit or x.exit == y.entry
+        needs = self._held[r.id]
+        return all(needs.get(m, x) is x for m, x in self._held[t.id].items())

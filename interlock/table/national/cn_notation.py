@@ -32,6 +32,7 @@ LEGEND = (
     ("[1/3]、{1/3}", "防护道岔（检查）、带动道岔（不检查）"),
     ("S5、S5L、S5D", "敌对信号：列车和调车、仅列车、仅调车"),
     ("<1>D1", "1 号道岔定位时敌对；条件管到下一个条件为止"),
+    ("敌对信号", "不列道岔位置已排斥的进路，也不列迎面进路栏已列的进路"),
     ("<25>25DG", "25 号道岔定位时检查侵限区段"),
     ("17/9", "通过进路：接车进路 17 和发车进路 9 的全部条件"),
     ("BA", "变更按钮；名称由本程序给出"),
@@ -40,7 +41,7 @@ OVERLAP = ("保护区段 T，道岔 1", "终端信号机内方的保护区段及
 """Where a layout has overlaps, for which the form has no column."""
 
 NOT_PRINTED = {
-    RouteKind.CALL_ON: ("引导进路", "{} 条不列：教科书的联锁表只列列车和调车进路；见 table.csv"),
+    RouteKind.CALL_ON: ("引导进路", "{} 条不列，也不计入敌对信号：教科书的联锁表只列列车和调车进路；见 table.csv"),
     RouteKind.SHUNT: ("变更调车进路", "{} 条不列：调车只列基本进路；见 table.csv"),
 }
 """What the form leaves out of a table, with how many there are."""

@@ -27,6 +27,8 @@ LAGE = (
 )
 
 
+MITLAUFEND = ("mitlaufende Weichen", "werden umgestellt und sind keine Bedingung für das Signal: siehe table.csv")
+
 GESTELLT = {"open": "offen", "closed": "geschlossen", "shut": "geschlossen"}
 """How a device is, by the word for it."""
 
@@ -105,8 +107,9 @@ def _deciding(x: Reading, r: RouteRow) -> str:
 
 
 def _crossings(x: Reading, r: RouteRow) -> list[str]:
-    """The level crossings that are closed for a route."""
-    return [str(m) for m, at in x.machines.devices(r).items() if _closed(x, m, at)]
+    """The level crossings that are closed for a route, past the signals that it passes, too."""
+    devices = (d for p in x.table.parts(r) for d in x.machines.devices(p).items())
+    return list(dict.fromkeys(str(m) for m, at in devices if _closed(x, m, at)))
 
 
 def _closed(x: Reading, m: MachineId, at: Position) -> bool:
@@ -124,10 +127,12 @@ def _derailers(x: Reading, r: RouteRow) -> str:
 
 
 def _keys(x: Reading, r: RouteRow) -> str:
-    return ", ".join(p.machine for p in r.locking.points if p.machine in x.layout.machines.by_hand)
+    held = (q.machine for p in x.table.parts(r) for q in p.locking.points)
+    return ", ".join(dict.fromkeys(m for m in held if m in x.layout.machines.by_hand))
 
 
-def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
+def _asked(x: Reading, r: RouteRow) -> list[str]:
+    """What a route asks besides points and clear track, and where its overlap may swing."""
     notes = _other_devices(x, r)
     notes += [str(c.condition) for c in r.conditions.external]
     notes += [f"{z.zone} nicht voll" for z in r.conditions.zones]
@@ -139,13 +144,22 @@ def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
         notes.append(f"Haltfall erst, wenn {r.signal.closing.whole} frei")
     if r.locking.overlap is not None and r.locking.overlap.swings:
         notes.append(f"D-Weg umstellbar auf {', '.join(f'D{k}' for k in r.locking.overlap.swings)}")
-    for before, past in pairwise(x.table.parts(r)):
+    return notes
+
+
+def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
+    """Of a route past signals all that is asked beyond them, too: trains have no row there."""
+    parts = x.table.parts(r)
+    notes = list(dict.fromkeys(note for p in parts for note in _asked(x, p)))
+    for before, past in pairwise(parts):
         notes.append(f"{before.exit} zeigt Kennlicht; Fahrweg dahinter wie {past.id} in der Verschlusstafel")
         if before.locking.overlap is not None:
             notes.append(f"{overlap_name(before)} von {before.exit} mitverschlossen")
-    notes += [f"{m} {r.locking.hold:g} s länger verschlossen" for m in r.locking.held_longer]
+    notes += [f"{m} {p.locking.hold:g} s länger verschlossen" for p in parts for m in p.locking.held_longer]
     if r.kind is RouteKind.CALL_ON:
         notes.append("Ersatzsignal: besetzte Abschnitte erlaubt")
+    if r.kind is RouteKind.SHUNT and (kmh := x.path_kmh(r)):
+        notes.append(f"v Fahrweg {kmh} km/h")
     if r.path.berth is not None:
         notes.append(f"Zielgleis {r.path.berth} darf besetzt sein")
     return tuple(notes)
@@ -342,5 +356,5 @@ def locking(layout: Layout, table: InterlockingTable) -> Sheet:
         rows,
         True,
         "after the classic Verschlusstafel (routes against what they lock); no worked example was at hand",
-        legend=LAGE,
+        legend=(*LAGE, *([MITLAUFEND] if x.drives else [])),
     )

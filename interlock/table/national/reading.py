@@ -17,6 +17,8 @@ from interlock.table.rows import InterlockingTable, RouteRow
 from interlock.table.runs import natural
 
 ON_PATH = (Role.PATH, Role.OVERLAP)
+NOT_CHECKED = ("Driven points", "moved along, never a condition of the signal: they stand in table.csv")
+"""What a form says of them that has no column for them."""
 DERAILER = {Position.NORMAL: "on", Position.REVERSE: "off"}
 
 
@@ -162,6 +164,11 @@ class Reading:
     def printed(self) -> Printed:
         """The table as it is printed, a row for each way."""
         return Printed(self.table)
+
+    @property
+    def drives(self) -> bool:
+        """Whether a route moves points along that it does not need (R10): most forms have no column for them."""
+        return any(r.locking.driven for r in self.table.routes)
 
     def named(
         self,

@@ -14,7 +14,7 @@ from interlock.model.elements import Hand, MachineId, Position, RouteId
 from interlock.model.layout import Layout
 from interlock.model.portable import beside
 from interlock.table.cells import HostileClass, PointDemand, Role, RouteKind, Shows
-from interlock.table.national.reading import ON_PATH, Opposing, Reading
+from interlock.table.national.reading import NOT_CHECKED, ON_PATH, Opposing, Reading
 from interlock.table.national.sheet import Field, Heading, Sheet, by_way, filled
 from interlock.table.printed import PrintedRoute
 from interlock.table.rows import InterlockingTable, RouteRow
@@ -211,6 +211,7 @@ def _legend(x: Reading) -> tuple[tuple[str, str], ...]:
         ),
         ("[or AB occ 60 s]", "or it has come to a stand: only its overlap is in the way"),
         ("Not listed", "routes that points in another position exclude"),
+        *([NOT_CHECKED] if x.drives else []),
     )
 
 

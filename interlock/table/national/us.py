@@ -9,7 +9,7 @@ from interlock.model.elements import MachineId, Position, RouteId, Work
 from interlock.model.layout import Layout
 from interlock.model.times import supervision_s
 from interlock.table.cells import ExitKind, Role, RouteKind, Shows
-from interlock.table.national.reading import DERAILER, Reading
+from interlock.table.national.reading import DERAILER, NOT_CHECKED, Reading
 from interlock.table.national.sheet import Field, Heading, Sheet, by_way, filled
 from interlock.table.printed import Said, grouped
 from interlock.table.rows import InterlockingTable, RouteRow, leads_to
@@ -68,7 +68,7 @@ def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
     title = Heading("Route locking sheet", "进路锁闭表", "Verschlussblatt")
     by_overlap = sorted({name for way in x.printed.listed for r in way.rows for name in _conflicting(x, r)[1]})
     meaning = "the route with this overlap (o2 in its row); with another one it does not conflict"
-    signs = (*legend(rows), *((name, meaning) for name in by_overlap[:1]))
+    signs = (*legend(rows), *((name, meaning) for name in by_overlap[:1]), *([NOT_CHECKED] if x.drives else []))
     return Sheet("us_locking", "en", title, headings, rows, True, SOURCE, legend=signs)
 
 
