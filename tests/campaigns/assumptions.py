@@ -25,7 +25,7 @@ CASES = (
     ("A-SCAN", "fig2_2", "T-COLLISION"),
     ("A-HEADWAY", "fig2_2", "T-COLLISION"),
     ("A-DETECT", "fig2_2", "T-COLLISION"),
-    ("A-ONE-FALSE", "fig2_3_split", "T-DERAIL"),
+    ("A-ONE-FALSE", "depot", "T-POINT-MOVES"),
     ("A-CONTACT", "fig2_2", "T-DERAIL"),
     ("A-POINT", "fig2_2", "T-DERAIL"),
     ("A-TIMER", "fig2_2", "T-COLLISION"),
