@@ -158,6 +158,32 @@ def test_a_chinese_route_past_signals_is_hostile_to_those_that_begin_there() -> 
     assert only(rows, 信号机名称="Y", 进路="至p2股道")["敌对信号"] == "X"
 
 
+POINTS_BEYOND = """interlock: 1
+name: points_beyond
+profile: cn
+principles: {line_speed_kmh: 40}
+boundaries: {W: {approach: wa 300, trains: in}, V: {approach: va 300, trains: in}, E: {trains: out}}
+tracks: {t: [W, a 100, b 100, c 100, d 100], g: [V, h 200], e: [f 100, E]}
+points: {5: {section: p, toe: e.start, normal: t.end, reverse: g.end}}
+signals:
+  X: {from: W, into: a}
+  S: {from: b, into: c}
+  T: {from: d, into: p, identifier: yes}
+  Y: {from: V, into: h}
+  U: {from: h, into: p}
+overlaps: {S: {length: 0}, T: {length: 0}, U: {length: 0}}
+"""
+
+
+def test_points_past_a_signal_at_identifier_light_exclude_too() -> None:
+    """U over 5 reversed is not named by the route of S past T, over 5 normal."""
+    made = grown(POINTS_BEYOND)
+    assert made is not None
+    rows = chinese_rows(chinese_table(made[0], made[1]))
+    assert only(rows, 进路="越过T至E")["敌对信号"] == "T" and only(rows, 信号机名称="T")["敌对信号"] == "<5>S"
+    assert only(rows, 信号机名称="U")["敌对信号"] == ""
+
+
 FACING = ("迎面进路 列车", "迎面进路 调车")
 
 
@@ -227,7 +253,9 @@ def test_german_train_routes_tell_what_is_asked_past_a_signal_at_identifier_ligh
 
 def test_german_shunt_routes_tell_the_speed_of_their_path() -> None:
     """Sslr has no column for it."""
-    rows = told(sheets("cn6502", **{"profile: cn": "profile: de\nsections: {3DG: {speed: 25}}"})["de_sslr"])
+    made = sheets("cn6502", **{"profile: cn": "profile: de\nsections: {3DG: {speed: 25}}"})
+    rows = told(made["de_sslr"])
+    assert not any("v Fahrweg" in r["Remarks"] for r in told(made["de_sslz"])), "trains have a column for it"
     said = {(r["Start"], r["Destination"]): "v Fahrweg 25 km/h" in r["Remarks"].split(", ") for r in rows}
     assert said["D1", "D9"] and not said["D5", "IIAG"]
 
