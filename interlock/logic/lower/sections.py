@@ -338,12 +338,14 @@ def _arrival(d: Draft, s: SectionId, rear: list[Term]) -> list[Term]:
 
 
 def from_signals(d: Draft, s: SectionId) -> list[tuple[SignalId, SectionId, Expr]]:
-    """The main signals behind which a section is the first, each with the section in rear, where that is detected, and
-    that the section is locked from there for a train (R9)."""
+    """The main signals with routes behind which a section is the first, each with the section in rear, where that is
+    detected, and that the section is locked from there for a train (R9)."""
     found = []
     for node in d.topo.ends[s]:
         g, rear, locked = d.signals.main_at(s, node), d.sections.rear(s, node), d.sections.locked_in(s, node)
-        if g is not None and rear is not None and rear not in d.layout.track.undetected and locked is not FALSE:
+        if g is None or rear is None or rear in d.layout.track.undetected or locked is FALSE:
+            continue
+        if d.routes.of_signal[g]:
             found.append((g, rear, conj((locked, d.sections.train(s)))))
     return found
 

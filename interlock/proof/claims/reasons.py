@@ -105,12 +105,14 @@ def _rear(f: Facts, s: SectionId, j: NodeId) -> SectionId | None:
 
 
 def first_behind(f: Facts, s: SectionId) -> list[tuple[SignalId, SectionId, Expr]]:
-    """The main signals behind which a section is the first, each with the section in rear of it, where that is
-    detected, and that the section is locked from there for a train."""
+    """The main signals with routes behind which a section is the first, each with the section in rear of it, where that
+    is detected, and that the section is locked from there for a train."""
     found = []
     for j in f.topo.ends[s]:
         g, rear, locked = f.topo.main_into.get((j, s)), _rear(f, s, j), f.locking.locked_in(s, j)
-        if g is not None and rear is not None and rear in f.sym.sections.clear and locked is not FALSE:
+        if g is None or rear is None or rear not in f.sym.sections.clear or locked is FALSE:
+            continue
+        if g in f.sym.cancellation.cancelling:
             found.append((g, rear, conj((locked, f.locking.train(s)))))
     return found
 
