@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from interlock.audit import audit
@@ -25,28 +27,7 @@ from tests.written import told
 
 CN = TWO.replace("name: two", "name: two\nprofile: cn")
 LIT = {"CLR_wa": 1}
-FORK = """
-interlock: 1
-name: fork
-profile: cn
-boundaries:
-  W: {approach: wa 300}
-  E: {approach: ea 300}
-  F: {approach: fa 300, indicator: yes}
-tracks:
-  west: [W, q1 200]
-  east: [q6 200, E]
-  branch: [q7 200, F]
-points:
-  P: {section: q2, toe: west.end, normal: east.start, reverse: branch.start}
-signals:
-  X1: {from: W,  into: q1}
-  X2: {from: q1, into: q2}
-  Y1: {from: E,  into: q6}
-  Y2: {from: q6, into: q2}
-  Z1: {from: F,  into: q7}
-  Z2: {from: q7, into: q2}
-"""
+FORK = Path("tests/layouts_for_tests/indicator.yaml").read_text("utf-8")
 
 
 @pytest.mark.parametrize(("route", "yellows"), [("X2-X4", {"YY_X2", "YU_X2"}), ("X2-X3", {"YY_X2"})])

@@ -59,6 +59,8 @@ ON = {
     "speed-too-high": "../tests/layouts_for_tests/speeds",
     "entry-speed-forgotten": ENTRY,
     "speed-not-shown": "../tests/layouts_for_tests/speeds",
+    "one-yellow": SHUNT,
+    "route-not-indicated": "../tests/layouts_for_tests/indicator",
     "excluded-offered": BARE,
     "trap-entered": "../tests/layouts_for_tests/trap_beyond",
     "entrance-left-by": "../tests/layouts_for_tests/no_calling_on",
