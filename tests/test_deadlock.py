@@ -63,7 +63,8 @@ def test_no_train_stands_for_ever_and_every_plan_holds_on_the_controller(path: s
     assert [o.stuck for o in found.outcomes if o.stuck] == [] and not found.troubles
     assert found.ahead == 1, "no route is set ahead of a train that has not passed the one before"
     c.replay(runs, found)
-    assert found.plans > 0 and found.wrong == [] and found.grant <= 4
+    # where the next train is before a signal before the rear was seen clear, the delay of approach locking runs (R9)
+    assert found.plans > 0 and found.wrong == [] and found.grant <= 16
 
 
 def test_without_the_rule_trains_stand_for_ever() -> None:

@@ -547,7 +547,7 @@ def test_no_name_for_step_7_looks_like_an_address() -> None:
     names = set(re.findall(r"^ +(\w+) : ", text, re.MULTILINE))
     assert names and not [n for n in names if re.fullmatch(r"[TCZMIQEA]\d+", n)]
     table = files_of("scl300")["fig2_2.sdf"]
-    assert '"IL_fig2_2","FC 8","FC 8",""' in table and '"DB_IL_fig2_2_T01","DB 4","FB 1",""' in table
+    assert '"IL_fig2_2","FC 9","FC 9",""' in table and '"DB_IL_fig2_2_T01","DB 4","FB 1",""' in table
     long = table.replace('"CLR_SA"', '"CLR_' + "A" * 21 + '"')
     assert "a symbol has 24" in str(wrong("scl300", {**files_of("scl300"), "fig2_2.sdf": long}))
 

@@ -172,7 +172,7 @@ def test_a_forgotten_entry_speed_is_killed_by_proof_and_by_trains_in_metres() ->
     assert "S-ENTRY" in outcome.claims and outcome.fate is Fate.KILLED, outcome
     case = Case.of(PATH)
     assert drive(case, 2000, 1, False).hazards == []
-    wrong = drive(replace(case, runtime=runtime_py(mutants["X2-X8"], [])), 12_000, 1, False)
+    wrong = drive(replace(case, runtime=runtime_py(mutants["X2-X8"], [])), 12_000, 2, False)
     assert any("60 km/h to an overlap for 50 km/h" in h for h in wrong.hazards), wrong.hazards
 
 

@@ -30,8 +30,13 @@ def reaction_m(rules: Principles, kmh: float) -> float:
     return kmh / 3.6 * (rules.output_delay_s + rules.reaction_s)
 
 
-def approach(layout: Layout, signal: SignalId) -> Approach:
-    """From where a train may come to a signal."""
+class TooManyWays(Exception):
+    """A signal is come to over more ways than were to be looked at."""
+
+
+def approach(layout: Layout, signal: SignalId, most: int | None = None) -> Approach:
+    """From where a train may come to a signal.  Raises `TooManyWays` when more places than `most` were looked at."""
+    looked = 0
     g, rules, topo = layout.signalling.signal[signal], layout.principles, topology(layout)
 
     def kmh(section: SectionId) -> float:
@@ -40,6 +45,10 @@ def approach(layout: Layout, signal: SignalId) -> Approach:
         return fastest if g.main else min(fastest, rules.shunt_speed_kmh)
 
     def metres(section: SectionId, told_at: float | None) -> float:
+        nonlocal looked
+        looked += 1
+        if most is not None and looked > most:
+            raise TooManyWays
         v = kmh(section)
         return max(braking_m(rules, v), 0.0 if told_at is None else told_at + reaction_m(rules, v))
 

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from interlock.dataclass import dataclass
-from interlock.model.approach import approach
+from interlock.model.approach import TooManyWays, approach
 from interlock.model.elements import BoundaryKind, MachineId, Position, SectionId, SignalId
 from interlock.model.farthest import farthest
 from interlock.model.layout import Layout
@@ -21,6 +21,9 @@ from interlock.model.overlap import overlap_paths, through
 from interlock.model.principles import Principles
 from interlock.model.times import stated, supervision_s, whole_ms
 from interlock.model.traversal import Topology, Traversal, topology
+
+PLACES = 10_000
+"""So many places are looked at from where trains may come to one signal."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,7 +118,10 @@ def told_at(layout: Layout, g: SignalId) -> float:
     rear = _speed(layout, _rear(layout, g))
     if not layout.signalling.signal[g].main:
         return rear
-    found = approach(layout, g)
+    try:
+        found = approach(layout, g, PLACES)
+    except TooManyWays:  # the highest speed anywhere; such a layout is refused anyway (IL3049)
+        return max(_speed(layout, s) for s in (None, *layout.track.section))
     return max([rear, _speed(layout, None) if found.blind else 0.0, *(_speed(layout, s) for s in found.sections())])
 
 
