@@ -270,8 +270,11 @@ def test_alarms_and_the_author_of_a_reminder_are_read_whole(chromium: Any, tmp_p
         stock, towards = desk.field.stock, desk.browsers.still["stands"]["s2"][0]
         between(desk, lambda: stock.stand("s2", towards, 50.0, "stands"))
         page.wait_for_selector("#trains li")
-        for _ in range(2):
-            between(desk, lambda: desk._once("the controller starts: every section stays locked until it is released"))
+        for what in (
+            "every signal shows stop until its route is asked for",
+            "no points turn until somebody asks for a route over them",
+        ):
+            between(desk, lambda what=what: desk._once(f"the controller starts: {what}"))  # type: ignore[misc]
         page.wait_for_selector("#alarms li:nth-child(3)")
         assert (
             page.evaluate("""() => { const b = document.getElementById("alarms").getBoundingClientRect();
