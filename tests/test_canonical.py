@@ -88,7 +88,7 @@ def asked(system: System, monkeypatch: pytest.MonkeyPatch, near: int) -> tuple[l
 def test_a_weak_station_is_not_taken_for_its_sound_neighbours(monkeypatch: pytest.MonkeyPatch) -> None:
     """On a line of stations of one kind most parts are asked once; where one station's controller is weakened, the same
     goals fail as when nothing is taken for anything else."""
-    made = grown(line(12))
+    made = grown(line(16))
     assert made is not None
     layout, table, _ = made
     follows, few = asked(System(layout, lower(layout, table)), monkeypatch, 3000)
@@ -99,7 +99,7 @@ def test_a_weak_station_is_not_taken_for_its_sound_neighbours(monkeypatch: pytes
         alike, few = asked(weak, monkeypatch, 3000)
         alone, every = asked(weak, monkeypatch, 0)
         assert alike == alone and not all(alike), kind
-        assert few < 0.85 * every < every <= len(alone)
+        assert few < 0.8 * every < every <= len(alone)
 
 
 def test_parts_do_not_grow_with_a_line(monkeypatch: pytest.MonkeyPatch) -> None:
