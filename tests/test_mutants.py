@@ -60,6 +60,7 @@ ON = {
     "entry-speed-forgotten": ENTRY,
     "speed-not-shown": "../tests/layouts_for_tests/speeds",
     "one-yellow": SHUNT,
+    "approach-not-asked": "../tests/layouts_for_tests/two_before",
     "route-not-indicated": "../tests/layouts_for_tests/indicator",
     "excluded-offered": BARE,
     "trap-entered": "../tests/layouts_for_tests/trap_beyond",

@@ -6,7 +6,10 @@ from typing import Any
 
 import pytest
 
+from interlock.app.check import check_file
 from interlock.emit.python.runtime import runtime_py
+from interlock.logic.controller import Controller
+from interlock.logic.lower import lower
 from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.verdict import Verdict
 from interlock.proof.mutation import forgotten
@@ -19,15 +22,14 @@ X3_D, X3_X5 = "X3-D", "X3-X5"
 
 
 class Bench:
-    """The emitted runtime of `fig2_3_split`: from SB the signal X3 leads over III and its point P1 to IV or SC."""
+    """An emitted runtime after its restart: all is clear, every machine normal, nothing is asked, but what is given."""
 
-    def __init__(self) -> None:
+    def __init__(self, controller: Controller, **inputs: int) -> None:
         space: dict[str, Any] = {}
-        exec(runtime_py(built("fig2_3_split")[2], []), space)
+        exec(runtime_py(controller, []), space)
         self.routes, self.controller = space["ROUTES"], space["Controller"]()
-        clear = ("CLR_III", "CLR_IV", "CLR_SB", "CLR_SC", "CLR_SD")
-        self.inputs = {"VALID": 1, "DN_P1": 1} | dict.fromkeys(clear, 1)
-        self.inputs |= dict.fromkeys(("DR_P1", "REQ", "BLK_III", "BLK_IV", "BLK_SC"), 0)
+        on = ("VALID", "CLR_", "SH_", "DN_")
+        self.inputs = {x.name: int(x.name.startswith(on)) for x in controller.inputs} | {"REQ": 0} | inputs
         self.outputs: dict[str, int] = {}
         self.go(605)
         self.go(4, RELALL=1)
@@ -43,18 +45,19 @@ class Bench:
         self.go(0.4, REQ=self.routes[route])
         self.go(5, REQ=0)
 
-    def seconds_until_free(self, most: float) -> float:
-        """How long section III stays locked from now on."""
+    def seconds_until_free(self, most: float, section: str = "III") -> float:
+        """How long a section stays locked from now on."""
         for n in range(round(most * 1000 / SCAN_MS)):
-            if not self.outputs["YL_III"]:
+            if not self.outputs[f"YL_{section}"]:
                 return n * SCAN_MS / 1000
             self.go(SCAN_MS / 1000)
         return most
 
 
 def before_the_open_signal() -> Bench:
-    """A train has come before X3, which is open."""
-    b = Bench()
+    """`fig2_3_split`: from SB the signal X3 leads over III and its point P1 to IV or SC.  A train has come before X3,
+    which is open."""
+    b = Bench(built("fig2_3_split")[2])
     b.ask(X3_X5)
     assert b.outputs["YP_X3"] and b.outputs["YL_III"]
     b.go(10, CLR_SB=0)
@@ -106,6 +109,50 @@ def test_where_wagons_stay_behind_it_is_held_for_the_delay_of_approach_locking()
     assert 55 <= b.seconds_until_free(120) <= 64
 
 
+def two_before() -> Bench:
+    """Before X2 lie q2, of 100 m, and q1: less than the braking distance, so that a train in q1 that X1 has called is
+    about to pass X2.  One is there, and both signals are open."""
+    checked = check_file("tests/layouts_for_tests/two_before.yaml")
+    assert checked.layout is not None and checked.table is not None
+    b = Bench(lower(checked.layout, checked.table))
+    b.ask("X2-X3")
+    b.ask("X1-X2")
+    assert not b.outputs["YS_X2"] and not b.outputs["YS_X1"]
+    b.go(5, CLR_wa=0)
+    b.go(5, CLR_q1=0)
+    b.go(5, CLR_wa=1)
+    assert not b.outputs["YS_X2"] and b.outputs["YL_q3"]
+    return b
+
+
+@pytest.mark.parametrize("lasts", [0.4, 2.0, 20.0])
+def test_a_card_that_fails_before_a_train_further_away_releases_nothing_until_it_must_stand(lasts: float) -> None:
+    """A card reports the section before the signal, the one behind it and the next occupied, and all clear again: as if
+    a train had run over them.  The one that is called to X2 is still in q1, and X2 has fallen in its face.  That the
+    section before the signal alone was seen clear since released q3 after 3 s."""
+    b = two_before()
+    b.go(lasts, CLR_q2=0, CLR_q3=0, CLR_q4=0)
+    b.go(20, CLR_q2=1, CLR_q3=1, CLR_q4=1)
+    assert b.outputs["YL_q3"] and b.outputs["YS_X2"]
+    b.ask("Y4-W")
+    assert not b.outputs["YR_P1"]
+
+
+def test_behind_a_train_the_next_one_that_is_called_later_holds_nothing() -> None:
+    """As soon as it has come in the approach is seen clear, since what lies before is not locked any more."""
+    b = two_before()
+    for section in ("q2", "q3", "q4"):
+        b.go(2, **{f"CLR_{section}": 0})
+    b.go(2, CLR_q1=1)
+    b.go(5, CLR_q2=1)
+    b.go(2, CLR_wa=0)
+    b.ask("X1-X2")
+    assert not b.outputs["YS_X1"]
+    b.go(5, CLR_q1=0)
+    b.go(0.2, CLR_q3=1)
+    assert b.seconds_until_free(60, "q3") <= 3.6
+
+
 @pytest.mark.parametrize("name", ["fig2_3_split", "junction"])
 def test_a_controller_that_does_not_ask_for_the_rear_is_refuted(name: str) -> None:
     layout, table, _ = built(name)
@@ -113,3 +160,12 @@ def test_a_controller_that_does_not_ask_for_the_rear_is_refuted(name: str) -> No
     for _, wrong in forgotten.rear_not_asked(layout, table):
         found = prove(System(layout, wrong), Limits(search_depth=0))
         assert "L-APPROACH" in {c.id for c in found.claims if c.verdict is not Verdict.PROVED}
+
+
+def test_a_controller_that_asks_for_the_section_in_rear_alone_is_refuted() -> None:
+    checked = check_file("tests/layouts_for_tests/two_before.yaml")
+    assert checked.layout is not None and checked.table is not None
+    wrong = dict(forgotten.rear_alone(checked.layout, checked.table))
+    assert "q3" in wrong
+    found = prove(System(checked.layout, wrong["q3"]), Limits(search_depth=0))
+    assert {c.id for c in found.claims if c.verdict is not Verdict.PROVED} == {"L-REASON"}

@@ -58,10 +58,12 @@ class FoulBeside(FoulJoint):
 
 @dataclass(frozen=True)
 class Approach:
-    """A section from which a train may come to a signal, and over which ways from further away; None: unseen."""
+    """A section from which a train may come to a signal, and over which ways from further away; None: unseen.  Where it
+    `ends_early`, a train may be on its way beyond it as well, where nothing detects it."""
 
     section: str | None
     further: tuple[tuple[Way, Approach], ...] = ()
+    ends_early: bool = False
 
 
 def fastest_told(lengths: Lengths, g: Signal) -> float:
@@ -70,7 +72,7 @@ def fastest_told(lengths: Lengths, g: Signal) -> float:
     fastest, todo = lengths.kmh(lengths.before(g)), [lengths.approach(g)] if g.main else []
     while todo:
         x = todo.pop()
-        fastest = max(fastest, lengths.kmh(x.section))
+        fastest = max(fastest, lengths.kmh(None if x.ends_early else x.section))
         todo += [y for _, y in x.further]
     return fastest
 
@@ -369,7 +371,7 @@ class Lengths(Overlaps):
                 return None
             name, metres = item_parts(b.get("approach", ""))
             far = bool(name) and gone + float(metres) >= max(needed, self._metres_to_act(g, name, tells))
-            return Approach(name if far else None)
+            return Approach(name or None, ends_early=not far)
         s = self.r.track.beyond(ahead, node)
         if s is None or s in seen:
             return None

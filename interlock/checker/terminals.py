@@ -147,11 +147,8 @@ class Terminals(Lamps):
         return leaf(f"P_{safe(s)}")
 
     def w_rear_cleared(self, s: str) -> Formula:
-        """The controller remembers that it was used, and the section in rear of its signal seen clear since."""
+        """The controller remembers that it was used, and nobody on the way to its signal since."""
         return self.known(f"RC_{safe(s)}")
-
-    def w_rear_section(self, g: Signal) -> str:
-        return str(self.lengths.before(g))
 
     def w_with_rear_detected(self) -> list[Signal]:
         """The signals that trains obey, where what comes to them is seen in the section in rear."""
@@ -519,13 +516,17 @@ class Terminals(Lamps):
     def w_nobody_on_the_way(self, g: Signal) -> Formula:
         """No train can be about to pass the signal: back to the braking distance, and to the first main signal that
         announces it, nothing is reported, where a way on from there is locked."""
-        return no(self._on_the_way(self.lengths.approach(g)))
+        return no(self._on_the_way(self.lengths.approach(g), TRUE))
 
-    def _on_the_way(self, x: Approach) -> Formula:
-        if x.section is None:
-            return TRUE
-        further = (every((self.w_locked(w), self._on_the_way(y))) for w, y in x.further)
-        return some((no(self.w_steadily_clear(x.section)), *further))
+    def w_nobody_reported_on_the_way(self, g: Signal) -> Formula:
+        """The same as far as there is detection."""
+        return no(self._on_the_way(self.lengths.approach(g), FALSE))
+
+    def _on_the_way(self, x: Approach, unseen: Formula) -> Formula:
+        if x.section is None or x.section in self.r.track.undetected:
+            return unseen
+        further = (every((self.w_locked(w), self._on_the_way(y, unseen))) for w, y in x.further)
+        return some((no(self.w_steadily_clear(x.section)), *further, *([unseen] if x.ends_early else [])))
 
 
 def _in_turn(r: int, of: Callable[[int], list[int]]) -> list[int]:

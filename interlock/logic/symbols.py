@@ -147,7 +147,7 @@ def lamps(a: AspectSymbols) -> Iterator[Name]:
 @dataclass(frozen=True)
 class CancelSymbols:
     """Names of cancellation and approach locking (R8), by the signal at which routes begin; `approach_of`: the section
-    in rear of it; `rear_cleared`: by the first section behind a main signal, that what was in rear has been seen clear
+    in rear of it; `rear_cleared`: by the first section behind a main signal, that the approach has been seen clear
     since a train came in (R9)."""
 
     cancel: Mapping[SignalId, Name]

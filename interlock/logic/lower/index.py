@@ -408,20 +408,29 @@ class SignalIndex:
             var(names.PASSING(r.number)) for r in self._routes.of_signal[g] if r.signal.closing.whole is not None
         )
 
-    def coming(self, x: Approach) -> Expr:
-        """A train may be on its way from there: where it may stand or run, or over a way that is locked for it."""
-        if x.section is None or x.unseen:
-            return TRUE
+    def coming(self, x: Approach, unseen: Expr = TRUE) -> Expr:
+        """A train may be on its way from there: where it may stand or run, or over a way that is locked for it;
+        `unseen` is said of what has no detection."""
+        if x.section is None or x.section in self._layout.track.undetected:
+            return unseen
         known = self._table.lock
         further = (
-            conj((self._sections.lock(x.section, n), self.coming(y))) for n, y in x.further if (x.section, n) in known
+            conj((self._sections.lock(x.section, n), self.coming(y, unseen)))
+            for n, y in x.further
+            if (x.section, n) in known
         )
-        return disj((neg(self._sections.clear(x.section)), *further))
+        return disj((neg(self._sections.clear(x.section)), *further, *([unseen] if x.unseen else [])))
 
     def approach_clear(self, g: SignalId) -> Expr:
         """No train can be on its way to the signal."""
         found = self._routes.of_signal[g][0].locking.approach.coming
         return var(names.APPROACH_CLEAR(g)) if found.further else neg(self.coming(found))
+
+    def approach_reads_clear(self, g: SignalId) -> Expr:
+        """No train is reported from where one can be on its way to the signal, as far as there is detection."""
+        found = self._routes.of_signal[g][0].locking.approach.coming
+        reported = self.coming(found, FALSE)
+        return self.approach_clear(g) if reported is self.coming(found) else neg(reported)
 
     def approach_safe(self, g: SignalId) -> Expr:
         """No train can be about to pass the signal: approach clear, the delay has run out, or no route begins there."""

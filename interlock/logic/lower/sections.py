@@ -337,24 +337,25 @@ def _arrival(d: Draft, s: SectionId, rear: list[Term]) -> list[Term]:
     return terms
 
 
-def from_signals(d: Draft, s: SectionId) -> list[tuple[SignalId, SectionId, Expr]]:
-    """The main signals with routes behind which a section is the first, each with the section in rear, where that is
-    detected, and that the section is locked from there for a train (R9)."""
+def from_signals(d: Draft, s: SectionId) -> list[tuple[SignalId, Expr]]:
+    """The main signals with routes behind which a section is the first, where the section in rear is detected, each
+    with that the section is locked from there for a train (R9)."""
     found = []
     for node in d.topo.ends[s]:
         g, rear, locked = d.signals.main_at(s, node), d.sections.rear(s, node), d.sections.locked_in(s, node)
         if g is None or rear is None or rear in d.layout.track.undetected or locked is FALSE:
             continue
         if d.routes.of_signal[g]:
-            found.append((g, rear, conj((locked, d.sections.train(s)))))
+            found.append((g, conj((locked, d.sections.train(s)))))
     return found
 
 
 def _passed_on(d: Draft, s: SectionId) -> Expr:
-    """A train has gone on into the next section, and what was before its signal has come in with it: the section in
-    rear has been seen clear since, or nobody can be about to pass the signal.  A joint that fails reports both sections
-    beside it occupied, as if a train had run over it, while one stands or runs before the open signal."""
-    left = [disj((neg(locked), d.signals.approach_safe(g))) for g, _, locked in from_signals(d, s)]
+    """A train has gone on into the next section, and what was before its signal has come in with it: its approach has
+    been seen clear since, or the delay of approach locking is over.  A joint that fails reports both sections beside it
+    occupied, as if a train had run over it, and a card all of its sections, while one stands or runs before the open
+    signal."""
+    left = [disj((neg(locked), d.signals.approach_safe(g))) for g, locked in from_signals(d, s)]
     return conj((var(names.PASSED(s)), disj((var(names.REAR_CLEARED(s)), conj(left))) if left else TRUE))
 
 
@@ -424,9 +425,9 @@ def _keep_passage(d: Draft, s: SectionId, stays: Term) -> None:
     d.kept(names.USED(s), True, f"{s} used by a train ({rules.SECTIONAL_RELEASE})", Join.ALL, (held, stays), group)
     first = from_signals(d, s)
     if first:
-        seen = disj(conj((locked, d.sections.clear(rear))) for _, rear, locked in first)
+        seen = disj(conj((locked, d.signals.approach_reads_clear(g))) for g, locked in first)
         held = Term(disj((var(names.REAR_CLEARED(s)), conj((var(names.USED(s)), seen)))), "held or new")
-        note = f"{s}: used, and the section in rear seen clear since ({rules.SECTIONAL_RELEASE})"
+        note = f"{s}: used, and the approach seen clear since ({rules.SECTIONAL_RELEASE})"
         d.kept(names.REAR_CLEARED(s), False, note, Join.ALL, (held, stays), group)
     gone = []
     for node in d.topo.ends[s]:

@@ -104,34 +104,38 @@ def _rear(f: Facts, s: SectionId, j: NodeId) -> SectionId | None:
     return boundary.approach if boundary is not None else f.topo.beyond(s, j)
 
 
-def first_behind(f: Facts, s: SectionId) -> list[tuple[SignalId, SectionId, Expr]]:
-    """The main signals with routes behind which a section is the first, each with the section in rear of it, where that
-    is detected, and that the section is locked from there for a train."""
+def first_behind(f: Facts, s: SectionId) -> list[tuple[SignalId, Expr]]:
+    """The main signals with routes behind which a section is the first, where the section in rear of them is detected,
+    each with that the section is locked from there for a train."""
     found = []
     for j in f.topo.ends[s]:
         g, rear, locked = f.topo.main_into.get((j, s)), _rear(f, s, j), f.locking.locked_in(s, j)
         if g is None or rear is None or rear not in f.sym.sections.clear or locked is FALSE:
             continue
         if g in f.sym.cancellation.cancelling:
-            found.append((g, rear, conj((locked, f.locking.train(s)))))
+            found.append((g, conj((locked, f.locking.train(s)))))
     return found
 
 
 def _cleared(f: Facts, s: SectionId) -> Iterator[tuple[str, str, Expr]]:
     """R9: the first section behind a main signal is released behind a train only when what was before the signal has
-    come in with it, or nobody can be about to pass; that the rear was seen clear is remembered with the lock alone."""
+    come in with it, or nobody can be about to pass; that its approach was seen clear is remembered with the lock."""
     cleared, after = var(f.sym.cancellation.rear_cleared[s]), f.after
     behind = first_behind(f, s)
-    seen = disj(conj((locked, f.seen.steadily_clear(rear))) for _, rear, locked in behind)
+    seen = disj(conj((locked, _nobody(f, g, FALSE))) for g, locked in behind)
     yield "L-REASON", f"{s} rear", implies(conj((after(cleared), neg(cleared))), conj((f.seen.used(s), seen)))
     held = disj((f.locking.restart(s), f.locking.any_lock(s)))
     yield "L-REASON", f"{s} rear remembered", implies(cleared, held)
-    for g, _, locked in behind:
+    for g, locked in behind:
         long = names.STOP_LONG(g)
         stands = after(var(long)) if long in f.plant.clocks else FALSE
         ended = conj((locked, neg(after(f.locking.any_lock(s))), f.seen.used(s)))
-        nobody = neg(_coming(f, f.measured.approaches[g])) if g in f.measured.approaches else FALSE
-        yield "L-APPROACH", f"{g} behind a train", implies(ended, disj((cleared, nobody, stands)))
+        yield "L-APPROACH", f"{g} behind a train", implies(ended, disj((cleared, _nobody(f, g), stands)))
+
+
+def _nobody(f: Facts, g: SignalId, unseen: Expr = TRUE) -> Expr:
+    """No train can be on its way to a signal: all of its approach is steadily clear, and what has no detection none."""
+    return neg(_coming(f, f.measured.approaches[g], unseen)) if g in f.measured.approaches else FALSE
 
 
 def _came_in(f: Facts, s: SectionId) -> Expr:
@@ -141,13 +145,13 @@ def _came_in(f: Facts, s: SectionId) -> Expr:
     return conj((var(f.sym.valid), f.locking.any_lock(s), neg(f.seen.clear(s)), occupied))
 
 
-def _coming(f: Facts, x: Approach) -> Expr:
-    """A train may be on its way from there."""
-    if x.section is None or x.unseen:
-        return TRUE
+def _coming(f: Facts, x: Approach, unseen: Expr) -> Expr:
+    """A train may be on its way from there; `unseen` is said of what has no detection."""
+    if x.section is None or x.section not in f.sym.sections.clear:
+        return unseen
     ways = ((f.sym.sections.lock.get((x.section, n)), y) for n, y in x.further)
-    called = (conj((var(name), _coming(f, y))) for name, y in ways if name is not None)
-    return disj((neg(f.seen.steadily_clear(x.section)), *called))
+    called = (conj((var(name), _coming(f, y, unseen))) for name, y in ways if name is not None)
+    return disj((neg(f.seen.steadily_clear(x.section)), *called, *([unseen] if x.unseen else [])))
 
 
 def _given_up(f: Facts) -> Iterator[tuple[str, str, Expr]]:
@@ -161,7 +165,7 @@ def _given_up(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         given_up = conj((from_g, neg(after(from_g)), neg(f.seen.used(first)), shown))
         long = names.STOP_LONG(g)
         stands = after(var(long)) if long in f.plant.clocks else FALSE
-        nobody = neg(_coming(f, f.measured.approaches[g]))
+        nobody = _nobody(f, g)
         asked = conj((after(var(f.sym.cancellation.cancelling[g])), neg(var(f.sym.cancellation.cancelling[g]))))
         withdrawn = (conj((var(r.active), _withdrawn(f, r))) for r in f.sym.routes.of_signal.get(g, ()))
         yield "L-REASON", f"{g} cancelled", implies(asked, disj((var(f.sym.cancellation.cancel[g]), *withdrawn)))

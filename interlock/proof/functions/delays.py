@@ -67,7 +67,7 @@ def _waiting(w: Words, g: SignalId) -> Expr:
 def _not_left(w: Words, g: SignalId, first: SectionId) -> Iterator[Expr]:
     """A train is said to have gone on from the first section, and what is in rear of its signal was not seen clear."""
     used, cleared = w.f.seen.used(first), w.sym.cancellation.rear_cleared
-    for h, _, locked in first_behind(w.f, first) if first in cleared else ():
+    for h, locked in first_behind(w.f, first) if first in cleared else ():
         if h == g:
             passed = conj((used, w.f.seen.passed(first), neg(w.sections.occupied(first))))
             yield conj((locked, passed, neg(var(cleared[first]))))

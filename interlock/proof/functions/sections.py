@@ -42,7 +42,7 @@ def _memory(w: Words, s: SectionId) -> Iterator[tuple[str, str, Expr]]:
     kept = [f.seen.used(s), f.seen.passed(s), f.seen.stale(s), f.locking.firm(s)]
     if s in w.sym.cancellation.rear_cleared:
         cleared = var(w.sym.cancellation.rear_cleared[s])
-        left = disj(conj((locked, w.sections.long(rear))) for _, rear, locked in first_behind(f, s))
+        left = disj(conj((locked, w.signals.nobody(g, FALSE))) for g, locked in first_behind(f, s))
         seen = conj((f.seen.used(s), left))
         yield "F-PASSED", f"{s} rear", implies(conj((seen, after(f.locking.locked(s)))), after(cleared))
         yield "F-PASSED", f"{s} rear seen", implies(w.rises(cleared), seen)
@@ -96,10 +96,10 @@ def _releasing(w: Words, s: SectionId) -> Iterator[Expr]:
 
 
 def _passed_on(w: Words, s: SectionId) -> Expr:
-    """A train has gone on, and what is in rear of its signal was seen clear since, or nobody can be about to pass."""
+    """A train has gone on, and its approach was seen clear since, or nobody can be about to pass its signal."""
     if s not in w.sym.cancellation.rear_cleared:
         return w.f.seen.passed(s)
-    safe = (disj((neg(locked), w.signals.safe(g))) for g, _, locked in first_behind(w.f, s))
+    safe = (disj((neg(locked), w.signals.safe(g))) for g, locked in first_behind(w.f, s))
     return conj((w.f.seen.passed(s), disj((var(w.sym.cancellation.rear_cleared[s]), conj(safe)))))
 
 

@@ -159,16 +159,17 @@ class SignalWords:
         """The signal has been open for the route that is set."""
         return disj(var(r.shown) for r in self._w.sym.routes.of_signal.get(g, ()))
 
-    def nobody(self, g: SignalId) -> Expr:
-        """No train can be on its way to the signal (R8)."""
-        return neg(self._coming(self._w.f.measured.approaches[g]))
+    def nobody(self, g: SignalId, unseen: Expr = TRUE) -> Expr:
+        """No train can be on its way to the signal (R8); `unseen` is said of what has no detection."""
+        return neg(self._coming(self._w.f.measured.approaches[g], unseen))
 
-    def _coming(self, x: Approach) -> Expr:
-        if x.section is None or x.unseen:
-            return TRUE
+    def _coming(self, x: Approach, unseen: Expr) -> Expr:
+        if x.section is None or x.section in self._w.layout.track.undetected:
+            return unseen
         lock = self._w.sym.sections.lock
-        further = (conj((var(lock[x.section, n]), self._coming(y))) for n, y in x.further if (x.section, n) in lock)
-        return disj((neg(self._w.sections.long(x.section)), *further))
+        ways = ((lock.get((x.section, n)), y) for n, y in x.further)
+        further = (conj((var(name), self._coming(y, unseen))) for name, y in ways if name is not None)
+        return disj((neg(self._w.sections.long(x.section)), *further, *([unseen] if x.unseen else [])))
 
     def safe(self, g: SignalId) -> Expr:
         """No train can be about to pass the signal: none is on its way or starts there, or the delay is over (R8)."""

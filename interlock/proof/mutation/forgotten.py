@@ -138,6 +138,26 @@ def rear_not_asked(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]
         yield str(s), replace(c, steps=tuple(steps))
 
 
+def rear_alone(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """The first section behind a signal is released behind a train when the section in rear was seen clear since,
+    whatever is in the approach before that."""
+    c = lower(layout, table)
+    timer = c.symbols.sections.release_timer
+    for s, cleared in c.symbols.cancellation.rear_cleared.items():
+        signals = [g for g in layout.signalling.signals if layout.track.section_of(g.into) == s]
+        rear = {g.id: x for g in signals if (x := c.symbols.cancellation.approach_of.get(g.id)) is not None}
+        told = Substitution({names.APPROACH_CLEAR(g): var(timer[x]) for g, x in rear.items() if x in timer})
+        far = Substitution({t: TRUE for x, t in timer.items() if x not in rear.values()})
+        following = tuple(
+            replace(e, terms=(e.terms[0]._replace(expr=far(told(e.terms[0].expr))), *e.terms[1:]))
+            if e.name == cleared
+            else e
+            for e in c.next
+        )
+        if following != tuple(c.next):
+            yield str(s), replace(c, next=following)
+
+
 def let_go(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     """What the author added is given up when the train has passed its signal."""
     c = lower(layout, table)
