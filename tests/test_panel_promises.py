@@ -29,20 +29,24 @@ def test_what_rests_on_a_promise_needs_a_second_button_elsewhere(chromium: Any) 
                 {"n": 9, "time": "2026-01-31T06:00:00", "rules": [], "at": [], "reasons": [], "kind": "operation",
                  "who": who, "text": "block section s9"} for who in told
             ]  # fmt: skip
-            page.evaluate("([c, events]) => tell({c, events, sys: SYS})", [changes, events])
+            waits = [k[2:] for k, v in changes.items() if k[0] == "s" and v[2]]
+            tell = "([c, events, restart]) => tell({c, events, sys: {...SYS, restart}})"
+            page.evaluate(tell, [changes, events, waits])
 
         def first(element: str, button: str, question: str) -> None:
             page.locator(element).first.focus()
             if page.locator(f"{element}.chosen").count() == 0:
                 page.keyboard.press("Enter")
-            page.locator(f"#acts button:not(.settling):text-is({button!r})").focus()
-            page.keyboard.press("Enter")
+            if button:
+                page.locator(f"#acts button:not(.settling):text-is({button!r})").focus()
+                page.keyboard.press("Enter")
             page.wait_for_selector(f"#said:has-text({question!r}):not(:has(.settling))")
             page.keyboard.press("Enter")
             page.keyboard.press("Space")
             assert page.evaluate(SENT) == before, "Enter is none of it"
 
         locked, blocked = [0, ["1"], 0, 0, 0, None, 0, 0, []], [0, [], 0, 1, 0, None, 0, 0, []]
+        restart = [0, [], 1, 0, 0, None, 0, 0, []]
         before: list[str] = []
         release = "Release by hand", "Has somebody made sure that section s9 is clear"
         says({"s:s9": locked})
@@ -57,9 +61,11 @@ def test_what_rests_on_a_promise_needs_a_second_button_elsewhere(chromium: Any) 
             ("#section-s9", *release, "It is clear: release it", "release"),
             ("#point-P4", "It was looked at, and lies well", "Has somebody looked at points P4", "They lie well",
              "looked"),
+            ("#release", "", "Does everything stand that ran", "It is so: release all that is clear", "release all"),
             ("#section-s9", "Free it again", "Section s9 was blocked by another", "All have left: free it", "block"),
         ):  # fmt: skip
-            says({"s:s9": blocked if do == "block" else locked, "m:P4": ["N", "", 0, 0, 1, ""]}, "another")
+            section = {"block": blocked, "release all": restart}.get(do, locked)
+            says({"s:s9": section, "m:P4": ["N", "", 0, 0, 1, ""]}, "another")
 
             def both(again: tuple[str, ...] = (element, button, question), yes: str = yes) -> None:
                 before[:] = page.evaluate(SENT)

@@ -37,6 +37,7 @@ MORE = {
     "tests/layouts_for_tests/swing.yaml": tuple(k.name for k in KINDS if k.name.startswith("swing-")),
     "tests/layouts_for_tests/overlap_flank.yaml": ("overlap-flank-not-held",),
     "tests/layouts_for_tests/indicator.yaml": ("route-not-indicated",),
+    "tests/layouts_for_tests/two_before.yaml": ("approach-not-asked",),
     "tests/layouts_for_tests/speeds.yaml": ("speed-too-high", "speed-not-shown"),
     "tests/layouts_for_tests/bare_signal.yaml": ("excluded-offered",),
     "tests/layouts_for_tests/trap_beyond.yaml": ("trap-entered",),

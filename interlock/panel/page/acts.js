@@ -1,6 +1,6 @@
 // What can be done with an element: words, and the command that a button sends.  An element has the same buttons in the
 // same places all the time: what cannot be done now is `off`.  Only what belongs to trains comes and goes, below all others.
-const act = (label, command, extra = {}) => ({label, command, ...extra});
+export const act = (label, command, extra = {}) => ({label, command, ...extra});
 
 export function routesFrom(still, signal) { return still.routes.filter(r => r.entry === signal && r.kind !== "identifier"); }
 
@@ -14,6 +14,7 @@ const fault = (sys, kind, name, label) => {
 export function promise(still, c, blockedBy, me) {
   const section = `section ${c.section}`, by = blockedBy === me ? "" : blockedBy || "somebody";
   if (c.do === "release") return [`Has somebody made sure that ${section} is clear, and that no train comes to it?  Released, its points can move and other routes can lead over it.`, "It is clear: release it"];
+  if (c.do === "release all") return ["Does everything stand that ran, and nothing where the track reads clear?  All that reads clear is released: its points can move and routes can lead over it.", "It is so: release all that is clear"];
   if (c.do === "looked") return [`Has somebody looked at ${still.machines[c.machine].called}, and are they whole and lie well?  Trains run over them then.`, "They lie well"];
   if (c.do === "direction" && c.on) return [`Has the neighbour at ${still.boundaries[c.boundary].label} agreed by telephone that no train is on the line, and that he sends none?  The direction is ours then, and trains can leave.`, "It is agreed: change it"];
   if (c.do === "block" && !c.on && by) return [`${section[0].toUpperCase()}${section.slice(1)} was blocked by ${by}: does he know, and has everybody left the track?  Freed, routes can lead over it.`, "All have left: free it"];

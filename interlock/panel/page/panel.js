@@ -1,7 +1,7 @@
 // The panel: puts socket, plan and buttons together.
 import {Talk} from "./talk.js";
 import {Plan, EXIT} from "./plan.js";
-import {acts, promise, routesFrom, steps, train} from "./acts.js";
+import {act, acts, promise, routesFrom, steps, train} from "./acts.js";
 import {Rows, say as label, settleAll, settling} from "./rows.js";
 
 const $ = id => document.getElementById(id);
@@ -472,7 +472,7 @@ function readings(words) {
 
 // --- keys and buttons ---
 $("ack").addEventListener("click", all);
-$("release").addEventListener("click", () => ask({do: "release all"}));
+$("release").addEventListener("click", () => perform(act("", {do: "release all"})));
 $("in").addEventListener("click", () => plan.zoom(0.8));
 $("out").addEventListener("click", () => plan.zoom(1.25));
 $("fit").addEventListener("click", () => plan.fit());
