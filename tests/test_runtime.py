@@ -52,6 +52,8 @@ def test_what_is_no_input_is_refused_by_name_and_changes_nothing() -> None:
     before = dict(one.state), dict(one.elapsed)
     for inputs, dt_ms, error, said in (
         ({"VALIDD": 1}, 100, ValueError, "VALIDD"),
+        (None, 100, TypeError, "inputs are None"),
+        ([("VALID", 1)], 100, TypeError, "no dictionary"),
         ({"VALID": "1"}, 100, TypeError, "input VALID is '1'"),
         ({"VALID": None}, 100, TypeError, "input VALID is None"),
         ({"REQ": 1.5}, 100, TypeError, "input REQ is 1.5"),

@@ -177,9 +177,11 @@ FIXED = f'''class Controller:
         `say`: nothing is changed but timers, and the words are returned instead (`words` asks for it).
 
         After a cycle longer than `cycle_max_ms` the inputs count as lost: nobody knows what happened meanwhile.
-        Raises ValueError for a name that is no input and a time that cannot be, and TypeError for an input that is no
-        whole number or truth value and a time that is no number; nothing has changed then.
+        Raises ValueError for a name that is no input and a time that cannot be, and TypeError for inputs that are no
+        dictionary, one that is no whole number or truth value, and a time that is no number; nothing has changed then.
         """
+        if not isinstance(inputs, dict):
+            raise TypeError(f'inputs are {{inputs!r}}: no dictionary of names and values')
         unknown = inputs.keys() - INPUTS.keys()
         if unknown:
             raise ValueError(f'no inputs of this interlocking: {{sorted(map(str, unknown))}}')
