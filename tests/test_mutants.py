@@ -61,6 +61,7 @@ ON = {
     "speed-not-shown": "../tests/layouts_for_tests/speeds",
     "one-yellow": SHUNT,
     "approach-not-asked": "../tests/layouts_for_tests/two_before",
+    "arrived-unseen": "../tests/layouts_for_tests/berth_before",
     "route-not-indicated": "../tests/layouts_for_tests/indicator",
     "excluded-offered": BARE,
     "trap-entered": "../tests/layouts_for_tests/trap_beyond",
@@ -97,7 +98,7 @@ ON = {
 @pytest.mark.parametrize("kind", [k.name for k in KINDS if k.name not in REDUNDANT])
 def test_each_kind_is_killed_somewhere(kind: str) -> None:
     layout, table, _ = built(ON.get(kind, "fig2_3_split"))
-    sample = 0 if kind == "swing-into-held" else 2
+    sample = 0 if kind in ("swing-into-held", "overlap-timed-early") else 2
     assert any(o.fate is not Fate.REDUNDANT for o in run_mutants(layout, table, sample, NO_SEARCH, only=(kind,)))
 
 

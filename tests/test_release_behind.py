@@ -6,10 +6,8 @@ from typing import Any
 
 import pytest
 
-from interlock.app.check import check_file
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.controller import Controller
-from interlock.logic.lower import lower
 from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.verdict import Verdict
 from interlock.proof.mutation import forgotten
@@ -112,9 +110,7 @@ def test_where_wagons_stay_behind_it_is_held_for_the_delay_of_approach_locking()
 def two_before() -> Bench:
     """Before X2 lie q2, of 100 m, and q1: less than the braking distance, so that a train in q1 that X1 has called is
     about to pass X2.  One is there, and both signals are open."""
-    checked = check_file("tests/layouts_for_tests/two_before.yaml")
-    assert checked.layout is not None and checked.table is not None
-    b = Bench(lower(checked.layout, checked.table))
+    b = Bench(built("../tests/layouts_for_tests/two_before")[2])
     b.ask("X2-X3")
     b.ask("X1-X2")
     assert not b.outputs["YS_X2"] and not b.outputs["YS_X1"]
@@ -153,6 +149,41 @@ def test_behind_a_train_the_next_one_that_is_called_later_holds_nothing() -> Non
     assert b.seconds_until_free(60, "q3") <= 3.6
 
 
+def berth_before() -> Bench:
+    """As `two_before`, but X2 leads straight into the station track q4, to which vehicles are shunted from S5."""
+    b = Bench(built("../tests/layouts_for_tests/berth_before")[2])
+    b.ask("X2-X3")
+    b.ask("X1-X2")
+    b.go(5, CLR_wa=0)
+    b.go(5, CLR_q1=0)
+    b.go(5, CLR_wa=1)
+    assert not b.outputs["YS_X2"]
+    return b
+
+
+def test_a_joint_that_fails_lets_nobody_shunt_into_the_track_of_a_train_that_is_still_coming() -> None:
+    """The joint at X2 fails and is whole again: as if the train had come from q2 into q4.  It is in q1, its signal has
+    fallen in its face.  It counted as arrived, and vehicles were shunted towards it."""
+    b = berth_before()
+    b.go(2, CLR_q2=0, CLR_q4=0)
+    b.go(20, CLR_q2=1, CLR_q4=1)
+    b.ask("S5-Y3")
+    assert b.controller.why_not("S5-Y3")[1] == "section q4 is locked for a train"
+    b.go(5, DN_P2=0, DR_P2=1)
+    assert not b.outputs["YW_S5"]
+
+
+def test_vehicles_are_shunted_to_a_train_that_has_arrived() -> None:
+    b = berth_before()
+    b.go(5, CLR_q2=0)
+    b.go(5, CLR_q1=1)
+    b.go(5, CLR_q4=0)
+    b.go(5, CLR_q2=1)
+    b.ask("S5-Y3")
+    b.go(5, DN_P2=0, DR_P2=1)
+    assert b.outputs["YW_S5"]
+
+
 @pytest.mark.parametrize("name", ["fig2_3_split", "junction"])
 def test_a_controller_that_does_not_ask_for_the_rear_is_refuted(name: str) -> None:
     layout, table, _ = built(name)
@@ -163,9 +194,8 @@ def test_a_controller_that_does_not_ask_for_the_rear_is_refuted(name: str) -> No
 
 
 def test_a_controller_that_asks_for_the_section_in_rear_alone_is_refuted() -> None:
-    checked = check_file("tests/layouts_for_tests/two_before.yaml")
-    assert checked.layout is not None and checked.table is not None
-    wrong = dict(forgotten.rear_alone(checked.layout, checked.table))
+    layout, table, _ = built("../tests/layouts_for_tests/two_before")
+    wrong = dict(forgotten.rear_alone(layout, table))
     assert "q3" in wrong
-    found = prove(System(checked.layout, wrong["q3"]), Limits(search_depth=0))
+    found = prove(System(layout, wrong["q3"]), Limits(search_depth=0))
     assert {c.id for c in found.claims if c.verdict is not Verdict.PROVED} == {"L-REASON"}

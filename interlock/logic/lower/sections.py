@@ -307,7 +307,8 @@ def arrived(d: Draft, s: SectionId) -> list[Term]:
 
 
 def wholly_in(d: Draft, s: SectionId, rear: list[Term]) -> list[Term]:
-    """The section was used, and nothing stands in rear of it that may still come in."""
+    """The section was used, and nothing stands in rear of it that may still come in; where a signal leads a train into
+    it, no one was on its way there since, or what reads as a train may be a joint that failed (R9)."""
     terms = [Term(var(names.VALID), "inputs valid"), Term(var(names.USED(s)), "was used"), *rear]
     for node in d.topo.ends[s]:
         g = d.signals.main_at(s, node)
@@ -316,6 +317,9 @@ def wholly_in(d: Draft, s: SectionId, rear: list[Term]) -> list[Term]:
             terms.append(
                 Term(neg(conj((d.sections.locked_in(s, node), behind))), "wholly in", f"nothing stands before {g}")
             )
+    for g, locked in from_signals(d, s):
+        came = disj((neg(locked), var(names.REAR_CLEARED(s))))
+        terms.append(Term(came, "approach seen clear", f"no other train is on its way past {g}"))
     return terms
 
 

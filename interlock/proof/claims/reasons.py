@@ -68,6 +68,19 @@ def _ends(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             over[-1] = disj((over[-1], _stays_locked(f, ways[-1])))
         given_up = conj((var(held), neg(after(var(held)))))
         yield "L-CLEAR", f"overlap {k} of {g}", implies(given_up, disj((conj(over), *swings)))
+        yield from _let_go(f, f"overlap {k} of {g}", g, conj((given_up, *map(neg, swings))))
+
+
+def _let_go(f: Facts, place: str, g: SignalId, given_up: Expr) -> Iterator[tuple[str, str, Expr]]:
+    """R4, R9: nor is an overlap given up behind a train that is to come to a stand before its signal, while another may
+    be on its way there."""
+    signal = f.layout.signalling.signal[g]
+    node, before = signal.node, f.topo.beyond(f.layout.track.section_of(signal.into), signal.node)
+    if before is None or before not in f.sym.cancellation.rear_cleared:
+        return
+    cleared, towards = var(f.sym.cancellation.rear_cleared[before]), f.locking.locked_out(before, node)
+    for h, locked in first_behind(f, before):
+        yield "L-APPROACH", f"{place} past {h}", implies(conj((given_up, towards, locked)), cleared)
 
 
 def _stays_locked(f: Facts, way: tuple[SectionId, int]) -> Expr:
@@ -131,6 +144,9 @@ def _cleared(f: Facts, s: SectionId) -> Iterator[tuple[str, str, Expr]]:
         stands = after(var(long)) if long in f.plant.clocks else FALSE
         ended = conj((locked, neg(after(f.locking.any_lock(s))), f.seen.used(s)))
         yield "L-APPROACH", f"{g} behind a train", implies(ended, disj((cleared, _nobody(f, g), stands)))
+        if f.track.shunts:
+            arrived = conj((locked, after(f.locking.any_lock(s)), neg(after(f.locking.train(s)))))
+            yield "L-APPROACH", f"{g} arrived", implies(arrived, cleared)
 
 
 def _nobody(f: Facts, g: SignalId, unseen: Expr = TRUE) -> Expr:

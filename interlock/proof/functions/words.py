@@ -15,6 +15,7 @@ from interlock.model.measured import Beyond
 from interlock.model.places import Approach
 from interlock.model.traversal import Traversal
 from interlock.proof.claims import Facts
+from interlock.proof.claims.reasons import first_behind
 
 Way = tuple[SectionId, int]
 
@@ -83,6 +84,8 @@ class SectionWords:
         for j in self._w.topo.ends[s]:
             if self.main_at(s, j):
                 out.append(neg(conj((self._w.f.locking.locked_in(s, j), self.occupied(self.rear(s, j))))))
+        cleared = self._w.sym.cancellation.rear_cleared
+        out += [disj((neg(locked), var(cleared[s]))) for _, locked in first_behind(self._w.f, s) if s in cleared]
         return conj(out)
 
     def coming_in(self, s: SectionId, j: NodeId) -> Expr:
