@@ -61,6 +61,7 @@ ON = {
     "speed-not-shown": "../tests/layouts_for_tests/speeds",
     "one-yellow": SHUNT,
     "approach-not-asked": "../tests/layouts_for_tests/two_before",
+    "order-not-asked": SHUNT,
     "arrived-unseen": "../tests/layouts_for_tests/berth_before",
     "route-not-indicated": "../tests/layouts_for_tests/indicator",
     "excluded-offered": BARE,

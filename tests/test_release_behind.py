@@ -20,14 +20,14 @@ X3_D, X3_X5 = "X3-D", "X3-X5"
 
 
 class Bench:
-    """An emitted runtime after its restart: all is clear, every machine normal, nothing is asked, but what is given."""
+    """An emitted runtime after its restart: all is clear, every lamp whole, every machine normal, nothing is asked."""
 
-    def __init__(self, controller: Controller, **inputs: int) -> None:
+    def __init__(self, controller: Controller) -> None:
         space: dict[str, Any] = {}
         exec(runtime_py(controller, []), space)
         self.routes, self.controller = space["ROUTES"], space["Controller"]()
-        on = ("VALID", "CLR_", "SH_", "DN_")
-        self.inputs = {x.name: int(x.name.startswith(on)) for x in controller.inputs} | {"REQ": 0} | inputs
+        on = ("VALID", "CLR_", "SH_", "DN_", "RL_", "GL_", "CL_", "UL_")
+        self.inputs = {x.name: int(x.name.startswith(on)) for x in controller.inputs}
         self.outputs: dict[str, int] = {}
         self.go(605)
         self.go(4, RELALL=1)
@@ -182,6 +182,62 @@ def test_vehicles_are_shunted_to_a_train_that_has_arrived() -> None:
     b.ask("S5-Y3")
     b.go(5, DN_P2=0, DR_P2=1)
     assert b.outputs["YW_S5"]
+
+
+def before_the_white_light() -> Bench:
+    """`shunt_yard`: S1 shows white, and vehicles stand before it in g1, which they will partly stay in."""
+    b = Bench(built("../tests/layouts_for_tests/shunt_yard")[2])
+    b.go(5, CLR_g1=0)
+    b.ask("S1-D3.s")
+    assert b.outputs["YW_S1"] and b.outputs["YL_p1"]
+    return b
+
+
+@pytest.mark.parametrize("apart", [0, 0.2, 0.4])
+def test_a_joint_that_fails_before_a_shunting_movement_releases_nothing_until_it_must_stand(apart: float) -> None:
+    """The joint between p1 and l2 fails, and the two detectors tell it up to `detection_delay_s` apart.  Who has seen
+    the white light is on his way; P1 was thrown under him after 4 s."""
+    b = before_the_white_light()
+    b.go(apart, CLR_p1=0)
+    b.go(1, CLR_p1=0, CLR_l2=0)
+    b.go(20, CLR_p1=1, CLR_l2=1)
+    assert b.outputs["YL_p1"] and not b.outputs["YW_S1"]
+    b.ask("D2-E2")
+    assert not b.outputs["YR_P1"]
+    b.go(200)
+    assert not b.outputs["YL_p1"], "the delay of approach locking is over"
+
+
+def test_behind_a_shunting_movement_that_leaves_wagons_it_is_released_as_soon_as_it_is_clear() -> None:
+    """It was in p1 alone before it came into l2."""
+    b = before_the_white_light()
+    b.go(1.2, CLR_p1=0)
+    b.go(3, CLR_l2=0)
+    b.go(0.2, CLR_p1=1)
+    assert not b.inputs["CLR_g1"] and b.seconds_until_free(60, "p1") <= 3.6, "the release delay"
+
+
+@pytest.mark.parametrize("apart", [0, 0.2, 0.4])
+def test_a_joint_that_fails_before_a_train_that_nobody_sees_releases_nothing_until_it_must_stand(apart: float) -> None:
+    """From W trains come unseen.  The joint between q1 and q2 fails, and the two detectors tell it apart."""
+    b = Bench(built("../tests/layouts_for_tests/unseen_before")[2])
+    b.ask("X1-X2")
+    assert not b.outputs["YS_X1"]
+    b.go(apart, CLR_q1=0)
+    b.go(1, CLR_q1=0, CLR_q2=0)
+    b.go(20, CLR_q1=1, CLR_q2=1)
+    assert b.outputs["YL_q1"] and b.outputs["YS_X1"]
+    b.go(200)
+    assert not b.outputs["YL_q1"]
+
+
+def test_behind_a_train_from_where_nobody_sees_it_is_released_as_soon_as_it_is_clear() -> None:
+    b = Bench(built("../tests/layouts_for_tests/unseen_before")[2])
+    b.ask("X1-X2")
+    b.go(3, CLR_q1=0)
+    b.go(3, CLR_q2=0)
+    b.go(0.2, CLR_q1=1)
+    assert b.seconds_until_free(60, "q1") <= 3.6
 
 
 @pytest.mark.parametrize("name", ["fig2_3_split", "junction"])

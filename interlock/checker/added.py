@@ -6,16 +6,16 @@ from collections.abc import Iterator, Mapping
 from functools import cached_property
 from typing import Any
 
+from interlock.checker.behind import Behind
 from interlock.checker.formula import FALSE, Formula, some
 from interlock.checker.lengths import whole_ms
 from interlock.checker.railway import Calling, Path, Signal, air_locks
-from interlock.checker.terminals import Terminals
 from interlock.checker.track import Demand, Way
 from interlock.checker.words import fact
 from interlock.verify import need
 
 
-class Added(Terminals):
+class Added(Behind):
     """Words of additions."""
 
     @cached_property

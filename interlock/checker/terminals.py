@@ -9,7 +9,7 @@ from typing import Any
 from interlock.checker.ahead import Overlap
 from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, names, no, some
 from interlock.checker.lamps import CALL_ON, IDENTIFIER, MAIN, WHITE, Lamps
-from interlock.checker.lengths import Approach, fastest_told, whole_ms
+from interlock.checker.lengths import fastest_told, whole_ms
 from interlock.checker.railway import Calling, Path, Signal, safe
 from interlock.checker.track import Way
 from interlock.checker.words import fact
@@ -145,18 +145,6 @@ class Terminals(Lamps):
 
     def w_passed(self, s: str) -> Formula:
         return leaf(f"P_{safe(s)}")
-
-    def w_rear_cleared(self, s: str) -> Formula:
-        """The controller remembers that it was used, and nobody on the way to its signal since."""
-        return self.known(f"RC_{safe(s)}")
-
-    def w_with_rear_detected(self) -> list[Signal]:
-        """The signals that trains obey, where what comes to them is seen in the section in rear."""
-        undetected = {None, *self.r.track.undetected}
-        return [g for g in self.w_opening() if g.main and self.lengths.before(g) not in undetected]
-
-    def w_with_rear_detected_into(self, s: str) -> list[Signal]:
-        return [g for g in self.w_with_rear_detected() if g.into == s]
 
     def w_cancelled(self, g: Signal) -> Formula:
         """The controller remembers that the signal was cancelled; one without routes is never."""
@@ -457,14 +445,6 @@ class Terminals(Lamps):
     def w_start_timers(self) -> list[str]:
         return ["SGT"] if "SGT" in self.w.timers else []
 
-    def w_is_one_of_these(self, t: str) -> Formula:
-        """Something says how long the timer must be."""
-        sections = (*self.w_sections(), *self.w_approaches())
-        known = {self.w_restart_timer(), *self.w_start_timers(), *map(self.w_release_timer, sections)}
-        known |= {*map(self.w_late_timer, self.w_machines()), *map(self.w_approach_timer, self.w_opening())}
-        known |= {*map(self.w_standing_timer, self.w_standing_timed()), *map(self.w_hand_timer, self.w_tokens())}
-        return fact(t in known)
-
     def w_can_be_counted(self, t: str) -> Formula:
         """The preset is a TIME on every controller: with one bit more it would be another duration there."""
         return fact(self.w.timers[t][1] <= LONGEST)
@@ -510,23 +490,6 @@ class Terminals(Lamps):
 
     def w_until_all_stand(self) -> int:
         return self.lengths.until_all_stand()
-
-    # --- approach locking (R8) ---
-
-    def w_nobody_on_the_way(self, g: Signal) -> Formula:
-        """No train can be about to pass the signal: back to the braking distance, and to the first main signal that
-        announces it, nothing is reported, where a way on from there is locked."""
-        return no(self._on_the_way(self.lengths.approach(g), TRUE))
-
-    def w_nobody_reported_on_the_way(self, g: Signal) -> Formula:
-        """The same as far as there is detection."""
-        return no(self._on_the_way(self.lengths.approach(g), FALSE))
-
-    def _on_the_way(self, x: Approach, unseen: Formula) -> Formula:
-        if x.section is None or x.section in self.r.track.undetected:
-            return unseen
-        further = (every((self.w_locked(w), self._on_the_way(y, unseen))) for w, y in x.further)
-        return some((no(self.w_steadily_clear(x.section)), *further, *([unseen] if x.ends_early else [])))
 
 
 def _in_turn(r: int, of: Callable[[int], list[int]]) -> list[int]:

@@ -147,14 +147,15 @@ def lamps(a: AspectSymbols) -> Iterator[Name]:
 @dataclass(frozen=True)
 class CancelSymbols:
     """Names of cancellation and approach locking (R8), by the signal at which routes begin; `approach_of`: the section
-    in rear of it; `rear_cleared`: by the first section behind a main signal, that the approach has been seen clear
-    since a train came in (R9)."""
+    in rear of it; `rear_cleared`: by the first section behind a signal, that a movement was seen to have come
+    in, and `alone`: the timer that tells by its order (R9)."""
 
     cancel: Mapping[SignalId, Name]
     cancelling: Mapping[SignalId, Name]
     approach_timer: Mapping[SignalId, Name]
     approach_of: Mapping[SignalId, SectionId | None]
     rear_cleared: Mapping[SectionId, Name]
+    alone: Mapping[SectionId, Name]
 
 
 @dataclass(frozen=True)

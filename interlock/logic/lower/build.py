@@ -40,6 +40,7 @@ PASSES = (
     sections.restart_delay,
     sections.image,
     sections.clear_time,
+    sections.seen_alone,
     routes.approaches,
     points.detection,
     points.movable,
@@ -241,7 +242,12 @@ def _symbols(d: Draft) -> Symbols:
             {g: names.CANCELLING(g) for g in signals},
             {g: names.APPROACH_OVER(g) for g in signals},
             {g: d.sections.rear(d.signals.first_section(g), d.layout.signalling.signal[g].node) for g in signals},
-            {s: names.REAR_CLEARED(s) for s in d.sections.all if sections.from_signals(d, s)},
+            {
+                s: names.REAR_CLEARED(s)
+                for s in d.sections.all
+                if sections.from_signals(d, s) or sections.in_order(d, s)
+            },
+            {s: names.SEEN_ALONE(s) for s in d.sections.all if sections.in_order(d, s)},
         ),
         overlaps=_overlaps(d),
         token=block.tokens(d),

@@ -209,7 +209,8 @@ def _release_waits(d: Draft, g: Signal) -> Expr:
         for t in d.sections.locks_of[first]
         if t.entry == g.node
     )
-    behind = disj(locked for h, locked in sections.from_signals(d, first) if h == g.id)
+    begun = (*sections.from_signals(d, first), *sections.in_order(d, first))
+    behind = disj(locked for h, locked in begun if h == g.id)
     waits = (
         conj((behind, var(names.PASSED(first)), neg(var(names.REAR_CLEARED(first))))) if behind is not FALSE else FALSE
     )

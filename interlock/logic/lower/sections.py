@@ -123,10 +123,15 @@ def three_point(d: Draft) -> None:
             )
 
 
+def _granted_into(d: Draft, s: SectionId) -> list[Expr]:
+    """A further shunting movement is granted into a berth in this scan; none, where none can be."""
+    into = disj(var(names.GRANTED(r.number)) for r in d.routes.into.get(s, ()))
+    return [] if into is FALSE else [into]
+
+
 def rear_free(d: Draft, s: SectionId) -> list[Term]:
     """No lock in rear still leads into the section, and none is granted in this scan."""
-    into = disj(var(names.GRANTED(r.number)) for r in d.routes.into.get(s, ()))
-    out = [] if into is FALSE else [Term(neg(into), "nothing granted into it")]
+    out = [Term(neg(x), "nothing granted into it") for x in _granted_into(d, s)]
     for node in d.topo.ends[s]:
         rear = d.topo.beyond(s, node)
         if rear is None or d.signals.main_at(s, node) is not None:
@@ -354,13 +359,62 @@ def from_signals(d: Draft, s: SectionId) -> list[tuple[SignalId, Expr]]:
     return found
 
 
+def in_order(d: Draft, s: SectionId) -> list[tuple[SignalId, Expr]]:
+    """The signals with routes behind which a section is the first, where what is in rear does not tell whether all has
+    come in, each with that the section is locked for such a movement from there: shunting movements leave vehicles
+    behind, and of trains where the section in rear has no detection nobody knows (R9)."""
+    found = []
+    for node in d.topo.ends[s]:
+        g, rear, locked = d.signals.signal_at(s, node), d.sections.rear(s, node), d.sections.locked_in(s, node)
+        if g is None or locked is FALSE:
+            continue
+        kinds = {r.train for r in d.routes.of_signal[g]}
+        train = d.sections.train(s)
+        if False in kinds:
+            found.append((g, conj((locked, neg(train)))))
+        if True in kinds and d.signals.main_at(s, node) == g and (rear is None or rear in d.layout.track.undetected):
+            found.append((g, conj((locked, train))))
+    return found
+
+
 def _passed_on(d: Draft, s: SectionId) -> Expr:
-    """A train has gone on into the next section, and what was before its signal has come in with it: its approach has
-    been seen clear since, or the delay of approach locking is over.  A joint that fails reports both sections beside it
-    occupied, as if a train had run over it, and a card all of its sections, while one stands or runs before the open
-    signal."""
-    left = [disj((neg(locked), d.signals.approach_safe(g))) for g, locked in from_signals(d, s)]
+    """A movement has gone on into the next section, and that was no joint that failed: such a one reports both sections
+    beside it occupied, as if a train had run over it, and a card all of its sections, while one stands or runs before
+    the open signal.  Or the delay of approach locking is over."""
+    left = [disj((neg(locked), d.signals.approach_safe(g))) for g, locked in (*from_signals(d, s), *in_order(d, s))]
     return conj((var(names.PASSED(s)), disj((var(names.REAR_CLEARED(s)), conj(left))) if left else TRUE))
+
+
+def seen_alone(d: Draft) -> None:
+    """What came in stood or ran in its first section alone, for longer than two detectors may differ (A-SCAN), before
+    it was read in the next one, too (R9)."""
+    for s in d.sections.all:
+        if not in_order(d, s):
+            continue
+        terms = [Term(var(names.USED(s)), "was used"), Term(d.sections.occupied(s), "occupied")]
+        for t in d.sections.locks_of[s]:
+            ahead = d.topo.beyond(s, t.exit)
+            if ahead is not None:
+                on = neg(conj((d.sections.lock(*t.key), d.sections.occupied(ahead))))
+                terms.append(Term(on, "alone", f"{ahead} ahead not occupied"))
+        note = f"{s}: a movement is in it, and not yet ahead ({rules.SECTIONAL_RELEASE})"
+        d.wire(names.ALONE_RUNS(s), Join.ALL, terms, f"section {s}", note)
+        seconds = d.layout.principles.detection_delay_s
+        note = f"{s}: a movement was in it alone for longer than detectors take ({rules.SECTIONAL_RELEASE})"
+        d.timer(names.SEEN_ALONE(s), names.ALONE_RUNS(s), seconds, note)
+
+
+def _whole(d: Draft, s: SectionId) -> Expr:
+    """What came into a first section is seen to be a movement: nobody else is on the way to its signal, or it was in
+    the section alone."""
+    seen = [conj((locked, d.signals.approach_reads_clear(g))) for g, locked in from_signals(d, s)]
+    for g, locked in in_order(d, s):
+        rear = d.sections.rear(s, d.layout.signalling.signal[g].node)
+        told = rear is not None and rear not in d.layout.track.undetected
+        seen.append(
+            conj((locked, disj((var(names.SEEN_ALONE(s)), d.signals.approach_reads_clear(g) if told else FALSE))))
+        )
+    return disj(seen)
 
 
 def _exits(d: Draft, s: SectionId) -> list[Term]:
@@ -427,12 +481,12 @@ def _keep_passage(d: Draft, s: SectionId, stays: Term) -> None:
     ]
     held = Term(disj((var(names.USED(s)), *uses)), "held or new")
     d.kept(names.USED(s), True, f"{s} used by a train ({rules.SECTIONAL_RELEASE})", Join.ALL, (held, stays), group)
-    first = from_signals(d, s)
-    if first:
-        seen = disj(conj((locked, d.signals.approach_reads_clear(g))) for g, locked in first)
+    seen = _whole(d, s)
+    if seen is not FALSE:
         held = Term(disj((var(names.REAR_CLEARED(s)), conj((var(names.USED(s)), seen)))), "held or new")
-        note = f"{s}: used, and the approach seen clear since ({rules.SECTIONAL_RELEASE})"
-        d.kept(names.REAR_CLEARED(s), False, note, Join.ALL, (held, stays), group)
+        note = f"{s}: used, and that by a movement: no other is on its way, or it was alone ({rules.SECTIONAL_RELEASE})"
+        alone = (Term(neg(x), "nothing granted into it") for x in _granted_into(d, s))
+        d.kept(names.REAR_CLEARED(s), False, note, Join.ALL, (held, stays, *alone), group)
     gone = []
     for node in d.topo.ends[s]:
         ahead = d.topo.beyond(s, node)

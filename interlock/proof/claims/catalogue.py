@@ -132,9 +132,10 @@ CLAIMS: dict[str, str] = {
     "its way: all is steadily clear within the braking distance and back to the first signal that announces this "
     "one, over ways that are locked; or stop has been shown without a break for as long as a train needs to stand; "
     "nor is the first section behind it released behind its train without that, unless it was so since the train came "
-    "in; nor does the train count as arrived there before, or is the overlap beyond let go.  (Whether it has been open "
-    "is the controller's own bit, which is set with proceed and stays while the route does, and until its train has "
-    "come or the lock behind its signal ends.)",
+    "in, or a shunting movement, or one from where there is no detection, was seen in it alone first; nor does the "
+    "train count as arrived there before, or is the overlap beyond let go.  (Whether it has been open is the "
+    "controller's own bit, which is set with proceed and stays while the route does, and until its train has come or "
+    "the lock behind its signal ends.)",
     "L-RELEASE": "No section is released while a train stands in it, comes into it, or has been called into it.",
     "L-HELD": "A section in which a train moves is locked.",
     "P-LOCKED": "A point is commanded to move only when the sections of all its ends are steadily clear and unlocked, "

@@ -130,21 +130,64 @@ def first_behind(f: Facts, s: SectionId) -> list[tuple[SignalId, Expr]]:
     return found
 
 
+def in_order(f: Facts, s: SectionId) -> list[tuple[SignalId, Expr]]:
+    """The signals with routes behind which a section is the first, with that it is locked from there for a shunting
+    movement, or for a train where the section in rear of them is not detected."""
+    found = []
+    for j in f.topo.ends[s]:
+        g, locked = f.topo.signal_into.get((j, s)), f.locking.locked_in(s, j)
+        if g is None or locked is FALSE:
+            continue
+        kinds = {r.shunt for r in f.sym.routes.of_signal.get(g, ())}
+        if True in kinds:
+            found.append((g, conj((locked, neg(f.locking.train(s))))))
+        if False in kinds and f.topo.main_into.get((j, s)) == g and _rear(f, s, j) not in f.sym.sections.clear:
+            found.append((g, conj((locked, f.locking.train(s)))))
+    return found
+
+
+def whole(f: Facts, s: SectionId) -> Expr:
+    """What is said to have come into a first section is a movement: nobody else is reported on the way to its signal,
+    or it was in the section alone for as long as two detectors may differ."""
+    seen = [conj((locked, _nobody(f, g, FALSE))) for g, locked in first_behind(f, s)]
+    for g, locked in in_order(f, s):
+        told = _rear(f, s, f.layout.signalling.signal[g].node) in f.sym.sections.clear
+        alone = var(f.sym.cancellation.alone[s])
+        seen.append(conj((locked, disj((alone, _nobody(f, g, FALSE) if told else FALSE)))))
+    return disj(seen)
+
+
+def _alone(f: Facts, s: SectionId) -> Iterator[tuple[str, str, Expr]]:
+    """A movement is in a section, and in none ahead of it that it is locked towards."""
+    ahead = []
+    for n, lock in f.locking.of(s):
+        b = f.topo.beyond(s, f.track.way(s, n)[1])
+        if b is not None:
+            ahead.append(implies(lock, conj((var(f.sym.valid), f.seen.clear(b)))))
+    runs = var(f.timers[f.sym.cancellation.alone[s]].input)
+    occupied = neg(conj((var(f.sym.valid), f.seen.clear(s))))
+    yield "L-REASON", f"{s} alone", implies(runs, conj((f.seen.used(s), occupied, *ahead)))
+
+
 def _cleared(f: Facts, s: SectionId) -> Iterator[tuple[str, str, Expr]]:
-    """R9: the first section behind a main signal is released behind a train only when what was before the signal has
-    come in with it, or nobody can be about to pass; that its approach was seen clear is remembered with the lock."""
+    """R9: the first section behind a signal is released behind a movement only when it is seen to have come in, or
+    nobody can be about to pass; that is remembered with the lock alone."""
     cleared, after = var(f.sym.cancellation.rear_cleared[s]), f.after
     behind = first_behind(f, s)
-    seen = disj(conj((locked, _nobody(f, g, FALSE))) for g, locked in behind)
-    yield "L-REASON", f"{s} rear", implies(conj((after(cleared), neg(cleared))), conj((f.seen.used(s), seen)))
+    come = conj((f.seen.used(s), whole(f, s)))
+    yield "L-REASON", f"{s} rear", implies(conj((after(cleared), neg(cleared))), come)
+    if s in f.sym.cancellation.alone:
+        yield from _alone(f, s)
     held = disj((f.locking.restart(s), f.locking.any_lock(s)))
     yield "L-REASON", f"{s} rear remembered", implies(cleared, held)
-    for g, locked in behind:
-        long = names.STOP_LONG(g)
-        stands = after(var(long)) if long in f.plant.clocks else FALSE
-        ended = conj((locked, neg(after(f.locking.any_lock(s))), f.seen.used(s)))
-        yield "L-APPROACH", f"{g} behind a train", implies(ended, disj((cleared, _nobody(f, g), stands)))
-        if f.track.shunts:
+    for what, those in (("a train", behind), ("what came", in_order(f, s))):
+        for g, locked in those:
+            long = names.STOP_LONG(g)
+            stands = after(var(long)) if long in f.plant.clocks else FALSE
+            ended = conj((locked, neg(after(f.locking.any_lock(s))), f.seen.used(s)))
+            yield "L-APPROACH", f"{g} behind {what}", implies(ended, disj((cleared, _nobody(f, g), stands)))
+    if f.track.shunts:
+        for g, locked in behind:
             arrived = conj((locked, after(f.locking.any_lock(s)), neg(after(f.locking.train(s)))))
             yield "L-APPROACH", f"{g} arrived", implies(arrived, cleared)
 

@@ -109,6 +109,7 @@ def _delays(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     ordered |= {x.timer: [rules.token_delay_s, needs.agreed / 1000] for x in f.sym.token.values()}
     ordered |= {name: [supervision_s(f.layout, m), needs.run / 1000] for m, name in f.sym.machines.late_timer.items()}
     ordered |= {name: [rules.release_delay_s] for name in f.sym.sections.release_timer.values()}
+    ordered |= {name: [rules.detection_delay_s] for name in f.sym.cancellation.alone.values()}
     ordered[f.sym.start.restart_timer] = [rules.restart_delay_s, needs.restart / 1000]
     ordered |= {r.path.hold_timer: [hold_s(f, r)] for r in f.sym.routes if r.path.hold_timer is not None}
     if f.sym.machines.start_timer is not None:

@@ -8,7 +8,7 @@ from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, iff, neg, var
 from interlock.logic.names import Name
 from interlock.model.elements import Position, SectionId, SignalId
 from interlock.model.times import whole_ms
-from interlock.proof.claims.reasons import first_behind
+from interlock.proof.claims.reasons import first_behind, in_order
 from interlock.proof.functions.routes import kept_longer
 from interlock.proof.functions.words import Words
 
@@ -22,6 +22,7 @@ def delays(w: Words) -> Iterator[tuple[str, str, Expr]]:
         name: disj((var(sym.cancellation.cancelling[g]), _waiting(w, g)))
         for g, name in sym.cancellation.approach_timer.items()
     }
+    reasons |= {name: _in_it_alone(w, s) for s, name in sym.cancellation.alone.items()}
     for m, name in sym.machines.late_timer.items():
         reasons[name] = disj(conj((w.points.commanded(m, x), neg(w.points.detected(m, x)))) for x in Position)
     for g, name in sym.overlaps.timer.items():
@@ -53,6 +54,15 @@ def delays(w: Words) -> Iterator[tuple[str, str, Expr]]:
     yield "F-DELAY", f"{sym.start.restart_timer} goes on", w.after(var(sym.start.running))
 
 
+def _in_it_alone(w: Words, s: SectionId) -> Expr:
+    """What came in is in a section, and not yet in the next one that it is locked towards."""
+    ahead = [neg(w.sections.occupied(s)), neg(w.f.seen.used(s))]
+    for n, lock in w.f.locking.of(s):
+        b = w.topo.beyond(s, w.f.track.way(s, n)[1])
+        ahead += [] if b is None else [conj((lock, w.sections.occupied(b)))]
+    return neg(disj(ahead))
+
+
 def _waiting(w: Words, g: SignalId) -> Expr:
     """Stop stands, and what is locked from the signal waits for a train that may still come: somebody wants it
     released, or what came in has left it on a way that nobody releases behind it."""
@@ -67,7 +77,7 @@ def _waiting(w: Words, g: SignalId) -> Expr:
 def _not_left(w: Words, g: SignalId, first: SectionId) -> Iterator[Expr]:
     """A train is said to have gone on from the first section, and what is in rear of its signal was not seen clear."""
     used, cleared = w.f.seen.used(first), w.sym.cancellation.rear_cleared
-    for h, locked in first_behind(w.f, first) if first in cleared else ():
+    for h, locked in (*first_behind(w.f, first), *in_order(w.f, first)) if first in cleared else ():
         if h == g:
             passed = conj((used, w.f.seen.passed(first), neg(w.sections.occupied(first))))
             yield conj((locked, passed, neg(var(cleared[first]))))

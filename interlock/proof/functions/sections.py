@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, iff, implies, neg, var
 from interlock.model.elements import SectionId
-from interlock.proof.claims.reasons import first_behind
+from interlock.proof.claims.reasons import first_behind, in_order
 from interlock.proof.functions.words import Words
 
 
@@ -42,11 +42,9 @@ def _memory(w: Words, s: SectionId) -> Iterator[tuple[str, str, Expr]]:
     kept = [f.seen.used(s), f.seen.passed(s), f.seen.stale(s), f.locking.firm(s)]
     if s in w.sym.cancellation.rear_cleared:
         cleared = var(w.sym.cancellation.rear_cleared[s])
-        left = disj(conj((locked, w.signals.nobody(g, FALSE))) for g, locked in first_behind(f, s))
-        seen = conj((f.seen.used(s), left))
-        yield "F-PASSED", f"{s} rear", implies(conj((seen, after(f.locking.locked(s)))), after(cleared))
-        yield "F-PASSED", f"{s} rear seen", implies(w.rises(cleared), seen)
-        kept.append(cleared)
+        seen, alone = conj((f.seen.used(s), _whole(w, s))), conj(w.sections.none_set_into(s))
+        held = conj((disj((cleared, seen)), alone, after(f.locking.locked(s))))
+        yield "F-PASSED", f"{s} come in", iff(after(cleared), held)
     if f.track.shunts:
         mode = f.locking.train(s)
         trains = disj(w.signals.set_now(r) for r in over if not r.shunt)
@@ -95,11 +93,23 @@ def _releasing(w: Words, s: SectionId) -> Iterator[Expr]:
     yield conj((w.valid, long, f.locking.restart(s), var(sym.start.restart_timer), operator, vehicles))  # R16
 
 
+def _whole(w: Words, s: SectionId) -> Expr:
+    """A movement was seen to have come in: nobody else is reported on the way, or it was there alone (R9)."""
+    seen = [conj((locked, w.signals.nobody(g, FALSE))) for g, locked in first_behind(w.f, s)]
+    for g, locked in in_order(w.f, s):
+        rear = w.sections.rear(s, w.layout.signalling.signal[g].node)
+        told = rear is not None and rear not in w.layout.track.undetected
+        alone = var(w.sym.cancellation.alone[s])
+        seen.append(conj((locked, disj((alone, w.signals.nobody(g, FALSE) if told else FALSE)))))
+    return disj(seen)
+
+
 def _passed_on(w: Words, s: SectionId) -> Expr:
     """A train has gone on, and its approach was seen clear since, or nobody can be about to pass its signal."""
     if s not in w.sym.cancellation.rear_cleared:
         return w.f.seen.passed(s)
-    safe = (disj((neg(locked), w.signals.safe(g))) for g, locked in first_behind(w.f, s))
+    begun = (*first_behind(w.f, s), *in_order(w.f, s))
+    safe = (disj((neg(locked), w.signals.safe(g))) for g, locked in begun)
     return conj((w.f.seen.passed(s), disj((var(w.sym.cancellation.rear_cleared[s]), conj(safe)))))
 
 

@@ -59,13 +59,14 @@ class SectionWords:
             TRUE if self.signal_at(s, j) is None else conj((self._w.f.locking.train(s), self._w.f.locking.train(rear)))
         )
 
+    def none_set_into(self, s: SectionId) -> list[Expr]:
+        """No further shunting movement is set into a berth in this scan."""
+        into = [r for r in self._w.sym.routes if r.path.berth is not None and r.path.berth[0] == s]
+        return [neg(self._w.signals.set_now(r)) for r in into]
+
     def rear_released(self, s: SectionId) -> Expr:
         """No lock in rear leads into the section, and no shunting movement is set into it in this scan (R9)."""
-        out = [
-            neg(self._w.signals.set_now(r))
-            for r in self._w.sym.routes
-            if r.path.berth is not None and r.path.berth[0] == s
-        ]
+        out = self.none_set_into(s)
         for j in self._w.topo.ends[s]:
             rear = self._w.topo.beyond(s, j)
             if rear is None or self.main_at(s, j):
