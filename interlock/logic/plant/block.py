@@ -106,19 +106,17 @@ def neighbour(x: Beyond, b: Boundary) -> None:
     stale = disj((telegram(n, "has"), telegram(n, "gives"), seen_by(n, "gives")))
     alone = conj((empty, neg(has), neg(gives), neg(stale), neg(take)))
     _assume(x, "A-AGREED", implies(held, alone))
-    p.initial += _at_a_restart(n, disj((line(n, "in"), o(outside(b)))))
+    p.initial += at_a_restart(n, disj((line(n, "in"), o(outside(b)))))
 
 
-def _at_a_restart(n: str, sent: Expr) -> list[Expr]:
+def at_a_restart(n: str, sent: Expr) -> list[Expr]:
     """The line and the neighbour are as the token's rules have left them; `sent`: a train is on its way to us."""
     has, gives, fresh = (has_token(n, w) for w in ("has", "gives", "fresh"))
     return [
         neg(conj((has, gives))),
         neg(conj((seen_by(n, "has"), seen_by(n, "gives")))),
         neg(conj((telegram(n, "has"), telegram(n, "gives")))),
-        implies(
-            line(n, "out"), neg(disj((has, gives, sent, telegram(n, "has"), telegram(n, "gives"), seen_by(n, "gives"))))
-        ),
+        implies(line(n, "out"), neg(disj((has, sent, telegram(n, "has"), seen_by(n, "gives"))))),
         implies(disj((gives, telegram(n, "gives"))), neg(sent)),
         implies(disj((gives, telegram(n, "gives"))), neg(seen_by(n, "gives"))),
         implies(telegram(n, "gives"), neg(has)),
