@@ -51,7 +51,8 @@ FUNCTIONS: dict[str, str] = {
     "F-CANCEL": "A cancelled route is given up as soon as R8 permits, and until then it goes on being cancelled; "
     "otherwise only a train ends a route.",
     "F-USED": "A section counts as used exactly when the three-point check sees a train come in (R9).",
-    "F-PASSED": "A train has gone on from a section exactly when it is seen to come into the next one (R9).",
+    "F-PASSED": "A train has gone on from a section exactly when it is seen to come into the next one, and what came "
+    "in behind a signal counts as a movement exactly when R9 says so.",
     "F-STALE": "Detection is not relied on exactly where inputs were lost, or a train called on, while locked (R9).",
     "F-FIRM": "A section is firmly locked exactly when a route over it has been locked (R3).",
     "F-MODE": "A section is locked for a train exactly from when a train route is set over it until it is released, or "
