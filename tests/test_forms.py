@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import re
-
 import pytest
 
-from interlock.table.cells import HostileClass, RouteKind
 from interlock.table.national import Sheet, national_sheets
-from interlock.table.national.cn import _Form, chinese_table
-from tests.layouts import SHIPPED, built, grown
+from interlock.table.national.cn import chinese_table
+from tests.layouts import built, grown
 from tests.test_national import chinese, only, sheets, told
 
 
@@ -182,35 +179,6 @@ def test_points_past_a_signal_at_identifier_light_exclude_too() -> None:
     rows = chinese_rows(chinese_table(made[0], made[1]))
     assert only(rows, 进路="越过T至E")["敌对信号"] == "T" and only(rows, 信号机名称="T")["敌对信号"] == "<5>S"
     assert only(rows, 信号机名称="U")["敌对信号"] == ""
-
-
-FACING = ("迎面进路 列车", "迎面进路 调车")
-
-
-@pytest.mark.parametrize(
-    "name",
-    [*SHIPPED, *map(of_tests, ("called_on", "foul_facing", "identifiers", "spaces"))],
-)
-def test_every_hostile_route_is_in_the_chinese_table_or_left_out_as_it_says(name: str) -> None:
-    """Left out: what points exclude, what the columns of facing routes tell, what an overlap alone keeps apart, and
-    call-on routes."""
-    layout, table, _ = built(name)
-    form, rows = _Form(layout, table), {x["进路号码"]: x for x in chinese_rows(chinese_table(layout, table))}
-    for number, way in enumerate(form.printed, start=1):
-        r, row = way.rows[0], rows[str(number)]
-        held = {p.machine: p.position for q in table.parts(r) for p in q.locking.points}
-        told = set(re.split(r"、|; |: |<[^>]*>", row["敌对信号"]))
-        for h in r.locking.hostile:
-            t = table.route[h.route]
-            theirs = [p for q in table.parts(t) for p in q.locking.points]
-            if t.kind not in (RouteKind.MAIN, RouteKind.SHUNT) or set(h.kinds) == {HostileClass.OVERLAP}:
-                continue
-            if any(held.get(p.machine, p.position) is not p.position for p in theirs) or t.entry == r.entry:
-                continue
-            ends = {table.parts(x)[-1].path.section_ids[-1] for x in (r, t)}
-            facing = len(ends) == 1 and bool(row[FACING[t.kind is RouteKind.SHUNT]])
-            names = {f"{t.entry}{mark}" for mark in ("", "LD"[t.kind is RouteKind.SHUNT])}
-            assert facing or told & names, (r.id, t.id, h.kinds)
 
 
 BEYOND = """interlock: 1
