@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from interlock.table.national import Sheet, national_sheets
@@ -234,3 +236,52 @@ def test_a_form_without_a_column_for_driven_points_says_where_they_stand(profile
     assert sum("Driven" in sign or "mitlaufend" in sign for sign, _ in driven[key].legend) == 1
     plain = sheets(of_tests("driven"), **{"profile: cn": f"profile: {profile}"})
     assert len(plain[key].legend) == len(driven[key].legend) - 1
+
+
+def test_german_remarks_tell_what_is_asked_beside_points_and_track() -> None:
+    """Stop lamps that protect a flank, when the signal closes, what stays locked longer, past a signal, too, and a
+    berth that may be occupied."""
+    found = {r["Route"]: r["Remarks"] for r in told(sheets("flank_lab")["de_sslz"])}
+    assert found["S1/N2"] == "Haltlicht von N8" and found["S1/N8"] == ""
+    held = "demand:\n  - {point: LC9, lies: reverse, routes: {from: T}, hold: 20, reason: wagons}\nconditions:"
+    made = grown(BEYOND.replace("conditions:", held))
+    assert made is not None
+    (sslz,) = (s for s in national_sheets(made[0], made[1]) if s.key == "de_sslz")
+    found = {r["Route"]: r["Remarks"] for r in told(sslz)}
+    assert {r for r, notes in found.items() if "LC9 20 s länger verschlossen" in notes} == {"S/E", "T/E"}
+    assert "Haltfall erst, wenn d frei" in found["T/E"]
+    berths = {r["Route"]: r["Remarks"] for r in told(sheets("cn6502", "de")["de_sslr"])}
+    assert berths["D1/D15"] == "Zielgleis 1/19WG darf besetzt sein" and berths["D1/D9"] == ""
+
+
+def test_a_german_route_past_a_signal_locks_its_overlap_and_ends_with_the_one_at_its_destination() -> None:
+    (past,) = (r for r in told(sheets(of_tests("identifiers"), "de")["de_sslz"]) if r["Route"] == "X/W")
+    assert {f"D1 von {g} mitverschlossen" for g in "YZ"} <= {*past["Remarks"].split(", ")}
+    made = grown(Path("tests/stations/phausen.yaml").read_text("utf-8"))
+    assert made is not None
+    (sslz,) = (s for s in national_sheets(made[0], made[1]) if s.key == "de_sslz")
+    past = next(r for r in told(sslz) if r["Route"] == "60G/60P13" and r["Signals passed at identifier light"])
+    assert past["Speed of the overlap (km/h)"] == "40", "that at 60P13, not the one at the signal that is passed"
+
+
+def test_a_level_crossing_that_must_be_open_is_no_level_crossing_that_is_closed() -> None:
+    """In the German table the column names those that are closed to the road; what else is locked stands in remarks."""
+    demand = "demand:\n  - {point: LC1, lies: normal, routes: {from: SA}, reason: the fire brigade first}\nsignals:"
+    rows = told(sheets("flank_lab", **{"signals:": demand})["de_sslz"])
+    asked = only(rows, Route="SA/S1")
+    assert (asked["Level crossings"], asked["Remarks"]) == ("", "LC1 offen")
+    assert only(rows, Route="N2/F")["Level crossings"] == "LC1"
+
+
+def test_added_points_stand_beside_those_that_protect_a_flank() -> None:
+    """A form of three railways has no column of its own for what the author demands: 3 shall lie normal for S1-W."""
+    for profile, key, column, said in (
+        ("de", "de_verschluss", "Flank points", "3+"),
+        ("uk", "uk_routes", "Flank N", "3"),
+        ("generic", "us_locking", "Switches normal", "1, 3"),
+    ):
+        rows = told(sheets(of_tests("added"), profile)[key])
+        start = {"de_verschluss": "S1-W", "us_locking": "S1-W", "uk_routes": "S1A(M)"}[key]
+        assert only(rows, Route=start)[column] == said, profile
+    switches = only(told(sheets(of_tests("added"), "generic")["us_switches"]), Switch="3")
+    assert "S1-W" in switches["Normal, protecting"] and "S1-W" not in switches["Normal for routes"]
