@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -285,3 +286,38 @@ def test_added_points_stand_beside_those_that_protect_a_flank() -> None:
         assert only(rows, Route=start)[column] == said, profile
     switches = only(told(sheets(of_tests("added"), "generic")["us_switches"]), Switch="3")
     assert "S1-W" in switches["Normal, protecting"] and "S1-W" not in switches["Normal for routes"]
+
+
+@pytest.mark.parametrize("name", ["cn6502", "depot", "flank_lab", "pit_bottom", "terminus_slip"])
+def test_all_that_protects_a_flank_is_named_in_the_german_table(name: str) -> None:
+    """Every point, derailer and signal, every end of the track, and a track that is run the other way alone."""
+    text = re.sub(r"^profile: .*$", "", Path(f"layouts/{name}.yaml").read_text("utf-8"), flags=re.MULTILINE)
+    made = grown(re.sub(r"^(name: .*)$", r"\1\nprofile: de", text, flags=re.MULTILINE))
+    assert made is not None
+    (sslf,) = (s for s in national_sheets(made[0], made[1]) if s.key == "de_sslf")
+    found = [{x for cell in row for x in cell.split(", ")} for row in sslf.rows]
+    for c in {c for t in made[1].locks for c in t.flank}:
+        assert any({p.name for p in c.providers} <= row for row in found), c.requester
+
+
+def test_flank_protection_is_not_looked_for_against_the_direction_of_a_track() -> None:
+    """At the pit bottom nothing comes over q4_tippler from P4, at which a request would be handed on."""
+    row = only(told(sheets("pit_bottom", "de")["de_sslf"]), Requester="P1", Position_passed="−")
+    assert (row["End of track or line"], row["Handed on to"], row["As for"]) == ("q4_tippler", "", "")
+
+
+def test_points_wanted_both_ways_by_one_route_are_told_from_those_wanted_by_different_ones() -> None:
+    said = {}
+    for name in ("cn6502", "slip_junction"):
+        rows = told(sheets(name, "de")["de_sslw"])
+        said |= {r["Points in position"]: (r["Same route"], r["Different routes"]) for r in rows}
+    assert said["1/3+"] == said["1/3−"] == ("", "x") and said["201a+"] == ("x", "x")
+
+
+@pytest.mark.parametrize("profile", ["de", "uk", "generic"])
+def test_a_foul_section_is_left_out_where_the_point_beside_it_lies_the_other_way(profile: str) -> None:
+    """3DG fouls the way over 5DG while 1/3 lies normal: it is asked clear, or 1/3 reverse."""
+    key = {"de": "de_sslr", "uk": "uk_routes", "generic": "us_locking"}[profile]
+    rows = sheets("cn6502", profile)[key].rows
+    said = {x for row in rows for cell in row for x in re.findall(r"\[3DG or [^\]]*\]", cell)}
+    assert said == {"[3DG or 1/3 R]"}
