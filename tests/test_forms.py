@@ -321,3 +321,17 @@ def test_a_foul_section_is_left_out_where_the_point_beside_it_lies_the_other_way
     rows = sheets("cn6502", profile)[key].rows
     said = {x for row in rows for cell in row for x in re.findall(r"\[3DG or [^\]]*\]", cell)}
     assert said == {"[3DG or 1/3 R]"}
+
+
+def test_what_the_author_declares_hostile_is_told_though_points_exclude_it_too() -> None:
+    """S1 and S3 lead over point 1 in two positions; it is given back behind the train, and the declaration lasts until
+    the train is wholly in the last section (R6).  Forms that leave out what points exclude said nothing of it."""
+    hostile = "hostile:\n  - {one: {from: S1}, other: {from: S3}, reason: one crew works both}\nsignals:"
+    for more in ({}, {"signals:": hostile}):
+        rows = [r for r in chinese_rows(sheets("passing_loop", "cn", **more)["cn"]) if r["方向"].endswith("发车")]
+        assert {r["信号机名称"] for r in rows if "S1" in r["敌对信号"].split("、")} == ({"S3"} if more else set())
+        uk = {
+            r["Route"]: r["Requires normal"].split(", ")
+            for r in told(sheets("passing_loop", "uk", **more)["uk_routes"])
+        }
+        assert ("S3A(M)" in uk["S1A(M)"]) is ("S1A(M)" in uk["S3A(M)"]) is bool(more)

@@ -555,6 +555,6 @@ class _Form:
         return next((p.id for p in self.layout.machines.points_in.get(section, ()) if p.machine == machine), machine)
 
     def _agree(self, r: RouteRow, t: RouteRow) -> bool:
-        """Both can have their points: what the points exclude is not printed as hostile."""
-        needs = self._held[r.id]
-        return all(needs.get(m, x) is x for m, x in self._held[t.id].items())
+        """Both can have their points, which keep no longer apart what the author declares hostile."""
+        needs, barred = self._held[r.id], {b.route for b in r.locking.barred}
+        return t.id in barred or all(needs.get(m, x) is x for m, x in self._held[t.id].items())
