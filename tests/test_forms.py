@@ -307,7 +307,7 @@ def test_flank_protection_is_not_looked_for_against_the_direction_of_a_track() -
 
 
 def test_points_wanted_both_ways_by_one_route_are_told_from_those_wanted_by_different_ones() -> None:
-    said = {}
+    said: dict[str, tuple[str, str]] = {}
     for name in ("cn6502", "slip_junction"):
         rows = told(sheets(name, "de")["de_sslw"])
         said |= {r["Points in position"]: (r["Same route"], r["Different routes"]) for r in rows}
@@ -335,3 +335,28 @@ def test_what_the_author_declares_hostile_is_told_though_points_exclude_it_too()
             for r in told(sheets("passing_loop", "uk", **more)["uk_routes"])
         }
         assert ("S3A(M)" in uk["S1A(M)"]) is ("S1A(M)" in uk["S3A(M)"]) is bool(more)
+
+
+CLEAR = {
+    "de": ("de_verschluss", "Route", "Sections clear"),
+    "uk": ("uk_routes", "In the other tables", "Tracks clear (route, foul, overlap, flank)"),
+    "generic": ("us_locking", "Route", "Track circuits (OS)"),
+}
+"""By railway the form, its column of routes, and that of what a route has clear."""
+
+
+@pytest.mark.parametrize("profile", CLEAR)
+def test_flank_space_and_what_the_author_demands_are_among_the_sections_clear(profile: str) -> None:
+    """21DG lies between XD-E1 and what protects it; 3G lies beside S1-W."""
+    key, name, column = CLEAR[profile]
+
+    def asked(layout: str, route: str, **more: str) -> list[str]:
+        (row,) = (r for r in told(sheets(layout, profile, **more)[key]) if r[name] == route)
+        return row[column].split(", ")
+
+    space = {
+        f"name: cn6502\nprofile: {profile}\n": f"name: cn6502\nprofile: {profile}\nprinciples: {{flank_space: yes}}\n"
+    }
+    assert "21DG" in asked("cn6502", "XD-E1", **space) and "21DG" not in asked("cn6502", "XD-E1")
+    clear = {"signals:": "demand:\n  - {clear: 3G, routes: {from: S1}, reason: oversize loads}\nsignals:"}
+    assert "3G" in asked("passing_loop", "S1-W", **clear) and "3G" not in asked("passing_loop", "S1-W")
