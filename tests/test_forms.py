@@ -10,7 +10,7 @@ import pytest
 from interlock.table.national import Sheet, national_sheets
 from interlock.table.national.cn import chinese_table
 from tests.layouts import built, grown
-from tests.test_national import chinese, only, sheets, told
+from tests.test_national import TWO_WAY, chinese, only, sheets, told
 
 
 def test_what_a_chinese_signal_shows_for_a_departure_follows_the_block() -> None:
@@ -354,9 +354,20 @@ def test_flank_space_and_what_the_author_demands_are_among_the_sections_clear(pr
         (row,) = (r for r in told(sheets(layout, profile, **more)[key]) if r[name] == route)
         return row[column].split(", ")
 
-    space = {
-        f"name: cn6502\nprofile: {profile}\n": f"name: cn6502\nprofile: {profile}\nprinciples: {{flank_space: yes}}\n"
-    }
-    assert "21DG" in asked("cn6502", "XD-E1", **space) and "21DG" not in asked("cn6502", "XD-E1")
+    head = f"name: cn6502\nprofile: {profile}\n"
+    for space in ("yes", "no"):
+        found = asked("cn6502", "XD-E1", **{head: f"{head}principles: {{flank_space: {space}}}\n"})
+        assert ("21DG" in found) is (space == "yes")
     clear = {"signals:": "demand:\n  - {clear: 3G, routes: {from: S1}, reason: oversize loads}\nsignals:"}
     assert "3G" in asked("passing_loop", "S1-W", **clear) and "3G" not in asked("passing_loop", "S1-W")
+
+
+def test_a_machine_whose_points_turn_to_different_sides_lies_normal_or_reverse() -> None:
+    """Left of the one point is right of the other: the German table has + and − for such a machine."""
+    for machine, said in (("", {"1L", "1R", "2L", "2R"}), (", machine: 1/2", {"1/2+", "1/2−"})):
+        made = grown(TWO_WAY.replace("hand: right}", f"hand: right{machine}}}").replace(
+            "reverse: 3.reverse, hand: left}", f"reverse: 3.reverse, hand: left{machine}}}"))  # fmt: skip
+        assert made is not None
+        (form,) = (s for s in national_sheets(made[0], made[1]) if s.key == "de_verschluss")
+        points = {p for r in told(form) for p in r["Points"].split(", ") if p[:1] in "12"}
+        assert points - {""} == said
