@@ -371,3 +371,15 @@ def test_a_machine_whose_points_turn_to_different_sides_lies_normal_or_reverse()
         (form,) = (s for s in national_sheets(made[0], made[1]) if s.key == "de_verschluss")
         points = {p for r in told(form) for p in r["Points"].split(", ") if p[:1] in "12"}
         assert points - {""} == said
+
+
+def test_british_and_american_forms_tell_that_the_line_beyond_must_be_clear() -> None:
+    rows = told(sheets("passing_loop", "uk")["uk_routes"])
+    said = {r["In the other tables"]: "XJG clear (line)" in r["Remarks"].split(", ") for r in rows}
+    assert said["S1-W"] and said["S3-W"] and not said["X-X1"] and not said["X1-E"]
+    locking = {r["Route"]: r["Traffic locking"] for r in told(sheets("passing_loop", "generic")["us_locking"])}
+    assert locking["S1-W"] == "XJG" and locking["X1-E"] == "SJG" and locking["X-X1"] == ""
+    chart = {r["Route"]: r["Returns to stop"] for r in told(sheets("passing_loop", "generic")["us_aspects"])}
+    whole = {"name: passing_loop": "name: passing_loop\nprinciples: {main_closes: whole-movement}"}
+    closing = {r["Route"]: r["Returns to stop"] for r in told(sheets("passing_loop", **whole)["us_aspects"])}
+    assert chart["S1-W"] == "first axle" and closing["S1-W"] == "IG clear"
