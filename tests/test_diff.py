@@ -273,7 +273,7 @@ def test_what_no_cell_shows_is_told_of_its_element(tmp_path: Path, before: str, 
 
 def test_a_route_that_is_not_printed_any_more(tmp_path: Path) -> None:
     e = Edited(tmp_path, ("into_1: {from: Y, to: S1, listed: no}", "into_1: {from: Y, to: S1}"), before=of("added"))
-    assert e.cells("Y-S1") == ["Listed: yes, was no"] and not e.found.elsewhere
+    assert e.cells("Y-S1") == ["Listed: yes, was no"] and not e.found.elsewhere and not e.found.same
 
 
 @pytest.mark.parametrize(
@@ -342,6 +342,21 @@ def test_what_is_told_by_nothing_is_not_passed_over_beside_what_is(tmp_path: Pat
     assert f"besides, the layouts differ in {key}" in e.shown.output
     body = json.loads(run("diff", str(e.old), str(e.new), "--format", "json").stdout)
     assert body["elsewhere"] == [key]
+
+
+def test_what_is_gone_and_told_by_nothing_is_not_passed_over(tmp_path: Path) -> None:
+    """As what has come."""
+    e = Edited(tmp_path, ("telegram: plain\n", ""), before=BASE.replace("signals:", "telegram: plain\nsignals:"))
+    assert e.found.elsewhere == ("telegram",) and not e.found.same
+
+
+def test_lengths_that_no_section_tells_are_not_passed_over_beside_those_that_one_does(tmp_path: Path) -> None:
+    """The legs of P2 and P3 have other lengths, and their section the same."""
+    legs = ("normal: main.end, reverse: loop.end, legs: 30", "normal: main.end, reverse: loop.end, legs: 40")
+    shorter = ("reverse: sid.start, legs: 30", "reverse: sid.start, legs: 20")
+    e = Edited(tmp_path, legs, shorter, ("g1 500", "g1 600"))
+    told = [x for x in e.elements() if x.startswith("section")]
+    assert told == ["section g1: 600 m, was 500 m"] and e.found.elsewhere == ("edges",)
 
 
 @pytest.mark.parametrize(
