@@ -113,6 +113,11 @@ def test_two_signals_that_exchange_their_names_are_no_renaming(tmp_path: Path) -
     assert "Points: P2 R, was P2 N" in e.cells("N1-E")
 
 
+def test_points_that_exchange_their_names_are_told_in_their_new_order(tmp_path: Path) -> None:
+    e = Edited(tmp_path, ("P2", "PX"), ("P3", "P2"), ("PX", "P3"))
+    assert "Points, in order: P3 N, P2 N, was P2 N, P3 N" in e.cells("N1-E")
+
+
 def test_a_joint_that_is_moved_changes_lengths_alone(tmp_path: Path) -> None:
     e = Edited(tmp_path, ("east: [q9 200, E]", "east: [w2 60, q9 140, E]"))
     assert e.elements() == ["section q9: 140 m, was 200 m", "section w2: 240 m, was 180 m"]
@@ -390,6 +395,11 @@ def test_numbers_are_told_with_all_their_digits(tmp_path: Path) -> None:
             ["channel CLR_q1: main I0.5, was main I0.4", "channel CLR_q9: main I0.4, was main I0.5"],
         ),
         (["3: Q0,"], ["6: Q0,"], ["card in slot 3 of main: Q0 removed", "card in slot 6 of main: Q0 added"]),
+        (
+            ["channels:"],
+            ["reserved:\n  main:\n    q77: {CLR_q77: I2.7}\nchannels:"],
+            ["reserved channel CLR_q77: main I2.7 added"],
+        ),
         ([], [], []),
     ],
 )
