@@ -139,3 +139,22 @@ def test_a_section_that_is_blocked_stays_so_without_power() -> None:
     section = str(next(iter(r.controller.symbols.sections.clear)))
     dark = Picture(r).dark([section])
     assert {k for k, v in dark.items() if k.startswith("s:") and v[3]} == {f"s:{section}"}
+
+
+def test_a_machine_that_nobody_commanded_is_late_too() -> None:
+    r = ready("layouts/heishan")
+    assert r.layout is not None
+    m, other = list(r.layout.machines)[:2]
+    shown = Picture(r).of(Cycle({}, {}, True, (), Memory({}, {})), (f"idle {m}",))
+    assert (shown[f"m:{m}"][3], shown[f"m:{other}"][3]) == (1, 0)
+
+
+def test_a_distant_signal_shows_what_its_lamps_do() -> None:
+    """Clear, caution, or dark; never clear where its clear lamp is not lit."""
+    r = ready("tests/layouts_for_tests/overlaps_join")
+    assert r.controller is not None
+    y, picture = r.controller.symbols.aspects, Picture(r)
+    distant = next(iter(y.distant_clear))
+    clear, caution = str(y.distant_clear[distant]), str(y.distant_caution[distant])
+    for lit, said in (({clear: True}, "clear"), ({caution: True}, "caution"), ({}, "dark")):
+        assert picture.of(Cycle({}, lit, True, (), Memory({}, {})))[f"g:{distant}"][0] == said
