@@ -8,8 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from interlock.dispatch.plan.errands import Place
+from interlock.dispatch.plan.errands import OUTSIDE, Errand, Leg, Place
 from interlock.dispatch.plan.held import Held
+from interlock.dispatch.plan.railway import Railway
 from interlock.model.elements import RouteId, SectionId
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
@@ -76,3 +77,25 @@ def test_a_train_keeps_its_overlap_until_all_of_it_stands_before_the_signal() ->
     last, before = r.path.traversals[-1], r.path.traversals[-2]
     long, short = (Place(0, frozenset(), r.id, under) for under in ((before, last), (last,)))
     assert overlap <= held.kept(long) and not held.kept(short)
+
+
+def test_a_train_turns_where_all_of_it_stands_in_one_section() -> None:
+    """One whose rear is in the section behind stands past the signal that it would turn to."""
+    layout, table, _ = built("passing_loop")
+    railway, r = Railway(table, layout), table.route[RouteId("X-X1")]
+    before, last = r.path.traversals[-2:]
+    for under, turned in (((last,), {"S1-W"}), ((before, last), set())):
+        found = railway.routes_on(Place(1, frozenset(), r.id, under), True)
+        assert {x.id for x, turns in found if turns} == turned
+        assert "X1-E" in {x.id for x, turns in found if not turns}
+
+
+def test_of_two_trains_outside_the_one_that_came_first_is_in_the_way_of_the_other() -> None:
+    layout, table, _ = built("passing_loop")
+    railway = Railway(table, layout)
+    first, second = (Errand(name, 100.0, ((SectionId("W"), OUTSIDE),), (Leg("E"),)) for name in ("1", "2"))
+    a, b = railway.draft(first).nodes(), railway.draft(second).nodes(["1"])
+    queue = ("queue", "1")
+    assert queue in a.holds[a.start] and all(queue in needs for _, _, needs, _ in b.moves[b.start])
+    assert not any(("queue", "2") in needs for _, _, needs, _ in a.moves[a.start])
+    assert all(queue not in a.holds[place] for place in a.holds if place != a.start)
