@@ -383,3 +383,8 @@ def test_british_and_american_forms_tell_that_the_line_beyond_must_be_clear() ->
     whole = {"name: passing_loop": "name: passing_loop\nprinciples: {main_closes: whole-movement}"}
     closing = {r["Route"]: r["Returns to stop"] for r in told(sheets("passing_loop", **whole)["us_aspects"])}
     assert chart["S1-W"] == "first axle" and closing["S1-W"] == "IG clear"
+
+
+def test_the_german_locking_table_tells_how_long_points_are_held_and_keys_apart_from_points() -> None:
+    (row,) = (r for r in told(sheets(of_tests("held_longer"), "de")["de_verschluss"]) if r["Route"] == "A-N")
+    assert (row["Held longer"], row["Release delay (s)"]) == ("2 30 s", "180")
