@@ -113,6 +113,11 @@ def test_two_signals_that_exchange_their_names_are_no_renaming(tmp_path: Path) -
     assert "Points: P2 R, was P2 N" in e.cells("N1-E")
 
 
+def test_points_that_exchange_their_names_are_told_in_their_new_order(tmp_path: Path) -> None:
+    e = Edited(tmp_path, ("P2", "PX"), ("P3", "P2"), ("PX", "P3"))
+    assert "Points, in order: P3 N, P2 N, was P2 N, P3 N" in e.cells("N1-E")
+
+
 def test_a_joint_that_is_moved_changes_lengths_alone(tmp_path: Path) -> None:
     e = Edited(tmp_path, ("east: [q9 200, E]", "east: [w2 60, q9 140, E]"))
     assert e.elements() == ["section q9: 140 m, was 200 m", "section w2: 240 m, was 180 m"]
@@ -273,7 +278,7 @@ def test_what_no_cell_shows_is_told_of_its_element(tmp_path: Path, before: str, 
 
 def test_a_route_that_is_not_printed_any_more(tmp_path: Path) -> None:
     e = Edited(tmp_path, ("into_1: {from: Y, to: S1, listed: no}", "into_1: {from: Y, to: S1}"), before=of("added"))
-    assert e.cells("Y-S1") == ["Listed: yes, was no"] and not e.found.elsewhere
+    assert e.cells("Y-S1") == ["Listed: yes, was no"] and not e.found.elsewhere and not e.found.same
 
 
 @pytest.mark.parametrize(
@@ -344,6 +349,21 @@ def test_what_is_told_by_nothing_is_not_passed_over_beside_what_is(tmp_path: Pat
     assert body["elsewhere"] == [key]
 
 
+def test_what_is_gone_and_told_by_nothing_is_not_passed_over(tmp_path: Path) -> None:
+    """As what has come."""
+    e = Edited(tmp_path, ("telegram: plain\n", ""), before=BASE.replace("signals:", "telegram: plain\nsignals:"))
+    assert e.found.elsewhere == ("telegram",) and not e.found.same
+
+
+def test_lengths_that_no_section_tells_are_not_passed_over_beside_those_that_one_does(tmp_path: Path) -> None:
+    """The legs of P2 and P3 have other lengths, and their section the same."""
+    legs = ("normal: main.end, reverse: loop.end, legs: 30", "normal: main.end, reverse: loop.end, legs: 40")
+    shorter = ("reverse: sid.start, legs: 30", "reverse: sid.start, legs: 20")
+    e = Edited(tmp_path, legs, shorter, ("g1 500", "g1 600"))
+    told = [x for x in e.elements() if x.startswith("section")]
+    assert told == ["section g1: 600 m, was 500 m"] and e.found.elsewhere == ("edges",)
+
+
 @pytest.mark.parametrize(
     "edits",
     [
@@ -375,6 +395,11 @@ def test_numbers_are_told_with_all_their_digits(tmp_path: Path) -> None:
             ["channel CLR_q1: main I0.5, was main I0.4", "channel CLR_q9: main I0.4, was main I0.5"],
         ),
         (["3: Q0,"], ["6: Q0,"], ["card in slot 3 of main: Q0 removed", "card in slot 6 of main: Q0 added"]),
+        (
+            ["channels:"],
+            ["reserved:\n  main:\n    q77: {CLR_q77: I2.7}\nchannels:"],
+            ["reserved channel CLR_q77: main I2.7 added"],
+        ),
         ([], [], []),
     ],
 )

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import pytest
 
-from interlock.table.cells import HostileClass, RouteKind
 from interlock.table.national import Sheet, national_sheets
-from interlock.table.national.cn import _Form, chinese_table
-from tests.layouts import SHIPPED, built, grown
-from tests.test_national import chinese, only, sheets, told
+from interlock.table.national.cn import chinese_table
+from tests.layouts import built, grown
+from tests.test_national import TWO_WAY, chinese, only, sheets, told
 
 
 def test_what_a_chinese_signal_shows_for_a_departure_follows_the_block() -> None:
@@ -184,35 +184,6 @@ def test_points_past_a_signal_at_identifier_light_exclude_too() -> None:
     assert only(rows, 信号机名称="U")["敌对信号"] == ""
 
 
-FACING = ("迎面进路 列车", "迎面进路 调车")
-
-
-@pytest.mark.parametrize(
-    "name",
-    [*SHIPPED, *map(of_tests, ("called_on", "foul_facing", "identifiers", "spaces"))],
-)
-def test_every_hostile_route_is_in_the_chinese_table_or_left_out_as_it_says(name: str) -> None:
-    """Left out: what points exclude, what the columns of facing routes tell, what an overlap alone keeps apart, and
-    call-on routes."""
-    layout, table, _ = built(name)
-    form, rows = _Form(layout, table), {x["进路号码"]: x for x in chinese_rows(chinese_table(layout, table))}
-    for number, way in enumerate(form.printed, start=1):
-        r, row = way.rows[0], rows[str(number)]
-        held = {p.machine: p.position for q in table.parts(r) for p in q.locking.points}
-        told = set(re.split(r"、|; |: |<[^>]*>", row["敌对信号"]))
-        for h in r.locking.hostile:
-            t = table.route[h.route]
-            theirs = [p for q in table.parts(t) for p in q.locking.points]
-            if t.kind not in (RouteKind.MAIN, RouteKind.SHUNT) or set(h.kinds) == {HostileClass.OVERLAP}:
-                continue
-            if any(held.get(p.machine, p.position) is not p.position for p in theirs) or t.entry == r.entry:
-                continue
-            ends = {table.parts(x)[-1].path.section_ids[-1] for x in (r, t)}
-            facing = len(ends) == 1 and bool(row[FACING[t.kind is RouteKind.SHUNT]])
-            names = {f"{t.entry}{mark}" for mark in ("", "LD"[t.kind is RouteKind.SHUNT])}
-            assert facing or told & names, (r.id, t.id, h.kinds)
-
-
 BEYOND = """interlock: 1
 name: beyond
 profile: de
@@ -266,3 +237,154 @@ def test_a_form_without_a_column_for_driven_points_says_where_they_stand(profile
     assert sum("Driven" in sign or "mitlaufend" in sign for sign, _ in driven[key].legend) == 1
     plain = sheets(of_tests("driven"), **{"profile: cn": f"profile: {profile}"})
     assert len(plain[key].legend) == len(driven[key].legend) - 1
+
+
+def test_german_remarks_tell_what_is_asked_beside_points_and_track() -> None:
+    """Stop lamps that protect a flank, when the signal closes, what stays locked longer, past a signal, too, and a
+    berth that may be occupied."""
+    found = {r["Route"]: r["Remarks"] for r in told(sheets("flank_lab")["de_sslz"])}
+    assert found["S1/N2"] == "Haltlicht von N8" and found["S1/N8"] == ""
+    held = "demand:\n  - {point: LC9, lies: reverse, routes: {from: T}, hold: 20, reason: wagons}\nconditions:"
+    made = grown(BEYOND.replace("conditions:", held))
+    assert made is not None
+    (sslz,) = (s for s in national_sheets(made[0], made[1]) if s.key == "de_sslz")
+    found = {r["Route"]: r["Remarks"] for r in told(sslz)}
+    assert {r for r, notes in found.items() if "LC9 20 s länger verschlossen" in notes} == {"S/E", "T/E"}
+    assert "Haltfall erst, wenn d frei" in found["T/E"]
+    berths = {r["Route"]: r["Remarks"] for r in told(sheets("cn6502", "de")["de_sslr"])}
+    assert berths["D1/D15"] == "Zielgleis 1/19WG darf besetzt sein" and berths["D1/D9"] == ""
+
+
+def test_a_german_route_past_a_signal_locks_its_overlap_and_ends_with_the_one_at_its_destination() -> None:
+    (past,) = (r for r in told(sheets(of_tests("identifiers"), "de")["de_sslz"]) if r["Route"] == "X/W")
+    assert {f"D1 von {g} mitverschlossen" for g in "YZ"} <= {*past["Remarks"].split(", ")}
+    made = grown(Path("tests/stations/phausen.yaml").read_text("utf-8"))
+    assert made is not None
+    (sslz,) = (s for s in national_sheets(made[0], made[1]) if s.key == "de_sslz")
+    past = next(r for r in told(sslz) if r["Route"] == "60G/60P13" and r["Signals passed at identifier light"])
+    assert past["Speed of the overlap (km/h)"] == "40", "that at 60P13, not the one at the signal that is passed"
+
+
+def test_a_level_crossing_that_must_be_open_is_no_level_crossing_that_is_closed() -> None:
+    """In the German table the column names those that are closed to the road; what else is locked stands in remarks."""
+    demand = "demand:\n  - {point: LC1, lies: normal, routes: {from: SA}, reason: the fire brigade first}\nsignals:"
+    rows = told(sheets("flank_lab", **{"signals:": demand})["de_sslz"])
+    asked = only(rows, Route="SA/S1")
+    assert (asked["Level crossings"], asked["Remarks"]) == ("", "LC1 offen")
+    assert only(rows, Route="N2/F")["Level crossings"] == "LC1"
+
+
+def test_added_points_stand_beside_those_that_protect_a_flank() -> None:
+    """A form of three railways has no column of its own for what the author demands: 3 shall lie normal for S1-W."""
+    for profile, key, column, said in (
+        ("de", "de_verschluss", "Flank points", "3+"),
+        ("uk", "uk_routes", "Flank N", "3"),
+        ("generic", "us_locking", "Switches normal", "1, 3"),
+    ):
+        rows = told(sheets(of_tests("added"), profile)[key])
+        start = {"de_verschluss": "S1-W", "us_locking": "S1-W", "uk_routes": "S1A(M)"}[key]
+        assert only(rows, Route=start)[column] == said, profile
+    switches = only(told(sheets(of_tests("added"), "generic")["us_switches"]), Switch="3")
+    assert "S1-W" in switches["Normal, protecting"] and "S1-W" not in switches["Normal for routes"]
+
+
+@pytest.mark.parametrize("name", ["cn6502", "depot", "flank_lab", "pit_bottom", "terminus_slip"])
+def test_all_that_protects_a_flank_is_named_in_the_german_table(name: str) -> None:
+    """Every point, derailer and signal, every end of the track, and a track that is run the other way alone."""
+    text = re.sub(r"^profile: .*$", "", Path(f"layouts/{name}.yaml").read_text("utf-8"), flags=re.MULTILINE)
+    made = grown(re.sub(r"^(name: .*)$", r"\1\nprofile: de", text, flags=re.MULTILINE))
+    assert made is not None
+    (sslf,) = (s for s in national_sheets(made[0], made[1]) if s.key == "de_sslf")
+    found = [{x for cell in row for x in cell.split(", ")} for row in sslf.rows]
+    for c in {c for t in made[1].locks for c in t.flank}:
+        assert any({p.name for p in c.providers} <= row for row in found), c.requester
+
+
+def test_flank_protection_is_not_looked_for_against_the_direction_of_a_track() -> None:
+    """At the pit bottom nothing comes over q4_tippler from P4, at which a request would be handed on."""
+    row = only(told(sheets("pit_bottom", "de")["de_sslf"]), Requester="P1", Position_passed="−")
+    assert (row["End of track or line"], row["Handed on to"], row["As for"]) == ("q4_tippler", "", "")
+
+
+def test_points_wanted_both_ways_by_one_route_are_told_from_those_wanted_by_different_ones() -> None:
+    said: dict[str, tuple[str, str]] = {}
+    for name in ("cn6502", "slip_junction"):
+        rows = told(sheets(name, "de")["de_sslw"])
+        said |= {r["Points in position"]: (r["Same route"], r["Different routes"]) for r in rows}
+    assert said["1/3+"] == said["1/3−"] == ("", "x") and said["201a+"] == ("x", "x")
+
+
+@pytest.mark.parametrize("profile", ["de", "uk", "generic"])
+def test_a_foul_section_is_left_out_where_the_point_beside_it_lies_the_other_way(profile: str) -> None:
+    """3DG fouls the way over 5DG while 1/3 lies normal: it is asked clear, or 1/3 reverse."""
+    key = {"de": "de_sslr", "uk": "uk_routes", "generic": "us_locking"}[profile]
+    rows = sheets("cn6502", profile)[key].rows
+    said = {x for row in rows for cell in row for x in re.findall(r"\[3DG or [^\]]*\]", cell)}
+    assert said == {"[3DG or 1/3 R]"}
+
+
+def test_what_the_author_declares_hostile_is_told_though_points_exclude_it_too() -> None:
+    """S1 and S3 lead over point 1 in two positions; it is given back behind the train, and the declaration lasts until
+    the train is wholly in the last section (R6).  Forms that leave out what points exclude said nothing of it."""
+    hostile = "hostile:\n  - {one: {from: S1}, other: {from: S3}, reason: one crew works both}\nsignals:"
+    for more in ({}, {"signals:": hostile}):
+        rows = [r for r in chinese_rows(sheets("passing_loop", "cn", **more)["cn"]) if r["方向"].endswith("发车")]
+        assert {r["信号机名称"] for r in rows if "S1" in r["敌对信号"].split("、")} == ({"S3"} if more else set())
+        uk = {
+            r["Route"]: r["Requires normal"].split(", ")
+            for r in told(sheets("passing_loop", "uk", **more)["uk_routes"])
+        }
+        assert ("S3A(M)" in uk["S1A(M)"]) is ("S1A(M)" in uk["S3A(M)"]) is bool(more)
+
+
+CLEAR = {
+    "de": ("de_verschluss", "Route", "Sections clear"),
+    "uk": ("uk_routes", "In the other tables", "Tracks clear (route, foul, overlap, flank)"),
+    "generic": ("us_locking", "Route", "Track circuits (OS)"),
+}
+"""By railway the form, its column of routes, and that of what a route has clear."""
+
+
+@pytest.mark.parametrize("profile", CLEAR)
+def test_flank_space_and_what_the_author_demands_are_among_the_sections_clear(profile: str) -> None:
+    """21DG lies between XD-E1 and what protects it; 3G lies beside S1-W."""
+    key, name, column = CLEAR[profile]
+
+    def asked(layout: str, route: str, **more: str) -> list[str]:
+        (row,) = (r for r in told(sheets(layout, profile, **more)[key]) if r[name] == route)
+        return row[column].split(", ")
+
+    head = f"name: cn6502\nprofile: {profile}\n"
+    for space in ("yes", "no"):
+        found = asked("cn6502", "XD-E1", **{head: f"{head}principles: {{flank_space: {space}}}\n"})
+        assert ("21DG" in found) is (space == "yes")
+    clear = {"signals:": "demand:\n  - {clear: 3G, routes: {from: S1}, reason: oversize loads}\nsignals:"}
+    assert "3G" in asked("passing_loop", "S1-W", **clear) and "3G" not in asked("passing_loop", "S1-W")
+
+
+def test_a_machine_whose_points_turn_to_different_sides_lies_normal_or_reverse() -> None:
+    """Left of the one point is right of the other: the German table has + and − for such a machine."""
+    for machine, said in (("", {"1L", "1R", "2L", "2R"}), (", machine: 1/2", {"1/2+", "1/2−"})):
+        made = grown(TWO_WAY.replace("hand: right}", f"hand: right{machine}}}").replace(
+            "reverse: 3.reverse, hand: left}", f"reverse: 3.reverse, hand: left{machine}}}"))  # fmt: skip
+        assert made is not None
+        (form,) = (s for s in national_sheets(made[0], made[1]) if s.key == "de_verschluss")
+        points = {p for r in told(form) for p in r["Points"].split(", ") if p[:1] in "12"}
+        assert points - {""} == said
+
+
+def test_british_and_american_forms_tell_that_the_line_beyond_must_be_clear() -> None:
+    rows = told(sheets("passing_loop", "uk")["uk_routes"])
+    said = {r["In the other tables"]: "XJG clear (line)" in r["Remarks"].split(", ") for r in rows}
+    assert said["S1-W"] and said["S3-W"] and not said["X-X1"] and not said["X1-E"]
+    locking = {r["Route"]: r["Traffic locking"] for r in told(sheets("passing_loop", "generic")["us_locking"])}
+    assert locking["S1-W"] == "XJG" and locking["X1-E"] == "SJG" and locking["X-X1"] == ""
+    chart = {r["Route"]: r["Returns to stop"] for r in told(sheets("passing_loop", "generic")["us_aspects"])}
+    whole = {"name: passing_loop": "name: passing_loop\nprinciples: {main_closes: whole-movement}"}
+    closing = {r["Route"]: r["Returns to stop"] for r in told(sheets("passing_loop", **whole)["us_aspects"])}
+    assert chart["S1-W"] == "first axle" and closing["S1-W"] == "IG clear"
+
+
+def test_the_german_locking_table_tells_how_long_points_are_held_and_keys_apart_from_points() -> None:
+    (row,) = (r for r in told(sheets(of_tests("held_longer"), "de")["de_verschluss"]) if r["Route"] == "A-N")
+    assert (row["Held longer"], row["Release delay (s)"]) == ("2 30 s", "180")

@@ -334,3 +334,31 @@ def test_the_lists_say_the_same_as_the_allocation() -> None:
     assert int(equipment["signal, combined"]) + int(equipment["signal, shunt"]) + int(equipment["signal, main"]) == len(
         layout.signalling.signals
     )
+
+
+def _equipment(layout: Layout, controller: Controller) -> dict[str, int]:
+    rows = list(csv.reader(io.StringIO(equipment_csv(layout, allocate(layout, controller)))))[1:]
+    return {item: int(count) for item, count in rows}
+
+
+def test_what_has_to_be_bought_is_counted_once_and_no_more() -> None:
+    """Of cn6502, and of a depot with a track in which nothing detects vehicles."""
+    layout, _, controller = built("cn6502")
+    counted = _equipment(layout, controller)
+    called_on = [g.id for g in layout.signalling.signals if g.call_on]
+    assert counted["call-on lamp"] == len(called_on) == 2 and set(called_on) == {"X", "XD"}
+    outside = {b.approach for b in layout.track.boundaries} - {None}
+    assert counted["approach section with detection"] == len(outside)
+    assert counted["section with detection"] == len(layout.track.sections) - len(outside)
+    wires = list(csv.DictReader(io.StringIO(channels_csv(layout, controller, allocate(layout, controller)))))
+    assert counted["channel in use"] == sum(bool(r["Variable"]) for r in wires) and counted["channel"] == len(wires)
+    layout, _, controller = built("depot")
+    approaches = sum(b.approach is not None for b in layout.track.boundaries)
+    assert _equipment(layout, controller)["section with detection"] == len(layout.track.sections) - approaches - 1
+
+
+def test_a_wire_at_a_stated_address_beyond_all_cards_is_in_the_wiring_list() -> None:
+    layout, controller = made("addresses: {CLR_q1: I90.3, YN_P1: Q91.0}\n")
+    rows = csv.DictReader(io.StringIO(channels_csv(layout, controller, allocate(layout, controller))))
+    stated = {r["Variable"]: (r["Slot"], r["Card"], r["Address"]) for r in rows if r["Slot"] == "as stated"}
+    assert stated == {"CLR_q1": ("as stated", "DI", "I90.3"), "YN_P1": ("as stated", "DO", "Q91.0")}

@@ -266,3 +266,15 @@ def test_an_alarm_that_came_again_is_not_acknowledged_by_who_saw_it_the_first_ti
     assert alarms.acknowledge([("x", "06:00")], "Ada") == [] and not alarms.all["x"].by
     (seen,) = alarms.acknowledge([("x", "06:02")], "Ada")
     assert seen.since == "06:02" and alarms.all["x"].by == "Ada"
+
+
+def test_an_alarm_that_was_acknowledged_is_counted_anew_when_it_comes_again() -> None:
+    alarms, cause = Alarms(), {"x": ("points x are not detected", ())}
+    alarms.stand(cause, "06:00")
+    alarms.acknowledge(None, "Ada")
+    alarms.stand({}, "06:01")
+    ((again,), _) = alarms.stand(cause, "06:02")
+    assert again.said == "points x are not detected" and not again.by
+    alarms.once("a train collides", (), "06:03")
+    alarms.acknowledge(None, "Ada")
+    assert alarms.once("a train collides", (), "06:04").count == 1

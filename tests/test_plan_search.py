@@ -7,6 +7,7 @@ from random import Random
 
 import pytest
 
+from interlock.dispatch.plan.explore import explore
 from interlock.dispatch.plan.problem import Built, Draft, GoesRound, Problem, build
 from interlock.dispatch.plan.search import ORDERS, Planner, Verdict
 
@@ -154,3 +155,28 @@ def test_a_train_that_goes_round_is_refused() -> None:
     d.moves["y"].append(("back", "x", frozenset({"x"}), {}))
     with pytest.raises(GoesRound, match="a comes back to x"):
         build([d])
+
+
+def test_trains_that_stand_head_on_from_the_start_are_in_a_deadlock() -> None:
+    built = build([line("a", "x", "y"), line("b", "y", "x")])
+    found = explore(built.problem, built.start)
+    assert found.deadlocks == {built.start} == found.unsafe and found.states == 1
+    assert found.shortest == () and found.last_safe == 0
+
+
+def test_the_way_to_a_deadlock_is_safe_until_the_move_that_the_rule_refuses() -> None:
+    """a may wait in p or in q; once it is in x it is head on with b."""
+    built = build([line("a", "p", "q", "x", "y"), line("b", "y", "x")])
+    found = explore(built.problem, built.start)
+    assert found.shortest is not None and [m.label for m in found.shortest] == ["to q", "to x"]
+    assert found.last_safe == 1 and found.refused_moves == 1 and len(found.deadlocks) == 1
+
+
+def test_a_move_into_a_zone_that_is_too_small_for_one_train_is_none() -> None:
+    """One train counts twice where it comes into a zone at two places."""
+    for most, moves in ((1, 0), (2, 1)):
+        d = line("a", "x", "in", out=False)
+        d.moves["x"] = [(n, t, needs, {"Z": 2}) for n, t, needs, _ in d.moves["x"]]
+        d.inside["in"] = {"Z": 2}
+        built = build([d], [("Z", most)])
+        assert len(built.problem.moves[built.start]) == moves

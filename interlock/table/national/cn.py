@@ -191,14 +191,14 @@ class _Form:
             tuple(self._sections(r)),
             facing[0],
             facing[1],
-            self._other(r),
+            "、".join(self._other(r)),
             number,
         )
 
     def _past(self, r: RouteRow, number: str) -> tuple[Cell, ...]:
         """A route that leads past signals: with the points and sections beyond them, in one row."""
         parts, last, passed = self.table.parts(r), self._last(r), "、".join(r.path.passed or ())
-        facing, told = self._facing(last), [*map(self._other, parts), f"越过{passed}（标志灯）"]
+        facing, told = self._facing(last), [*(x for p in parts for x in self._other(p)), f"越过{passed}（标志灯）"]
         return (
             self._direction(r),
             f"越过{passed}至{r.path.destination}",
@@ -213,7 +213,7 @@ class _Form:
             tuple(dict.fromkeys(x for p in parts for x in self._sections(p))),
             facing[0],
             facing[1],
-            "、".join(filter(None, told)),
+            "、".join(dict.fromkeys(told)),
             number,
         )
 
@@ -437,20 +437,20 @@ class _Form:
         """The columns of facing routes tell that the two are hostile."""
         return bool(self._facing(self._last(r))[t.kind is not RouteKind.MAIN]) and self._meet(r, t)
 
-    def _other(self, r: RouteRow) -> str:
-        """The block of the line on which a train departs (BS: 闭塞), level crossings, doors and other devices, the
-        overlap, which has no column, and what stays locked longer."""
+    def _other(self, r: RouteRow) -> list[str]:
+        """The block of the line on which a train departs (BS: 闭塞), or what of it must be clear, level crossings and
+        other devices, the overlap, which has no column, and what stays locked longer."""
         block = (
             self.layout.track.boundary_at[self._reading.way(r.path.traversals[-1]).exit].block
             if self._departing(r)
             else BlockKind.NONE
         )
-        parts = ["BS"] if block is BlockKind.SEMI_AUTOMATIC else []
+        parts = ["BS"] if block is BlockKind.SEMI_AUTOMATIC else [f"{b.section} 空闲" for b in r.conditions.block]
         devices = self._reading.machines.devices(r).items()
         parts += [f"{m} {DEVICE[self.layout.machines.word(m, x)]}" for m, x in devices]
         overlap = [self._overlap(r, r.locking.overlap)] if r.locking.overlap is not None else []
-        longer = [f"{m} 延时 {r.locking.hold:g} s 解锁" for m in r.locking.held_longer]
-        return "、".join([*parts, *(c for c in r.requirements if not self._is_block(c)), *overlap, *longer])
+        parts += [*(c for c in r.requirements if not self._is_block(c)), *overlap]
+        return parts + [f"{m} 延时 {r.locking.hold:g} s 解锁" for m in r.locking.held_longer]
 
     def _overlap(self, r: RouteRow, over: OverlapCell) -> str:
         """An overlap's sections, what fouls them, its points, those that protect it, and the speed for which it is
@@ -555,6 +555,6 @@ class _Form:
         return next((p.id for p in self.layout.machines.points_in.get(section, ()) if p.machine == machine), machine)
 
     def _agree(self, r: RouteRow, t: RouteRow) -> bool:
-        """Both can have their points: what the points exclude is not printed as hostile."""
-        needs = self._held[r.id]
-        return all(needs.get(m, x) is x for m, x in self._held[t.id].items())
+        """Both can have their points, which keep no longer apart what the author declares hostile."""
+        needs, barred = self._held[r.id], {b.route for b in r.locking.barred}
+        return t.id in barred or all(needs.get(m, x) is x for m, x in self._held[t.id].items())

@@ -98,9 +98,11 @@ def _tracks(x: Reading, o: Opposing) -> str:
 
 
 def _normal(x: Reading, name: Naming, r: RouteRow) -> tuple[str, ...]:
-    """Routes that must be normal: hostile ones that neither points nor opposing locking exclude."""
+    """Routes that must be normal: hostile ones that neither points nor opposing locking exclude, and those that the
+    author declares hostile: they stay so for longer (R6)."""
     told = {HostileClass.POINTS, HostileClass.OPPOSING}
-    return x.named((h.route for h in r.locking.hostile if not told & set(h.kinds)), name, r)
+    longer = {b.route for b in r.locking.barred}
+    return x.named((h.route for h in r.locking.hostile if h.route in longer or not told & set(h.kinds)), name, r)
 
 
 def _sequence(r: RouteRow) -> str:
