@@ -26,6 +26,9 @@ WARNINGS = (
 )
 RESTART, SCAN = b"\0", b"\1"
 HARSH = Faults(inputs=0.01, stall=0.02, power=0.002)
+STRAY = (2, 3, 0x7F, 0x80, 0xFE, 0xFF)
+"""Bytes that are neither 0 nor 1."""
+VALID = "VALID"
 
 
 def edited(files: Mapping[str, str], old: str, new: str | Callable[[re.Match[str]], str]) -> list[dict[str, str]]:
@@ -60,7 +63,7 @@ int main(void)
     }}
     for (i = 0u; i < COUNT({p}_input_bits); i++)
     {{
-      *{p}_input_bits[i].bit = getchar() != 0;
+      *{p}_input_bits[i].bit = (uint8_t)getchar();
     }}
     for (i = 0u; i < COUNT({p}_input_numbers); i++)
     {{
@@ -88,10 +91,15 @@ int main(void)
 
 
 class Pair:
-    """Stands where the Python runtime stands: writes down what it is given, and what it answers and keeps."""
+    """Stands where the Python runtime stands: writes down what it is given, and what it answers and keeps.
 
-    def __init__(self, controller: Controller) -> None:
+    stray: of so many inputs, as a share, another byte, or number, is read than anybody means; of a byte the Python
+    runtime is told that its inputs are not valid, as the C runtime finds by itself.
+    """
+
+    def __init__(self, controller: Controller, stray: float = 0.0) -> None:
         self.controller = controller
+        self.stray, self.rng = stray, Random(1)
         self.names = load(runtime_py(controller, []))
         self.cycle_max_ms = self.names["Controller"].cycle_max_ms
         self.given, self.told = bytearray(), bytearray()
@@ -106,8 +114,12 @@ class Pair:
 
     def scan(self, inputs: Mapping[str, int], dt_ms: int) -> Mapping[str, bool]:
         """One scan."""
-        c = self.controller
-        outputs: Mapping[str, bool] = self.one.scan(inputs, dt_ms)
+        c, rng = self.controller, self.rng
+        for i in c.inputs:
+            if rng.random() < self.stray:
+                inputs = {**inputs, i.name: rng.randrange(-(2**15), 2**15) if i.size else rng.choice(STRAY)}
+        strays = any(inputs[i.name] in STRAY for i in c.inputs if not i.size)
+        outputs: Mapping[str, bool] = self.one.scan({**inputs, VALID: 0} if strays else inputs, dt_ms)
         self.given += SCAN + struct.pack("<I", dt_ms)
         self.given += bytes(int(inputs[i.name]) for i in c.inputs if not i.size)
         self.given += b"".join(struct.pack("<h", inputs[i.name]) for i in c.inputs if i.size)
@@ -120,12 +132,18 @@ class Pair:
 
 
 def driven(
-    layout: Layout, table: InterlockingTable, controller: Controller, scans: int, seed: int, movements: int = 0
+    layout: Layout,
+    table: InterlockingTable,
+    controller: Controller,
+    scans: int,
+    seed: int,
+    movements: int = 0,
+    stray: float = 0.0,
 ) -> tuple[Pair, int]:
     """Trains in metres for so many scans, with stalled cycles, lost inputs and power cuts; as often again, without
     power cuts, as so many movements need, ten times at most; then so many scans with inputs at random.  Told are what
     was recorded, and how many movements there were."""
-    pair, total = Pair(controller), Outcome()
+    pair, total = Pair(controller, stray), Outcome()
     routes: dict[str, tuple[int, ...]] = {}
     for r in table.routes:
         routes[str(r.entry)] = (*routes.get(str(r.entry), ()), r.number)
@@ -144,7 +162,11 @@ def driven(
 
 
 def built_by_gcc(
-    controller: Controller, files: Mapping[str, str], folder: Path, warnings: Sequence[str] = WARNINGS
+    controller: Controller,
+    files: Mapping[str, str],
+    folder: Path,
+    warnings: Sequence[str] = WARNINGS,
+    optimised: str = "-O1",
 ) -> Path:
     """The program that a test can feed; raises CalledProcessError at any warning."""
     p = fixed(controller).prefix
@@ -156,7 +178,7 @@ def built_by_gcc(
         "gcc",
         "-std=c99",
         *warnings,
-        "-O1",
+        optimised,
         "-o",
         str(program),
         str(folder / f"{name}.c"),

@@ -22,7 +22,7 @@ from interlock.logic.names import spelled
 from interlock.logic.words import Words
 from interlock.proof.equivalence import c_text
 from interlock.proof.equivalence.c_text import BadC, compare_c
-from tests.c_driver import answers, built_by_gcc, driven, edited
+from tests.c_driver import STRAY, Pair, answers, built_by_gcc, driven, edited
 from tests.layouts import SHIPPED, built
 
 SCANS = 600
@@ -91,7 +91,7 @@ CHANGES: list[tuple[str, str | Callable[[re.Match[str]], str]]] = [
     (r"(wire\.GO) =", r"\1 = true ||"),
     (r"now\.K = true;", "now.K = false;"),
     (r"  now\.K = true;\n", ""),
-    (r"(IL_small_in\.A) = true;", r"\1 = false;"),
+    (r"(IL_small_in\.A) = 1u;", r"\1 = 0u;"),
     (r"(on_delay\(&delay\.\w+, wire\.\w+, )(\d+)u", r"\g<1>1u"),
     (r"(on_delay\(&delay\.RT, wire\.)GO", r"\g<1>ASK"),
     (r"(on_delay\(&delay\.)RT", r"\g<1>GO"),
@@ -114,7 +114,7 @@ CHANGES: list[tuple[str, str | Callable[[re.Match[str]], str]]] = [
     (r"\n  wire\.(\w+) = ([^;]*);", r"\n  if (true) { wire.\1 = \2; }"),
     (r"\n  wire\.(\w+) =", r"\n  now.K = false;\n  wire.\1 ="),
     (r"\n  wire\.(\w+) =", r"\n  in.VALID = true;\n  wire.\1 ="),
-    (r"\n  wire\.(\w+) =", r"\n  IL_small_in.VALID = true;\n  wire.\1 ="),
+    (r"\n  wire\.(\w+) =", r"\n  IL_small_in.VALID = 1u;\n  wire.\1 ="),
     (r"\n  wire\.(\w+) =", r"\n  wire.nobody = true;\n  wire.\1 ="),
     (r"\n  wire\.(\w+) =", r"\n  bool in;\n  wire.\1 ="),
     (r"\n  wire\.(\w+) =", r"\n  return;\n  wire.\1 ="),
@@ -254,3 +254,59 @@ def test_gcc_and_the_comparison_notice_a_wrong_c_file(tmp_path_factory: pytest.T
         program = built_by_gcc(controller, wrong, tmp_path_factory.mktemp(f"wrong{n}"))
         same = answers(program, bytes(pair.given)) == bytes(pair.told)
         assert not same, old
+
+
+@pytest.mark.external
+@pytest.mark.parametrize("optimised", ["-O0", "-O1", "-O2"])
+def test_whatever_byte_stands_at_an_input_gcc_reads_it_as_the_python_runtime_does(
+    optimised: str, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    """A process image may have other bytes for true than 1: with such a byte all inputs are lost."""
+    layout, table, controller = built("fig2_2")
+    files = runtime_c(controller, [])
+    pair, movements = driven(layout, table, controller, 3000, 7, stray=0.001)
+    assert movements > 0
+    folder = tmp_path_factory.mktemp("bytes")
+    same = answers(built_by_gcc(controller, files, folder, optimised=optimised), bytes(pair.given)) == bytes(pair.told)
+    assert same
+    edits = (
+        (r"\(IL_fig2_2_in\.(\w+) == 1u\)", r"(IL_fig2_2_in.\1 != 0u)"),
+        (r"\(IL_fig2_2_in\.(\w+) != 0u\)", r"(IL_fig2_2_in.\1 == 1u)"),
+        (r"implausible \|\| \(ms", "(ms"),
+        (r" > 1u\)", " > 2u)"),
+    )
+    for old, new in edits:
+        wrong = {f: re.sub(old, new, t) for f, t in files.items()}
+        assert wrong != files
+        program = built_by_gcc(controller, wrong, folder, optimised=optimised)
+        same = answers(program, bytes(pair.given)) == bytes(pair.told)
+        assert not same, old
+
+
+@pytest.mark.external
+@pytest.mark.parametrize("optimised", ["-O0", "-O1", "-O2"])
+def test_points_detected_both_ways_and_a_block_close_a_signal_whatever_byte_says_so(
+    optimised: str, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    """As a programmer writes it who copies a process image in which true is another byte than 1."""
+    _, table, controller = built("fig2_2")
+    pair = Pair(controller)
+    folder = tmp_path_factory.mktemp("image")
+    program = built_by_gcc(controller, runtime_c(controller, []), folder, optimised=optimised)
+    good = {i.name: int(i.name.startswith("CLR_") or i.name in ("VALID", "DN_P1")) for i in controller.inputs}
+    route = next(r.number for r in table.routes if r.entry == "X1")
+    proceeds = []
+    for byte in (1, *STRAY):
+        for name in ("DR_P1", "BLK_DP"):
+            pair()
+            for _ in range(700):
+                pair.scan(good, 1000)
+            for _ in range(20):
+                pair.scan({**good, "RELALL": 1}, 1000)
+            pair.scan(good, 100)
+            pair.scan({**good, "REQ": route}, 100)
+            before = [pair.scan(good, 100) for _ in range(5)][-1]
+            after = pair.scan({**good, name: byte}, 100)
+            proceeds.append([n for n in before if n.startswith("YP_") and (before[n], after[n]) == (True, False)])
+    same = answers(program, bytes(pair.given)) == bytes(pair.told)
+    assert same and all(proceeds)

@@ -6,7 +6,8 @@ import random
 import re
 from collections import Counter
 from collections.abc import Callable
-from itertools import pairwise, product
+from functools import cache
+from itertools import combinations, pairwise, product
 from pathlib import Path
 
 import pytest
@@ -110,7 +111,9 @@ def test_a_forged_text_of_the_receiver_is_refused(how: str) -> None:
     ("old", "new"),
     [
         ("ALARM := NOT YES AND (ALARM OR FAIL)", "ALARM := NOT YES AND FAIL"),
-        ("NEW OR AGAIN", "NEW OR LOST"),
+        ("FIRST OR AGAIN", "FIRST OR LOST"),
+        ("OPEN AND NOT AGAIN AND NOT FIRST", "OPEN AND NOT AGAIN"),
+        ("NEW AND NOT WAS", "NEW"),
         ("T#200ms", "T#200h"),
         ("THIRD : BOOL := FALSE", "THIRD : BOOL := TRUE"),
     ],
@@ -235,9 +238,84 @@ def test_the_text_repeats_and_alarms_as_the_runtime_does() -> None:
     assert sum(s["SEND"] for s in fine) == 1 and not any(s["ALARM"] for s in fine)
 
 
+def trying(dt_ms: int) -> Callable[..., tuple[bool, bool]]:
+    """The emitted TRY, called at such distances: whether it sends, and its alarm."""
+    unit = parse_unit(text_of(form_of(ELEVEN.machines[:2])))
+    run: Execution[int] = Execution(Unit((unit.blocks[2],)), Numbers(dt_ms=dt_ms))
+
+    def call(new: bool = False, answer: bool | None = None) -> tuple[bool, bool]:
+        out = run.scan({"NEW": int(new), "YES": int(answer is True), "NO": int(answer is False)})
+        return bool(out["SEND"]), bool(out["ALARM"])
+
+    return call
+
+
+def test_in_runs_at_random_the_text_sends_and_alarms_as_the_python_sender() -> None:
+    """The wait counts from the call after a telegram was sent, and after one was repeated from the next but one."""
+    rng, form = random.Random(4), form_of(ELEVEN.machines[:2])
+    every = [commands(form, list(p)) for p in product((N, R), repeat=2)]
+    sent = alarms = early = 0
+    for run in range(300):
+        dt, sender = (10, 50, 90, 100, 200, 250)[run % 6], Sender(form)
+        call, now, fresh = trying(dt), rng.choice(every), True
+        busy, answering = rng.choice((0.02, 0.1, 0.4)), rng.choice((0.0, 0.02, 0.2))
+        since = 0
+        for _ in range(200):
+            answer = rng.choice((True, False)) if rng.random() < answering else None
+            asked = sender.step(now, now, answer, dt)
+            assert call(fresh, answer) == (asked is not None, sender.alarm)
+            since = 0 if asked is not None else since + dt
+            if asked is not None:
+                sender.wait_ms = 200 + dt * (1 if fresh else 2)
+            sent, alarms = sent + (asked is not None), alarms + sender.alarm
+            fresh = not fresh and rng.random() < busy
+            if fresh:
+                early += 0 < since < 200
+                now = rng.choice([x for x in every if x != now])
+    assert sent > 3000 and alarms > 3000 and early > 500
+
+
+def test_a_new_telegram_has_the_whole_wait_for_its_answer() -> None:
+    call = trying(10)
+    told = [call(k in (0, 19)) for k in range(100)]
+    assert [k for k, (send, _) in enumerate(told) if send] == [0, 19, 40, 62]
+    assert next(k for k, (_, alarm) in enumerate(told) if alarm) == 84
+
+
+def test_a_new_that_stands_is_one_telegram_and_silences_no_alarm() -> None:
+    call = trying(100)
+    told = [call(True) for _ in range(600)]
+    assert sum(send for send, _ in told) == 3 and all(alarm for _, alarm in told[11:])
+    assert [call(), call()] == [(True, True), (False, True)], "the last of them, and the alarm until one is confirmed"
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_of_telegrams_in_calls_on_end_the_last_is_sent(seed: int) -> None:
+    """NEW says that the telegram is another one: without a break, and while the one before is confirmed, too."""
+    rng, call = random.Random(seed), trying(100)
+    pending = lost = new = False
+    several = 0
+    for _ in range(400):
+        before, new = new, rng.random() < 0.5
+        send, _ = call(new, rng.choice((None, None, True, False)))
+        several += new and before
+        pending = (pending or new) and not send
+        lost = lost or (pending and not new)
+    assert several > 20 and not lost
+
+
+def test_the_python_sender_sends_what_was_confirmed_before_another_one() -> None:
+    """That other one may have arrived, and its answer been lost."""
+    form = form_of(ELEVEN.machines[:2])
+    sender, first, other = Sender(form), commands(form, [N, N]), commands(form, [R, N])
+    assert sender.step(first, first, None, 100) and not sender.step(first, first, True, 100)
+    assert sender.step(other, other, None, 100) == encode(form, other)
+    assert sender.step(first, first, None, 100) == encode(form, first)
+
+
 def test_the_blocks_say_what_they_leave_to_the_caller() -> None:
     text = " ".join(text_of(FORMS[0]).replace("(*", "").replace("*)", "").split())
-    assert "YES and NO are pulses" in text and "clear every D_ when none comes in time" in text
+    assert "NEW, YES and NO are pulses" in text and "clear every D_ when none comes in time" in text
 
 
 @pytest.mark.parametrize("form", FORMS, ids=str)
@@ -257,25 +335,106 @@ def test_the_blocks_pass_our_own_checks(form: Form) -> None:
     assert not re.search(r"\b(FOR|WHILE|ARRAY)\b", text_of(form))
 
 
-@pytest.mark.parametrize(("machines", "apart"), [(12, True), (13, False)])
-def test_a_tag_tells_four_bytes_apart(machines: int, apart: bool, tmp_path: Path) -> None:
-    """Of a telegram of five bytes the first and the last have one tag: exchanged they pass, and IL3046 says so."""
-    form = form_of([MachineId(f"P{k}") for k in range(1, machines + 1)], tagged=True)
-    wanted = commands(form, [R, *[N] * (machines - 1)])
-    sent = bytearray(encode(form, wanted))
-    last = form.size - 2
-    sent[0], sent[last] = sent[last], sent[0]
-    if apart:
-        with pytest.raises(BadTelegram):
-            decode(form, bytes(sent))
+def _turned(telegram: bytes, bits: int, fill: bool = True) -> bytes:
+    """To the left by so many bits: what goes out comes in again on the right, or zeros do."""
+    length = 8 * len(telegram)
+    number = int.from_bytes(telegram, "big") << bits
+    return (number & (1 << length) - 1 | (number >> length if fill else 0)).to_bytes(len(telegram), "big")
+
+
+def _bit_by_bit(telegram: bytes) -> bytes:
+    """From its end."""
+    return bytes(int(f"{byte:08b}"[::-1], 2) for byte in reversed(telegram))
+
+
+def _exchanged(telegram: bytes, i: int, j: int) -> bytes:
+    out = bytearray(telegram)
+    out[i], out[j] = out[j], out[i]
+    return bytes(out)
+
+
+MISHAPS: dict[str, Callable[[bytes], bytes]] = {
+    "every bit inverted": lambda t: bytes(~byte & 0xFF for byte in t),
+    "bits of each byte in reverse order": lambda t: _bit_by_bit(t)[::-1],
+    "each byte rotated by two bits": lambda t: bytes(_turned(bytes([byte]), 2)[0] for byte in t),
+    "the telegram rotated by two bits": lambda t: _turned(t, 2),
+    "the telegram shifted by one bit, to the left": lambda t: _turned(t, 1, fill=False),
+    "bytes 1 and 2 exchanged": lambda t: _exchanged(t, 0, 1),
+    "the telegram from its end, bit by bit": _bit_by_bit,
+    "both bits of every point exchanged": lambda t: bytes((x & 0xAA) >> 1 | (x & 0x55) << 1 for x in t),
+}
+
+
+@cache
+def _said(form: Form) -> dict[bytes, tuple[Position, ...]]:
+    """Every telegram, and what it commands."""
+    every = (commands(form, list(p)) for p in product((N, R), repeat=len(form.machines)))
+    return {encode(form, x): tuple(x.values()) for x in every}
+
+
+def _passed(form: Form, mishap: Callable[[bytes], bytes]) -> tuple[int, int, int]:
+    """Of how many telegrams how many are well after a mishap, and how many of these command something else."""
+    said = _said(form)
+    well = [(said[t], said[after]) for t in said if (after := mishap(t)) in said]
+    return len(said), len(well), sum(a != b for a, b in well)
+
+
+def test_what_passes_the_check_is_as_the_page_counts_it() -> None:
+    page = Path("interlock/docs/plc.md").read_text("utf-8")
+    head, _, *rows = page[page.index("| what becomes of them") :].partition("\n\n")[0].splitlines()
+    columns, tagged = [], False
+    for cell in head.split("|")[2:-1]:
+        tagged = "tagged" in cell
+        columns.append(form_of([MachineId(f"P{k}") for k in range(1, int(re.findall(r"\d+", cell)[0]) + 1)], tagged))
+    assert len(columns) == 7
+    told = {cells[0]: cells[1:] for row in rows for cells in [[c.strip() for c in row.split("|")[1:-1]]]}
+    assert list(told) == list(MISHAPS)
+    for name, mishap in MISHAPS.items():
+        found = [_passed(form, mishap) for form in columns]
+        assert told[name] == [f"{other} of {every}" if other else "0" for every, _, other in found], name
+
+
+def ladder(machines: int, form: str) -> str:
+    """So many points, one behind the other."""
+    ends = "".join(f"  B{k}: {{trains: out}}\n" for k in range(1, machines + 2))
+    points = "".join(
+        f"  P{k}: {{section: d, toe: {f'P{k - 1}.normal' if k > 1 else 'C'}, "
+        f"normal: {f'P{k + 1}.toe' if k < machines else f'B{machines + 1}'}, reverse: B{k}}}\n"
+        for k in range(1, machines + 1)
+    )
+    return (
+        f"interlock: 1\nname: ladder\ntelegram: {form}\nboundaries:\n  C: {{approach: ca 1200, trains: in}}\n{ends}"
+        f"points:\n{points}signals:\n  X1: {{from: C, into: d}}\n"
+    )
+
+
+@pytest.mark.parametrize(
+    ("kind", "machines"),
+    [*(("plain", n) for n in (1, 2, 3, 4, 5, 7, 8, 9, 11, 12)), *(("tagged", n) for n in (1, 3, 4, 12, 13, 14, 15))],
+)
+def test_il3046_warns_where_every_telegram_passes_or_bytes_can_be_exchanged(
+    kind: str, machines: int, tmp_path: Path
+) -> None:
+    """By counting all telegrams; both bits of every point exchanged are no matter of the check."""
+    form = form_of([MachineId(f"P{k}") for k in range(1, machines + 1)], kind == "tagged")
+    names = [n for n in MISHAPS if n not in ("both bits of every point exchanged", "bytes 1 and 2 exchanged")]
+    counted = {n: _passed(form, MISHAPS[n]) for n in names}
+    always = {n for n, (every, well, other) in counted.items() if well == every and other}
+    pairs = [
+        (i + 1, j + 1)
+        for i, j in combinations(range(form.size), 2)
+        if _passed(form, lambda t, i=i, j=j: _exchanged(t, i, j))[2]  # type: ignore[misc]
+    ]
     path = tmp_path / "ladder.yaml"
-    text = Path("tests/diagnostics/IL3046.yaml").read_text("utf-8")
-    if apart:
-        text = text.replace("normal: P13.toe,", "normal: B14,").replace("  B13: {trains: out}\n", "")
-        text = re.sub(r"  P13: .*\n", "", text)
-    path.write_text(text, "utf-8")
+    path.write_text(ladder(machines, kind), "utf-8")
     found = check_file(str(path))
-    assert found.ok and ("IL3046" not in {d.code for d in found.diagnostics}) is apart
+    told = [d.message for d in found.diagnostics if d.code == "IL3046"]
+    assert found.ok and bool(told) is bool(always or pairs)
+    if told:
+        named = ("every bit inverted", "bits of each byte in reverse", "each byte rotated")
+        assert [n in told[0] for n in named] == [any(a.startswith(n) for a in always) for n in named]
+        exchanged = re.search(r"bytes (\d) and (\d)", told[0])
+        assert ((int(exchanged[1]), int(exchanged[2])) in pairs) if exchanged else not pairs
 
 
 def test_with_a_gap_between_starts_a_telegram_is_sent_as_il3047_advises() -> None:

@@ -102,7 +102,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3042": (_W, "a point or diamond that lies too near to another one"),
     "IL3045": (_W, "sections that are foul of each other"),
     "IL3044": (_W, "an overlap for a lower speed than trains come at"),
-    "IL3046": (_W, "a telegram with more bytes than its tag tells apart"),
+    "IL3046": (_W, "a telegram that passes though its bits or bytes stand elsewhere"),
     "IL3047": (_W, "point telegrams where machines start one after the other"),
     "IL3048": (_E, "an air lock of one door, or of what is no door"),
     "IL3049": (_E, "more ways than can be listed"),

@@ -123,7 +123,7 @@ class Sender:
         if wanted != self._waiting:
             if wanted == self._done:
                 return None
-            self._waiting, self._sent, self._silent_ms = wanted, 1, 0
+            self._waiting, self._sent, self._silent_ms, self._done = wanted, 1, 0, None
             return wanted
         self._silent_ms += dt_ms
         if answer is False or self._silent_ms >= self.wait_ms:

@@ -160,25 +160,34 @@ def _receive(name: str, machines: Sequence[MachineId], tagged: bool) -> Block:
 
 
 def _try(name: str) -> Block:
-    """Three telegrams without a confirmation, then an alarm that stays until one is confirmed."""
+    """Three telegrams without a confirmation, then an alarm that stays until one is confirmed.
+
+    A NEW that stands is one telegram, so that it silences no alarm; at its end there may have been others, of which
+    the last is sent.
+    """
     new, confirmed, refused, over = _n("NEW"), _n("YES"), _n("NO"), Name(("WAIT", "Q"))
     open_, again, second, third = _n("OPEN"), _n("AGAIN"), _n("SECOND"), _n("THIRD")
+    first, was, more = _n("FIRST"), _n("WAS"), _n("MORE")
+    begins, ends = Nary("AND", (new, Not(was))), Nary("AND", (more, Not(new)))
     body: list[Assign | Call] = [
-        Assign(_n("RUN"), Nary("AND", (open_, Not(again))), "waiting for an answer"),
+        Assign(first, Nary("OR", (begins, ends)), "a new telegram"),
+        Assign(_n("RUN"), Nary("AND", (open_, Not(again), Not(first))), "waiting for an answer"),
         Call("WAIT", (("IN", _n("RUN")), ("PT", Time(WAIT_MS)))),
         Assign(_n("LOST"), Nary("AND", (open_, Not(confirmed), Nary("OR", (refused, over)))), "refused, or no answer"),
-        Assign(again, Nary("AND", (_n("LOST"), Not(new), Not(third))), "once more"),
-        Assign(_n("SEND"), Nary("OR", (new, again)), "send now"),
-        Assign(_n("FAIL"), Nary("AND", (_n("LOST"), third, Not(new))), "three in vain"),
+        Assign(again, Nary("AND", (_n("LOST"), Not(first), Not(third))), "once more"),
+        Assign(_n("SEND"), Nary("OR", (first, again)), "send now"),
+        Assign(_n("FAIL"), Nary("AND", (_n("LOST"), third, Not(first))), "three in vain"),
         Assign(_n("ALARM"), Nary("AND", (Not(confirmed), Nary("OR", (_n("ALARM"), _n("FAIL"))))), "until confirmed"),
-        Assign(third, Nary("AND", (Not(new), Not(confirmed), Nary("OR", (third, Nary("AND", (second, again))))))),
-        Assign(second, Nary("AND", (Not(new), Not(confirmed), Nary("OR", (second, again))))),
-        Assign(open_, Nary("OR", (new, Nary("AND", (open_, Not(confirmed), Not(_n("FAIL"))))))),
+        Assign(third, Nary("AND", (Not(first), Not(confirmed), Nary("OR", (third, Nary("AND", (second, again))))))),
+        Assign(second, Nary("AND", (Not(first), Not(confirmed), Nary("OR", (second, again))))),
+        Assign(open_, Nary("OR", (first, Nary("AND", (open_, Not(confirmed), Not(_n("FAIL"))))))),
+        Assign(more, Nary("AND", (new, was)), "perhaps another one meanwhile"),
+        Assign(was, new),
     ]
     return Block(
         name,
         (
-            Declaration("NEW", "BOOL", None, "there is a new telegram"),
+            Declaration("NEW", "BOOL", None, "there is a new telegram: 1 in one call for each"),
             Declaration("YES", "BOOL", None, "the receiver has confirmed it: 1 in one call for each answer"),
             Declaration("NO", "BOOL", None, "the receiver has refused it: 1 in one call for each answer"),
         ),
@@ -191,11 +200,14 @@ def _try(name: str) -> Block:
             Declaration("AGAIN", "BOOL", Bool(False)),
             Declaration("SECOND", "BOOL", Bool(False), "sent twice"),
             Declaration("THIRD", "BOOL", Bool(False), "sent three times"),
+            Declaration("WAS", "BOOL", Bool(False), "NEW in the last call"),
+            Declaration("MORE", "BOOL", Bool(False), "NEW has stood for more than a call"),
+            Declaration("FIRST", "BOOL"),
             Declaration("RUN", "BOOL"),
             Declaration("LOST", "BOOL"),
             Declaration("FAIL", "BOOL"),
             Declaration("WAIT", "TON", None, "time for an answer"),
         ),
         tuple(body),
-        "sends, waits, repeats twice, alarms; YES and NO are pulses, each the answer to this very telegram",
+        "sends, waits, repeats twice, alarms; NEW, YES and NO are pulses, the last two answers to this very telegram",
     )

@@ -27,6 +27,9 @@ ROWS = 200
 NUMBER = "int16_t"
 """What a number is, as INT in Structured Text."""
 
+BYTE = "uint8_t"
+"""What a bit is that somebody else writes: of a `bool` C says nothing once a byte in it is neither 0 nor 1."""
+
 _PLAIN = f"{ascii_letters}{digits} _-+.,:>()"
 
 
@@ -53,10 +56,10 @@ class Fixed:
         said = f"\nextern {p}_words {p}_said;" if self.words else ""
         told, shown = (" and its word", f" and {p}_said") if self.words else ("", "")
         return f"""\
-/* A bit that may be written, by name. */
+/* A bit that may be written, by name: 0 or 1.  While a byte of one is neither, all inputs count as lost. */
 typedef struct {{
   const char *name;
-  bool *bit;
+  {BYTE} *bit;
 }} {p}_input_bit;
 
 /* A number that may be written, by name, with the number of its values. */
@@ -115,7 +118,8 @@ typedef struct {{
 {p}_outputs {p}_out;{said}
 
 static bool begun = false;
-static {p}_inputs in;
+static bool implausible = false;
+static {p}_read in;
 static {p}_wires wire;
 static {p}_state now;
 static {p}_state next;
@@ -152,15 +156,20 @@ static bool on_delay({self.prefix}_delay *timer, bool on, uint32_t preset_ms, ui
 
     @property
     def begin(self) -> str:
-        """How a scan begins: a copy of the inputs, lost after a cycle that was too long."""
-        p = self.prefix
+        """How a scan begins; after that it copies the inputs."""
         return f"""\
   if (!begun)
   {{
-    {p}_init();
+    {self.prefix}_init();
   }}
-  in = {p}_in;
-  if (ms > {CYCLE_MAX_MS}u)
+  implausible = false;
+"""
+
+    @property
+    def late(self) -> str:
+        """What has been copied is lost if a byte of it is neither 0 nor 1, and after a cycle that was too long."""
+        return f"""\
+  if (implausible || (ms > {CYCLE_MAX_MS}u))
   {{
     in.{self.valid} = false; /* nobody knows what happened meanwhile */
   }}
@@ -217,7 +226,7 @@ def _struct(name: str, members: Sequence[tuple[str, str, str]], note: str) -> li
 
 def _header(c: Controller, parts: Fixed, top: list[str]) -> str:
     p = parts.prefix
-    inputs = [(NUMBER if i.size else "bool", i.name, i.note) for i in c.inputs]
+    inputs = [(NUMBER if i.size else BYTE, i.name, i.note) for i in c.inputs]
     lines = [
         *top,
         _comment(f"Interlocking {c.name}: call {p}_init once, then {p}_scan once in each cycle."),
@@ -227,7 +236,7 @@ def _header(c: Controller, parts: Fixed, top: list[str]) -> str:
         "#include <stdbool.h>",
         "#include <stdint.h>",
         "",
-        *_struct(f"{p}_inputs", inputs, "What a scan reads."),
+        *_struct(f"{p}_inputs", inputs, "What a scan reads: of each bit 0 or 1."),
         *_struct(f"{p}_outputs", [("bool", o.name, o.note) for o in c.outputs], "What a scan writes."),
         *_struct(f"{p}_state", [("bool", s.name, s.note) for s in c.state], "What is kept from scan to scan."),
         *_numbers(f"{p}_words", _told(c)[0], "What is said of each route after a scan; 0 before the first."),
@@ -255,6 +264,7 @@ def _source(c: Controller, parts: Fixed, top: list[str], name: str) -> str:
         *top,
         f'#include "{name}.h"',
         "",
+        *_struct(f"{p}_read", [(NUMBER if i.size else "bool", i.name, "") for i in c.inputs], "What was read."),
         *_struct(f"{p}_wires", wires, "What is computed anew in each scan."),
         parts.delay,
         *_struct(f"{p}_delays", delays, "Timers."),
@@ -263,6 +273,8 @@ def _source(c: Controller, parts: Fixed, top: list[str], name: str) -> str:
         *_tables(c, p),
         parts.on_delay,
     ]
+    copies, copied = _copies(c, p)
+    lines += copied
     calls = []
     for n, piece in enumerate(_cut(by_place(c.steps, following)), 1):
         timed = isinstance(piece[0], Timer)
@@ -284,14 +296,35 @@ def _source(c: Controller, parts: Fixed, top: list[str], name: str) -> str:
     lines += ["static void report(void)", "{"]
     lines += [f"  {p}_out.{o.name} = {_code(o.expr, where)};" for o in c.outputs]
     lines += ["}", "", f"void {p}_init(void)", "{", "  begun = true;"]
-    lines += [f"  {p}_in.{i.name} = {i.restrictive if i.size else _bool(bool(i.restrictive))};" for i in c.inputs]
+    lines += [f"  {p}_in.{i.name} = {i.restrictive}{'' if i.size else 'u'};" for i in c.inputs]
     lines += [f"  {where[w.name]} = {UNKNOWN};" for w in shown]
     lines += [f"  now.{s.name} = {_bool(s.initial)};" for s in c.state]
     for t in c.timers:
         lines += [f"  delay.{t.name}.runs = false;", f"  delay.{t.name}.elapsed_ms = 0u;"]
     lines += ["  report();", "}", "", f"void {p}_scan(uint32_t ms)", "{", parts.begin.rstrip("\n")]
-    lines += [*calls, "  now = next;", "  report();", "}"]
+    lines += [*copies, parts.late.rstrip("\n"), *calls, "  now = next;", "  report();", "}"]
     return "\n".join(lines) + "\n"
+
+
+def _copies(c: Controller, p: str) -> tuple[list[str], list[str]]:
+    """Calls of the functions that copy the inputs, and these.
+
+    A byte is true only if it is 1; where true is restrictive it is false only if it is 0.  That there was one of
+    another value is noted: where points are detected neither value is restrictive by itself.
+    """
+    calls, lines = [], []
+    for n, at in enumerate(range(0, len(c.inputs), ROWS), 1):
+        calls.append(f"  inputs_{n:03d}();")
+        lines += [f"static void inputs_{n:03d}(void)", "{"]
+        for i in c.inputs[at : at + ROWS]:
+            given = f"{p}_in.{i.name}"
+            if i.size:
+                lines.append(f"  in.{i.name} = {given};")
+                continue
+            lines.append(f"  in.{i.name} = ({given} {'!= 0u' if i.restrictive else '== 1u'});")
+            lines.append(f"  implausible = implausible || ({given} > 1u);")
+        lines += ["}", ""]
+    return calls, lines
 
 
 def _tables(c: Controller, p: str) -> Iterator[str]:

@@ -18,7 +18,7 @@ from typing import Any
 
 from interlock.emit.c99.runtime import Fixed, fixed, literal
 from interlock.emit.python.runtime import route_numbers
-from interlock.logic.controller import Controller
+from interlock.logic.controller import Controller, Input
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, eq, neg, var
 from interlock.logic.names import computed, spelled
 from interlock.logic.words import LAST, UNKNOWN
@@ -43,8 +43,10 @@ def compare_c(controller: Controller, files: Mapping[str, str]) -> Translation:
 _PIECE = re.compile(r'"(?:[^"\\\n]|\\[0-7]{3})*"|/\*.*?\*/|[\\\'"%?]|/[/*]|<:|:>', re.DOTALL)
 _REPLACED = re.compile(r"(U?INT\w*|SIZE|PTRDIFF|WCHAR|WINT|SIG_ATOMIC)_(MAX|MIN|C)|_\w*|errno|asm|unix|linux")
 LONGEST_MS = 2**32 - 1  # uint32_t
-_FUNCTION = re.compile(r"(part|timers|words)_[0-9]{3,}|report")  # a name of C's library is none
-_OWN_TYPES = "typedef _Bool bool; typedef signed short int16_t; typedef unsigned int uint32_t;"
+_FUNCTION = re.compile(r"(inputs|part|timers|words)_[0-9]{3,}|report")  # a name of C's library is none
+_OWN_TYPES = (
+    "typedef _Bool bool; typedef unsigned char uint8_t; typedef signed short int16_t; typedef unsigned int uint32_t;"
+)
 
 
 def _uncommented(text: str) -> str:
@@ -115,7 +117,7 @@ class _Reader:
 
     def _sort(self, parts: list[Any]) -> None:
         """Structures, tables and functions by name; what is left must be the fixed parts."""
-        own = {f"{self.p}_{x}" for x in ("inputs", "outputs", "state", "wires", "delays", "words", "reasons")}
+        own = {f"{self.p}_{x}" for x in ("inputs", "read", "outputs", "state", "wires", "delays", "words", "reasons")}
         left: list[object] = []
         for x in parts:
             kind = type(x).__name__
@@ -143,7 +145,8 @@ class _Reader:
         """Structures have the controller's names and no others."""
         c = self.controller
         wanted = {
-            "inputs": {i.name: "int16_t" if i.size else "bool" for i in c.inputs},
+            "inputs": {i.name: "int16_t" if i.size else "uint8_t" for i in c.inputs},
+            "read": {i.name: "int16_t" if i.size else "bool" for i in c.inputs},
             "outputs": {o.name: "bool" for o in c.outputs},
             "state": {s.name: "bool" for s in c.state},
             "wires": {s.name: "bool" for s in c.steps},
@@ -229,7 +232,7 @@ class _Reader:
         base: dict[str, Term] = {s.name: self.values.get(f"now.{s.name}", Constant(-1)) for s in c.state}
         for i in c.inputs:
             given = self.values.get(f"{p}_in.{i.name}")
-            if given != (Constant(i.restrictive) if i.size else TRUE if i.restrictive else FALSE):
+            if given != Constant(i.restrictive):
                 raise BadC(f"{i.name} does not begin with its restrictive value")
         for o in c.outputs:
             if self.values.get(f"{p}_out.{o.name}") is not (TRUE if o.restrictive else FALSE):
@@ -241,23 +244,55 @@ class _Reader:
         if any(self.values.get(x) not in (FALSE, Constant(0)) for x in stopped) or self.values.get("begun") is not TRUE:
             raise BadC("a timer is not stopped at the beginning, or the beginning is not noted")
         self.values = {f"now.{s.name}": var(s.name) for s in c.state}
-        self.values |= {f"{p}_in.{i.name}": Symbol(i.name) if i.size else var(i.name) for i in c.inputs}
         self.called = set()
         name = f"{p}_scan"
-        text = f"typedef int {p}_inputs; void f(uint32_t ms) {{\n{self.fixed.begin}}}"
-        wanted = _parsed(_uncommented(text))[-1].body.block_items
-        statements = self._statements(name)
-        if [_tree(x) for x in statements[: len(wanted)]] != [_tree(x) for x in wanted]:
-            raise BadC("a scan does not begin as it should")
-        for i in c.inputs:  # from here on the copy alone is read: after a stalled cycle it alone is lost
-            self.values[f"in.{i.name}"] = self.values.pop(f"{p}_in.{i.name}")
-        self._call(name, statements[len(wanted) :])
+        statements = self._begun(self._statements(name), self.fixed.begin)
+        statements = self._begun(self._copied(statements), self.fixed.late)  # from here on the copy alone is read
+        self._call(name, statements)
         if self.called != set(self.functions) - {f"{p}_init"}:
             raise BadC("a function that no scan calls")
         after: dict[str, Term] = {s.name: self.values[f"now.{s.name}"] for s in c.state}
         outputs: dict[str, Term] = {o.name: self.values.get(f"{p}_out.{o.name}", Constant(-1)) for o in c.outputs}
         told: dict[str, Term] = {n: self.values[place] for n, place in said.items() if place in self.values}
         return Scan(base, after, outputs, dict(self.algebra.timers), told)
+
+    def _begun(self, statements: list[Any], text: str) -> list[Any]:
+        """What follows on statements that all files have in common."""
+        wanted = _parsed(_uncommented(f"void f(uint32_t ms) {{\n{text}}}"))[-1].body.block_items
+        if [_tree(x) for x in statements[: len(wanted)]] != [_tree(x) for x in wanted]:
+            raise BadC("a scan does not begin as it should")
+        return statements[len(wanted) :]
+
+    def _copied(self, statements: list[Any]) -> list[Any]:
+        """What follows on the functions that copy the inputs: every input, as `_copy` says and no other way."""
+        c, rest = self.controller, list(statements)
+        found: list[Any] = []
+        while rest and type(rest[0]).__name__ == "FuncCall" and rest[0].args is None:
+            name = str(getattr(rest[0].name, "name", ""))
+            if not name.startswith("inputs_"):
+                break
+            if name in self.called:
+                raise BadC(f"{name} is called twice")
+            self.called.add(name)
+            found += self._statements(name)
+            del rest[0]
+        text = "\n".join(self._copy(i) for i in c.inputs)
+        wanted = _parsed(f"void f(void) {{\n{text}\n}}")[-1].body.block_items or ()
+        if [_tree(x) for x in found] != [_tree(x) for x in wanted]:
+            raise BadC("not every input is copied so that a byte that is neither 0 nor 1 is restrictive, and noted")
+        self.values |= {f"in.{i.name}": Symbol(i.name) if i.size else var(i.name) for i in c.inputs}
+        return rest
+
+    def _copy(self, i: Input) -> str:
+        """A bit of a byte that is 0 or 1; another byte reads as the restrictive value, and makes all inputs lost.
+
+        That is asked of the text, whatever it was made by: nobody but the caller knows what he writes there.
+        """
+        given = f"{self.p}_in.{i.name}"
+        if i.size:
+            return f"in.{i.name} = {given};"
+        reads = f"{given} != 0u" if i.restrictive else f"{given} == 1u"
+        return f"in.{i.name} = ({reads}); implausible = implausible || ({given} > 1u);"
 
     def _statements(self, name: str) -> list[Any]:
         """The statements of a function of the emitted shape."""
@@ -348,8 +383,8 @@ class _Reader:
             value = self._timed(x, root, name)
         elif type(x.rvalue).__name__ == "Constant":
             number = str(x.rvalue.value).removesuffix("u")
-            wanted = "int16_t" if root == f"{self.p}_in" else "uint32_t"
-            if self._kind(x, place) != wanted or not _plain(number):
+            wanted = ("int16_t", "uint8_t") if root == f"{self.p}_in" else ("uint32_t",)
+            if self._kind(x, place) not in wanted or not _plain(number):
                 raise self._bad(x, "a number that is not emitted")
             value = Constant(int(number))
         else:
@@ -389,7 +424,7 @@ class _Reader:
     def _kind(self, x: Any, place: str, inner: object = None) -> str:
         """The type of a member."""
         root, *members = place.split(".")
-        own = {"in": "inputs", "wire": "wires", "now": "state", "next": "state", "delay": "delays"}
+        own = {"in": "read", "wire": "wires", "now": "state", "next": "state", "delay": "delays"}
         own |= {f"{self.p}_in": "inputs", f"{self.p}_out": "outputs", f"{self.p}_said": "words", "reason": "reasons"}
         kind = f"{self.p}_{own[root]}" if root in own else ""
         fields = {**self.structures, f"{self.p}_delay": {"runs": "bool", "elapsed_ms": "uint32_t"}}
