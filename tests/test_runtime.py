@@ -71,6 +71,25 @@ def test_what_is_no_input_is_refused_by_name_and_changes_nothing() -> None:
     assert one.scan({"VALID": True, "REQ": 99}, 100)  # a number that names nothing asks for nothing
 
 
+def test_a_bit_that_is_neither_0_nor_1_makes_all_inputs_lost() -> None:
+    """The points read normal, and the other contact something that is no bit: read as 0 it would prove them."""
+    one = module_of("fig2_2").Controller()
+    controller = built("fig2_2")[2]
+    sym = controller.symbols
+    lying = dict.fromkeys([sym.valid, *sym.sections.clear.values(), "DN_P1"], 1)
+    quiet = {i.name: 0 for i in controller.inputs} | lying
+    for _ in range(4000):
+        one.scan({**quiet, sym.sections.release_all: 1}, 100)
+        one.scan(quiet, 100)
+    for _ in range(60):
+        out = one.scan({**quiet, **one.request("X1-A")}, 100)
+    assert out["YP_X1"] and not out["YS_X1"]
+    state = dict(one.state)
+    for wrong in (2, -1, 255):
+        one.state = dict(state)
+        assert one.scan({**quiet, "DR_P1": wrong}, 100)["YS_X1"]
+
+
 def test_a_table_of_routes_that_says_something_else_is_refused() -> None:
     _, _, controller = built("fig2_2")
     text = runtime_py(controller, [])

@@ -94,9 +94,12 @@ FIXED_PART = [
         r"            value = int\(value\)",
         "            try:\n                value = int(value)\n            except: pass",
     ),
-    (r"        if dt_ms > self\.cycle_max_ms:", "        if (dt_ms := 0) > self.cycle_max_ms:"),
+    (r"or dt_ms > self\.cycle_max_ms:", "or (dt_ms := 0) > self.cycle_max_ms:"),
+    (r"doubtful or dt_ms", "dt_ms"),
+    (r"doubtful = doubtful or ", "doubtful = "),
+    (r"size == 2 and ", "size == 3 and "),
     (r"        unknown = ", "        global STATE\n        unknown = "),
-    (r"        if dt_ms > self", "\tif dt_ms > self"),
+    (r"        if doubtful or", "\tif doubtful or"),
 ]
 
 COMPUTED = [

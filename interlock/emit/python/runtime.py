@@ -176,7 +176,8 @@ FIXED = f'''class Controller:
 
         `say`: nothing is changed but timers, and the words are returned instead (`words` asks for it).
 
-        After a cycle longer than `cycle_max_ms` the inputs count as lost: nobody knows what happened meanwhile.
+        After a cycle longer than `cycle_max_ms`, or with a bit that is neither 0 nor 1, the inputs count as lost: nobody
+        knows what happened meanwhile, or what was meant.
         Raises ValueError for a name that is no input and a time that cannot be, and TypeError for inputs that are no
         dictionary, one that is no whole number or truth value, and a time that is no number; nothing has changed then.
         """
@@ -189,7 +190,7 @@ FIXED = f'''class Controller:
             raise TypeError(f'dt_ms is {{dt_ms!r}}: no number of milliseconds')
         if not 0 <= dt_ms < float('inf'):
             raise ValueError(f'dt_ms is {{dt_ms}}: no time since the last scan')
-        read = {{}}
+        read, doubtful = {{}}, False
         for name, (restrictive, size) in INPUTS.items():
             value = inputs.get(name, restrictive)
             if not isinstance(value, int):
@@ -197,8 +198,9 @@ FIXED = f'''class Controller:
             value = int(value)
             impossible = size - 1 if size > 2 else restrictive  # a number that names nothing
             read[name] = value if 0 <= value < size else impossible
+            doubtful = doubtful or (size == 2 and read[name] != value)  # no bit: nobody knows what was meant
         self._last = self.state, dict(self.elapsed), read, dt_ms
-        if dt_ms > self.cycle_max_ms:
+        if doubtful or dt_ms > self.cycle_max_ms:
             read['VALID'] = 0
 '''
 """What every runtime has in common, up to the first line that depends on the controller."""
