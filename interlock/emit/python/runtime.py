@@ -176,8 +176,8 @@ FIXED = f'''class Controller:
 
         `say`: nothing is changed but timers, and the words are returned instead (`words` asks for it).
 
-        After a cycle longer than `cycle_max_ms`, or with a bit that is neither 0 nor 1, the inputs count as lost: nobody
-        knows what happened meanwhile, or what was meant.
+        After a cycle longer than `cycle_max_ms`, or with a bit that is neither 0 nor 1, the inputs count as lost:
+        nobody knows what happened meanwhile, or what was meant.
         Raises ValueError for a name that is no input and a time that cannot be, and TypeError for inputs that are no
         dictionary, one that is no whole number or truth value, and a time that is no number; nothing has changed then.
         """
