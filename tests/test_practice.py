@@ -635,3 +635,70 @@ def test_a_pit_bottom_with_sidings_on_its_loop_is_meant(tmp_path: Path) -> None:
     assert "IL7017" not in {code for code, _ in lints(tmp_path, PIT)}
     out = PIT.replace("buffers: [HOIST]\n", "").replace("{approach: ap 150}", "{approach: ap 150}\n  E: {trains: out}")
     assert ("IL7017", "P1") in lints(tmp_path, out.replace("HOIST", "E"))
+
+
+LINE = """interlock: 1
+name: line
+profile: {profile}
+boundaries:
+  W: {{approach: ap_W 800}}
+  E: {{approach: ap_E 800, trains: out}}
+tracks:
+  line: [W, q1 400, q2 400, q3 400, E]
+signals:
+  X1: {{from: W,  into: q1}}
+  X2: {{from: q1, into: q2}}
+  X3: {{from: q2, into: q3}}
+{more}
+"""
+SLOW, CLASSES = "principles: {slow_below_kmh: 40}", "principles: {priorities: yes}"
+VOYAGE = "voyages: {V: {from: X1, to: X3}}"
+
+
+@pytest.mark.parametrize(
+    ("profile", "more", "told"),
+    [
+        ("generic", SLOW, ["slow_below_kmh"]),
+        ("generic", f"{SLOW}\nsections: {{q2: {{speed: 25}}}}", []),
+        ("generic", f"{SLOW}\nsections: {{q2: {{speed: 60}}}}", []),
+        ("generic", f"{SLOW}\noverlaps: {{X2: {{entry_speed: 25}}}}", []),
+        ("mine", f"{SLOW}\nsections: {{q2: {{speed: 15}}}}", ["slow_below_kmh"]),
+        ("mine", SLOW.replace("}", ", caution: next}") + "\nsections: {q2: {speed: 15}}", []),
+        ("generic", CLASSES, ["priorities"]),
+        ("mine", "", []),
+        ("mine", CLASSES, []),
+        ("generic", f"{CLASSES}\n{VOYAGE}", []),
+        ("generic", f"{CLASSES}\nsections: {{q2: {{lane: inclined}}}}", []),
+        ("generic", "principles: {priority_wait_s: 60}", []),
+    ],
+)
+def test_a_principle_that_has_no_effect_is_told(tmp_path: Path, profile: str, more: str, told: list[str]) -> None:
+    """IL7021: the author takes signals for showing caution, and none does; voyages for going by class."""
+    text = LINE.format(profile=profile, more=more)
+    assert [name for code, name in lints(tmp_path, text) if code == "IL7021"] == told
+    allow = f"allow: [{{lint: IL7021, at: [{', '.join(told)}], reason: r}}]\n"
+    assert not told or "IL7021" not in {code for code, _ in lints(tmp_path, text + allow)}
+
+
+@pytest.mark.parametrize(
+    ("zone", "told"),
+    [
+        ("sections: [q2, q3], trains: 1", ""),
+        ("sections: [q2, q3], trains: 2", ""),
+        ("sections: [q2, q3], trains: 3", "has 2 sections"),
+        ("sections: [q3], trains: 9", "has 1 section,"),
+    ],
+)
+def test_a_zone_that_is_never_full_is_told(tmp_path: Path, zone: str, told: str) -> None:
+    """IL7022: with a train in each section there was still room."""
+    text = LINE.format(profile="generic", more=f"zones: {{Z: {{{zone}}}}}")
+    found = [d for d in checked(tmp_path, text).diagnostics if d.code == "IL7022"]
+    assert [told in d.message for d in found] == [True] * bool(told)
+    assert not found or found[0].about == Element("zones", "Z")
+
+
+def test_a_zone_into_which_no_route_leads_is_told(tmp_path: Path) -> None:
+    zone = "zones: {Z: {sections: [q3], trains: 1}}\nexclude: [{from: X3, reason: closed}]"
+    text = LINE.format(profile="generic", more=zone)
+    (found,) = [d for d in checked(tmp_path, text).diagnostics if d.code == "IL7022"]
+    assert "no route leads into it from outside" in found.message

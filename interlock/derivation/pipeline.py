@@ -13,6 +13,7 @@ from math import isinf
 from interlock.derivation.added import demanded_clear, derive_barred, idle_barred, with_added
 from interlock.derivation.beside import Beside
 from interlock.derivation.conflicts import Conflicts
+from interlock.derivation.idle import check_idle
 from interlock.derivation.locking import (
     derive_approach,
     derive_aspect,
@@ -133,6 +134,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     check_through(layout, paths, hostile, voyages, sink)
     check_shown(layout, rows, sink)
     check_starts(layout, rows, sink)
+    check_idle(layout, rows, sink)
     beside.report(sink)
     return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
 

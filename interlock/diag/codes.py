@@ -182,6 +182,8 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL7018": (_W, "a name in a substation's list that two elements bear"),
     "IL7019": (_W, "an inclined lane from which wagons run head-on into a train at the end of its route"),
     "IL7020": (_W, "a signal alone between an inclined lane and a place beside a route"),
+    "IL7021": (_W, "a principle that has no effect in this layout"),
+    "IL7022": (_W, "a zone that keeps no train out"),
 }
 
 LINTS: tuple[str, ...] = ("IL3012", "IL4017", "IL4020", *(code for code in CODES if code.startswith("IL7")))

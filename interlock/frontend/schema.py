@@ -426,7 +426,10 @@ class AllowSpec(Part):
     lint: Annotated[str, choice("warning of usual practice", LINTS), WithJsonSchema({"enum": list(LINTS)})] = key(
         "code of the warning"
     )
-    at: list[Name] = key("the elements at which it is not to be given: sections, signals, boundaries, points", least=1)
+    at: list[Name] = key(
+        "the elements at which it is not to be given: sections, signals, boundaries, points, zones; or the principle",
+        least=1,
+    )
     reason: Reason = key("why it is meant so here; not empty")
 
 
