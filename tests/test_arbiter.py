@@ -57,6 +57,18 @@ def test_equal_requests_come_by_time_then_number() -> None:
     assert arbiter.add(stage(1), Source.REMOTE) is first, "the same again is the same"
 
 
+def test_one_that_has_waited_too_long_comes_before_what_is_asked_for_by_hand_in_whatever_class() -> None:
+    """Without the principle `priorities` all are of one class, and `priority_wait_s` counts all the same (R18)."""
+    arbiter = Arbiter(wait_ms=10 * DT_MS)
+    planned = arbiter.add(stage(0), Source.PLANNED)
+    for _ in range(9):
+        arbiter.tick({}, DT_MS)
+    hand = arbiter.add(stage(1), Source.HAND)
+    assert in_order(arbiter) == [hand, planned]
+    arbiter.tick({}, DT_MS)
+    assert in_order(arbiter) == [planned, hand]
+
+
 def test_a_request_that_cannot_be_granted_is_kept_and_its_reason_told() -> None:
     arbiter = Arbiter()
     r = arbiter.add(stage(0), Source.REMOTE)

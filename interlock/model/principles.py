@@ -133,8 +133,8 @@ MEANING: dict[str, str] = {
     "lamp_proof": (
         "whether the lamps of stop, clear, caution and identifier and speed indicators are reported (R11, Chinese "
         "practice; white and call-on lamps are not): a signal opens only while its stop lamp is intact, shows caution "
-        "while its clear lamp is not, and stop while no main lamp is left, or the second yellow lamp or the indicator "
-        "that it has to light"
+        "while its clear lamp is not, and stop while its caution lamp is not, on which it would have to fall back "
+        "(with two aspects, its clear lamp), or the second yellow lamp or the indicator that it has to light"
     ),
     "local_requests": (
         "whether routes are asked for on the spot too, and which of two requests in one scan is taken: the local "
@@ -145,10 +145,13 @@ MEANING: dict[str, str] = {
         "whether voyages, and automatic routes, are served in an order: transport over an inclined lane first, then"
         " the main direction (document A); otherwise as they were commanded, or as the layout names them"
     ),
-    "priority_wait_s": "how long a voyage of a lower class may wait before it comes first for once; 0 for ever",
+    "priority_wait_s": (
+        "how long a voyage, or a request of a lower class, may wait before it comes first for once, before what is "
+        "asked for by hand, too; 0 for ever"
+    ),
     "slow_below_kmh": (
         "a main signal shows caution instead of clear for a route whose stated speed is lower (R11, by route "
-        "speed); 0 for never"
+        "speed; nothing with `caution: never`); 0 for never"
     ),
     "token_delay_s": "how long the operator must hold the special manual change of direction (R12; our choice)",
     "token_agreed_s": (

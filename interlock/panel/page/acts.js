@@ -32,7 +32,7 @@ export function acts(still, state, rest, key) {
 function section(still, state, rest, name, [occupied, ways, restart, blocked, stale, left, releasing, sick, over = []] = [], sys) {
   const one = still.sections[name], lines = [], out = [];
   lines.push([one.detected === false ? "without detection: it always counts as occupied" : occupied ? "occupied" : "clear", ways?.length ? "locked" : over.length ? `locked as overlap of ${over.join(", ")}` : "not locked", restart ? "not released since the restart" : "",
-    blocked ? "blocked" : "", ["", "inputs were lost while it was locked: release it by hand", "a train is called on over it: release it by hand when it has gone"][stale ?? 0], sick ? "detector out of order" : ""].filter(Boolean).join(", "));
+    blocked ? "blocked" : "", ["", "inputs were lost while it was locked: cancel the route, or release it by hand", "a train is called on over it: release it by hand when it has gone"][stale ?? 0], sick ? "detector out of order" : ""].filter(Boolean).join(", "));
   if (!one.approach) {
     out.push(act("Release by hand", {do: "release", section: name}, {off: releasing || one.detected === false || !(restart || ways?.length)}));
     out.push(blocked ? act("Free it again", {do: "block", section: name, on: false}) : act("Block", {do: "block", section: name, on: true}));
