@@ -130,6 +130,11 @@ def test_explain() -> None:
     assert json.loads(run("explain", "IL4001", "--format", "json").output)[0]["severity"] == "error"
 
 
+def test_diagnostics_are_listed_in_the_order_of_their_codes() -> None:
+    listed = [line.split()[0] for line in run("explain").output.splitlines()]
+    assert [code for code in listed if code in CODES] == sorted(CODES)
+
+
 def test_pages_are_read_where_the_wheel_is() -> None:
     """What a message sends somebody to is there: a wheel has no folder docs that anybody finds."""
     listed = {line.split()[0] for line in run("explain").output.splitlines()}

@@ -41,7 +41,7 @@ def topics() -> tuple[Topic, ...]:
     rules = sorted(pages, key=lambda r: int(r[1:]))
     headings = {r: pages[r].read_text("utf-8").split("\n")[0].removeprefix(f"# {r} ") for r in rules}
     return (
-        *(Topic(code, "diagnostic", title, str(severity)) for code, (severity, title) in CODES.items()),
+        *(Topic(code, "diagnostic", title, str(severity)) for code, (severity, title) in sorted(CODES.items())),
         *(Topic(r, "rule", headings[r]) for r in rules),
         *(Topic(code, "claim", sentence) for code, sentence in CLAIMS.items()),
         *(Topic(code, "function", sentence) for code, sentence in FUNCTIONS.items()),

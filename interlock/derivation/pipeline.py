@@ -2,7 +2,7 @@
 
 Input: a `Layout`.  Output: an `InterlockingTable`; diagnostics
 IL4001-IL4005, IL4010-IL4012, IL4016-IL4018, IL2007, IL2008, IL2019, IL2024, IL3012, IL3023, IL3049;
-warnings IL7011, IL7014-IL7016.
+warnings IL7011, IL7014-IL7016, IL7019-IL7022.
 """
 
 from __future__ import annotations
@@ -132,11 +132,15 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     check_runaways(layout, paths, demands, sink)
     check_signals_alone(layout, rows, sink)
     check_through(layout, paths, hostile, voyages, sink)
+    _check_rows(layout, rows, sink)
+    beside.report(sink)
+    return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
+
+
+def _check_rows(layout: Layout, rows: Sequence[RouteRow], sink: Sink) -> None:
     check_shown(layout, rows, sink)
     check_starts(layout, rows, sink)
     check_idle(layout, rows, sink)
-    beside.report(sink)
-    return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
 
 
 def _path(p: Path) -> RoutePath:

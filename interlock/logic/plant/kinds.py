@@ -167,7 +167,7 @@ ASSUMPTIONS: dict[str, str] = {
     "telephone: the line is empty, the neighbour has no direction, gives none and reads none as given to him, and no "
     "telegram that gives it, or that says he has it, is under way.",
     "A-LINE": "A line is not reported clear while a train is on it before and after a step.",
-    "A-STANDS": "A vehicle inside the layout that is not on a route stands still, but behind a derailer or on an "
+    "A-STANDS": "A vehicle inside the layout that is not on a route stands still, except behind a derailer or on an "
     "inclined lane, from where it may roll at any time; others may roll in only from beyond the next stop signal; a "
     "signal at stop stops them all.",
 }

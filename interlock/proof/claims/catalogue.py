@@ -119,13 +119,13 @@ CLAIMS: dict[str, str] = {
     "S-BOARD": "No section is locked past the place where a movement must end: past a stop board for nobody, past a "
     "limit-of-shunt board for trains only, past a shunt signal at which trains end for shunting movements only.",
     "S-IDENTIFIER": "A signal shows its identifier light alone, neither stop nor proceed beside it, and only while the "
-    "section before it is firmly locked towards it for a train; for a route that leads past it proceed is shown only "
-    "while it does.",
+    "section before it is firmly locked, with its points detected, towards it for a train; for a route that leads "
+    "past it proceed is shown only while it does.",
     "L-REASON": "No lock ends without its reason: a train has used the section, the lock before it was withdrawn, its "
     "signal was cancelled, or somebody releases it by hand, alone or with all that may have missed a train; after a "
-    "restart by hand, or behind a train that stood there.  None of these is said without its own; what a section "
-    "remembers of its train ends with its lock, and a lock once firm stays so; and none ends, but by its own signal, "
-    "before the one in rear that leads into it.",
+    "restart by hand, or behind a train that stood there.  No reason is recorded unless its event happened; what a "
+    "section remembers of its train ends with its lock, and a lock once firm, with its points detected, stays so; and "
+    "none ends, but by its own signal, before the one in rear that leads into it.",
     "L-CLEAR": "No section is released, however it is, before it has been reported clear with valid inputs, without a "
     "break, for the release delay.",
     "L-APPROACH": "A route whose signal has been open is not given up before its train came, unless none can be on "
