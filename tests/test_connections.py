@@ -18,7 +18,8 @@ import websockets.sync.client
 
 from interlock.app.run import Ready
 from interlock.cli.run import _Heard
-from interlock.field import operator_place, sockets
+from interlock.field import connection as modbus_connection
+from interlock.field import sockets
 from interlock.field.operator_place import OperatorPlace
 from interlock.panel import connection, server
 from interlock.panel.desk import Desk
@@ -32,8 +33,8 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """Whoever asks for nothing goes soon, and few may come."""
     monkeypatch.setattr(connection, "HELLO_S", 0.3)
     monkeypatch.setattr(server, "HELLO_S", 0.3)
-    monkeypatch.setattr(operator_place, "IDLE_S", 0.3)
-    for module in (connection, operator_place):
+    monkeypatch.setattr(modbus_connection, "IDLE_S", 0.3)
+    for module in (connection, modbus_connection):
         monkeypatch.setattr(module, "most", lambda: 4)
 
 
