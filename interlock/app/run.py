@@ -17,6 +17,7 @@ from interlock.dataclass import dataclass
 from interlock.diag.called import called
 from interlock.diag.suggest import did_you_mean
 from interlock.dispatch import Dispatcher
+from interlock.dispatch.by_hand import waits, withdraw
 from interlock.dispatch.commands import BadOrder, errand
 from interlock.dispatch.plan.errands import NoVoyage, TooManyPlaces
 from interlock.dispatch.plan.railway import Railway
@@ -180,14 +181,14 @@ class Operator:
 
     def waits(self, signal: SignalId) -> bool:
         """Whether a route from a signal, or past it, or its overlap's swing is asked for and not yet answered."""
-        return not self.dispatcher.waits().isdisjoint(self._numbers(signal))
+        return not waits(self.dispatcher).isdisjoint(self._numbers(signal))
 
     def _withdraw(self, numbers: Iterable[int], why: str) -> None:
         """What was asked for by hand and was not made yet is not asked for any more."""
         assert self._ready.controller is not None
         y = self._ready.controller.symbols
         swings = {n: f"the swing of the overlap of {g}" for g, n in y.overlaps.swing_request.items()}
-        for n in self.dispatcher.withdraw(set(numbers)):
+        for n in withdraw(self.dispatcher, set(numbers)):
             self._withdrawn.append(Withdrawn(n, swings[n] if n in swings else f"route {y.routes.number[n].id}", why))
 
     def withdrawn(self) -> list[Withdrawn]:
@@ -230,7 +231,7 @@ class Operator:
         """All signals to stop: every route is cancelled, and nothing opens by itself or for a command any more."""
         assert self._ready.controller is not None
         symbols = self._ready.controller.symbols
-        self._withdraw(self.dispatcher.waits(), "all signals were put to stop after it")
+        self._withdraw(waits(self.dispatcher), "all signals were put to stop after it")
         for name in self.dispatcher.give_up():
             self.numbers.ends(name)
         self._once = dict.fromkeys(symbols.cancellation.cancel.values(), 1)
@@ -286,8 +287,8 @@ class Operator:
         late = [n for n, at in self._since.items() if self._clock() - at > LATE_S]
         self._withdraw(late, f"it was asked for more than {LATE_S:.0f} s ago, and is not done now: ask again")
         asked = self.dispatcher.step(seen, dt_ms)
-        waits = self.dispatcher.waits()
-        self._since = {n: at for n, at in self._since.items() if n in waits}
+        waiting = waits(self.dispatcher)
+        self._since = {n: at for n, at in self._since.items() if n in waiting}
         pressed = self.presses.inputs({} if last is None else last.memory.state, dt_ms)
         found = dict.fromkeys(self._ready.allocation.written, 0) | asked | self.held | pressed | self._once
         self._once = {}

@@ -12,7 +12,7 @@ It can do no harm: whatever it asks for is refused by the interlocking if it is 
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Container, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from interlock.dispatch.arbiter import Arbiter, Key, Request, Source, key
@@ -123,19 +123,6 @@ class Dispatcher:
         self.other.clear()
         self._writes, self._for = 0, None
         return names
-
-    def withdraw(self, numbers: Container[int]) -> list[int]:
-        """Forget what people have asked for by these numbers, as far as that has not been made yet; which."""
-        found = [r for r in self.arbiter.waiting if r.stage.number in numbers and r is not self.arbiter.asked]
-        for request in found:
-            self.arbiter.withdraw(request)
-        swings = [n for n in self.other if n in numbers]
-        self.other = deque(n for n in self.other if n not in numbers)
-        return [*(r.stage.number for r in found), *swings]
-
-    def waits(self) -> set[int]:
-        """The numbers that people have asked for, and that have not been answered."""
-        return {*(r.stage.number for r in self.arbiter.waiting), *self.other}
 
     def ask(self, number: int, source: Source = Source.HAND) -> None:
         """A route (or the swing of an overlap) asked for by somebody: by hand once, else kept until it is granted.
