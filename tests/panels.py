@@ -22,6 +22,7 @@ from interlock.frontend import load_text
 from interlock.logic.cabinet import allocate
 from interlock.logic.expr import interning
 from interlock.logic.lower import lower
+from interlock.panel.browsers import now_s
 from interlock.panel.clock import Clock
 from interlock.panel.desk import Desk
 from interlock.panel.operating import Person
@@ -80,10 +81,14 @@ class Browser:
 
     def ask(self, do: str, **more: Any) -> dict[str, Any]:
         """A command, and the answer."""
-        self.ws.send_json({"do": do, "re": 7, **more})
+        self.send(do=do, re=7, **more)
         before = len(self.answers)
         self.until(lambda: len(self.answers) > before)
         return self.answers[-1]
+
+    def send(self, **command: Any) -> None:
+        """A command, asked for now unless it says something else."""
+        self.ws.send_json({"heard": now_s(), "after": 0, **command})
 
     def until(self, so: Callable[[], Any], seconds: float = 20.0) -> None:
         """Hear messages until something is so."""

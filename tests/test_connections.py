@@ -3,9 +3,7 @@ the process."""
 
 from __future__ import annotations
 
-import errno
 import json
-import os
 import socket
 import threading
 import time
@@ -17,8 +15,8 @@ import pytest
 import websockets.sync.client
 
 from interlock.app.run import Ready
-from interlock.cli.run import _Heard
-from interlock.field import operator_place, sockets
+from interlock.field import connection as modbus_connection
+from interlock.field import sockets
 from interlock.field.operator_place import OperatorPlace
 from interlock.panel import connection, server
 from interlock.panel.desk import Desk
@@ -32,8 +30,8 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """Whoever asks for nothing goes soon, and few may come."""
     monkeypatch.setattr(connection, "HELLO_S", 0.3)
     monkeypatch.setattr(server, "HELLO_S", 0.3)
-    monkeypatch.setattr(operator_place, "IDLE_S", 0.3)
-    for module in (connection, operator_place):
+    monkeypatch.setattr(modbus_connection, "IDLE_S", 0.3)
+    for module in (connection, modbus_connection):
         monkeypatch.setattr(module, "most", lambda: 4)
 
 
@@ -133,20 +131,3 @@ def test_the_system_asks_whether_the_other_end_is_there() -> None:
         assert taken.getsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE) == 1
         taken.close()
     assert 1 <= sockets.most() <= sockets.MOST
-
-
-def test_a_run_whose_output_finds_no_room_goes_on(capsys: pytest.CaptureFixture[str]) -> None:
-    said, full = [], [True]
-
-    def say(event: dict[str, Any]) -> None:
-        if full[0]:
-            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-        said.append(event)
-
-    heard = _Heard(say)
-    for k in range(3):
-        heard({"output": k})
-    full[0] = False
-    heard({"output": 3})
-    assert said == [{"output": 3}]
-    assert capsys.readouterr().err == "what happens cannot be written: No space left on device; the run goes on\n"

@@ -13,15 +13,18 @@ from click.testing import CliRunner
 from pymodbus.client import ModbusTcpClient
 
 from interlock.app.run import Ready
+from interlock.cli import lines
 from interlock.cli.main import cli
 from interlock.field.alone import InUse, hold
 from interlock.field.modbus import ModbusLink
+from interlock.field.operator_place import FIRST_ONE, TAKEN
 from interlock.panel.desk import Desk
 from interlock.panel.operating import Person
 from tests.field import Station, free_port
 
 
-def test_the_command_runs_proves_and_stops(mine: Ready) -> None:
+def test_the_command_runs_proves_and_stops(mine: Ready, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(lines, "LATE_S", 60.0)  # however slow the cycles are
     west, east = Station(mine, "west"), Station(mine, "east")
     try:
         path = mine.proved.checked.path
@@ -96,9 +99,10 @@ def test_a_scada_asks_for_a_route_and_the_run_says_who_did(mine: Ready) -> None:
             time.sleep(0.05)
         while not client.read_input_registers(2, count=1).registers[0] and time.monotonic() < until:
             time.sleep(0.05)
-        client.write_registers(0, [1, 1, 1])
-        time.sleep(0.3)
-        seen.extend(client.read_input_registers(3, count=2).registers)
+        for number in (1, 2):  # the first one since the start is not carried out
+            client.write_registers(0, [number, 1, 1])
+            time.sleep(0.3)
+            seen.extend(client.read_input_registers(3, count=2).registers)
         client.close()
 
     other = threading.Thread(target=scada)
@@ -110,7 +114,7 @@ def test_a_scada_asks_for_a_route_and_the_run_says_who_did(mine: Ready) -> None:
         done = CliRunner().invoke(cli, [*args, *more])
         other.join(10)
         assert done.exit_code == 0 and "modbus 127.0.0.1:" in done.output and " asks: set " in done.output, done.output
-        assert seen == [1, 2]
+        assert seen == [1, FIRST_ONE, 2, TAKEN]
     finally:
         west.kill()
         east.kill()

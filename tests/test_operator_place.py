@@ -21,6 +21,7 @@ from interlock.cli.main import cli
 from interlock.cli.run import _Typed
 from interlock.field.operator_place import (
     FIRST,
+    FIRST_ONE,
     INCOMPLETE,
     NOT_COUNTED,
     NOT_KNOWN,
@@ -30,6 +31,7 @@ from interlock.field.operator_place import (
     Ask,
     OperatorPlace,
     Registers,
+    Reply,
     registers,
 )
 from interlock.field.plc import LATE_CYCLE, Cycle, Memory
@@ -92,7 +94,7 @@ def test_a_client_reads_words_outputs_and_whether_the_controller_lives() -> None
         assert words_of(client) == [0, 0, 0, 0] and head_of(client)["valid"] == 0  # before the first scan
         place.publish(said(), ())
         assert words_of(client) == [1, 3, 10_001, 2]
-        assert head_of(client) == {"form": 1, "cycle": 1, "valid": 1, "seen": 0, "answer": 0, "may ask": 0}
+        assert head_of(client) == {"form": 2, "cycle": 1, "valid": 1, "seen": 0, "answer": 0, "may ask": 0}
         bits = client.read_discrete_inputs(0, count=len(place.registers.bits)).bits
         lit = [name for (name, _), bit in zip(place.registers.bits, bits, strict=False) if bit]
         assert lit == ["YP_X2"]
@@ -130,7 +132,10 @@ def test_a_request_is_told_once_with_who_asks_and_answered() -> None:
     with served(ask) as (place, client):
         mine = f"modbus 127.0.0.1:{client.socket.getsockname()[1]}"
         assert not client.write_registers(0, [7, 1, 3]).isError()
+        assert head_of(client)["answer"] == FIRST_ONE and told.empty()  # it may be one from before the start
+        assert not client.write_registers(0, [6, 1, 3]).isError()
         assert head_of(client)["answer"] == REFUSED and told.empty()  # no valid scan yet
+        client.write_registers(0, [7, 1, 3])
         place.publish(said(), ())
         client.write_registers(0, [7, 1, 3])  # the same number again is no new request
         assert told.empty()
@@ -151,18 +156,23 @@ def test_a_request_is_told_once_with_who_asks_and_answered() -> None:
         place.publish(said(valid=False), ())
         client.write_registers(0, [14, 1, 3])
         assert head_of(client)["answer"] == REFUSED and told.empty()
+        client.write_registers(0, [15, 2, 1])
+        assert told.get(timeout=2)[1:] == ("cancel", "X1"), "to cancel does no harm whatever is known"
 
 
 def test_what_was_asked_for_before_is_never_carried_out_again() -> None:
     """Whoever writes the registers one by one, the number first, would ask for what he wanted the time before."""
     told: list[tuple[str, str]] = []
+    replies: list[Reply] = []
 
-    def ask(who: str, what: str, name: str, reply: object) -> None:
+    def ask(who: str, what: str, name: str, reply: Reply) -> None:
         told.append((what, name))
+        replies.append(reply)
 
     clock = [0.0]
     with served(ask, clock) as (place, client):
         place.publish(said(), ())
+        client.write_registers(0, [6, 1, 1])
 
         def one_by_one(*registers: tuple[int, int]) -> int:
             for address, value in registers:
@@ -171,6 +181,7 @@ def test_what_was_asked_for_before_is_never_carried_out_again() -> None:
 
         client.write_registers(0, [7, 1, 1])
         assert told == [("set", "X1-A")] and client.read_holding_registers(0, count=3).registers == [7, 0, 0]
+        replies.pop()(True)
         for number in (8, 9, 10):
             assert one_by_one((0, number), (1, 2), (2, 1)) == INCOMPLETE
         assert len(told) == 1

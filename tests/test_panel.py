@@ -40,7 +40,7 @@ def test_all_signals_are_put_to_stop_at_once_and_nothing_opens_by_itself(at_work
         b.until(lambda: b.state["g:XB"][0] == "clear")
         b.ask("set", route="XI9-XC4")
         b.until(lambda: b.state["g:XI9"][0] == "clear")
-        b.ws.send_json({"do": "set", "re": 7, "route": "XI7-XC3"})
+        b.send(do="set", re=7, route="XI7-XC3")
         b.ask("stop")
         b.until(lambda: b.rest["sys"]["voyages"] == [] and not any(b.state[f"g:{g}"][3] for g in ("XB", "XI9", "XI7")))
         assert "all signals to stop: every route is cancelled, every voyage given up" in kinds(b.events, "operation")

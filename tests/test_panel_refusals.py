@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from interlock.panel.asking import ASKED, SWITCHED, in_words
+from interlock.panel.browsers import now_s
 from interlock.panel.desk import Desk
 from interlock.panel.operating import Person
 from tests.panels import every_command, kinds, unproved
@@ -104,7 +105,7 @@ def test_where_no_overlap_is_held_there_is_nothing_to_swing(lab: tuple[Desk, Any
 def test_what_cannot_be_done_is_refused_and_nothing_breaks(at_work: tuple[Desk, Any], command: dict[str, Any]) -> None:
     _, browser = at_work
     with browser() as b:
-        b.ws.send_json({"re": 7, **command})
+        b.send(re=7, **command)
         b.until(lambda: b.answers)
         assert b.answers[0]["ok"] is False and b.answers[0]["why"][0][0]
 
@@ -126,13 +127,30 @@ def test_what_was_asked_for_long_ago_is_not_done_any_more(at_work: tuple[Desk, A
     """The computer was busy: whoever clicked has seen no answer, and done something else."""
     _, browser = at_work
     with browser(name="Jo") as b:
-        late = {"heard": time.time() - 12, "after": 3000}
+        late = {"heard": now_s() - 12, "after": 3000}
         no = b.ask("set", route="XI9-XC4", **late)
         assert not no["ok"] and no["why"][0][0] == "it was asked for 9 s ago, and is not done now: ask again"
-        assert b.ask("set", route="XI9-XC4", heard=time.time() - 12, after=11_900)["ok"]
+        assert b.ask("set", route="XI9-XC4", heard=now_s() - 12, after=11_900)["ok"]
         b.until(lambda: b.state["g:XI9"][0] == "clear")
         assert b.ask("cancel", signal="XI9", **late)["ok"], "late is better than never"
         b.until(lambda: not b.state["s:s9"][1])
+
+
+def test_an_age_is_no_matter_of_a_clock_that_is_set(at_work: tuple[Desk, Any], monkeypatch: pytest.MonkeyPatch) -> None:
+    """A section that was to be freed half a minute ago was freed, since the clock had been set back by one."""
+    _, browser = at_work
+    with browser(name="Jo") as b:
+        asked = {"heard": now_s() - 30, "after": 0}
+        monkeypatch.setattr("time.time", lambda at=time.time: at() - 60)
+        no = b.ask("block", section="s9", on=False, **asked)
+        assert not no["ok"] and no["why"][0][0] == "it was asked for 30 s ago, and is not done now: ask again"
+        ahead = b.ask("block", section="s9", on=False, heard=now_s() + 30, after=0)
+        assert ahead["why"][0][0] == "it says that it is asked for in 30 s: when that was is not known, ask again"
+        for undated in ({"heard": None}, {"after": None}):
+            no = b.ask("block", section="s9", on=False, **undated)
+            assert no["why"] == [["it does not say when it was asked for, and is not done", []]]
+        assert b.ask("block", section="s9", on=True, heard=None)["ok"] and b.ask("stop", heard=None)["ok"]
+        assert b.ask("block", section="s9", on=False)["ok"]
 
 
 def test_the_record_says_what_was_refused_and_which_lamp_failed(lab: tuple[Desk, Any]) -> None:

@@ -17,6 +17,7 @@ from interlock.dataclass import dataclass
 from interlock.diag.called import called
 from interlock.diag.suggest import did_you_mean
 from interlock.dispatch import Dispatcher
+from interlock.dispatch.by_hand import waits, withdraw
 from interlock.dispatch.commands import BadOrder, errand
 from interlock.dispatch.plan.errands import NoVoyage, TooManyPlaces
 from interlock.dispatch.plan.railway import Railway
@@ -94,18 +95,35 @@ class BadCommand(Exception):
     """What the operator typed cannot be carried out; the message says why."""
 
 
+LATE_S = 5.0
+"""Seconds after which what somebody has asked for is not done any more (our choice): whoever asked has seen no answer,
+and gone on to something else."""
+
+
+@dataclass(frozen=True)
+class Withdrawn:
+    """A route, or the swing of an overlap, that was asked for by hand and is not any more: its number and name, and
+    why."""
+
+    number: int
+    name: str
+    why: str
+
+
 class Operator:
     """The operator's place: commands hold for one cycle, VARIABLE=VALUE as long as a button is pressed, or until a
     switch is set to 0.
 
     Routes are asked for by the dispatcher, one after the other as the controller acknowledges them; it carries out
-    voyages, and commands of a locomotive number with origin and destination (`dispatch.commands`).
+    voyages, and commands of a locomotive number with origin and destination (`dispatch.commands`).  What waits is
+    withdrawn when its signal is cancelled, and when it has waited too long.
     """
 
-    def __init__(self, ready: Ready) -> None:
+    def __init__(self, ready: Ready, clock: Callable[[], float] = time.monotonic) -> None:
         assert ready.table is not None and ready.controller is not None and ready.layout is not None
         self._ready = ready
         self._once: dict[str, int] = {}
+        self._clock, self._since, self._withdrawn = clock, dict[int, float](), list[Withdrawn]()
         self._last: Cycle | None = None
         self.held: dict[str, int] = {}
         """The switches that are on."""
@@ -144,12 +162,39 @@ class Operator:
                 self._set(name, value)
         elif number is not None:
             self.dispatcher.ask(number)
+            self._since[number] = self._clock()
         else:
             self._once |= found
             signal = next((g for g, name in symbols.cancellation.cancel.items() if name in found), None)
             if signal is not None:
+                self._withdraw(self._numbers(signal), f"{called('signal', signal)} was cancelled after it")
                 switched_off = self._switch_off(self.automatic(signal))
         return switched_off
+
+    def _numbers(self, signal: SignalId) -> set[int]:
+        """The routes from a signal and those that lead past it, and the swing of its overlap."""
+        assert self._ready.controller is not None
+        y = self._ready.controller.symbols
+        own = y.routes.of_signal.get(signal, ())
+        swing = {n for g, n in y.overlaps.swing_request.items() if g == signal}
+        return swing | {x.number for r in own for x in (r, *y.routes.set_with(r))}
+
+    def waits(self, signal: SignalId) -> bool:
+        """Whether a route from a signal, or past it, or its overlap's swing is asked for and not yet answered."""
+        return not waits(self.dispatcher).isdisjoint(self._numbers(signal))
+
+    def _withdraw(self, numbers: Iterable[int], why: str) -> None:
+        """What was asked for by hand and was not made yet is not asked for any more."""
+        assert self._ready.controller is not None
+        y = self._ready.controller.symbols
+        swings = {n: f"the swing of the overlap of {g}" for g, n in y.overlaps.swing_request.items()}
+        for n in withdraw(self.dispatcher, set(numbers)):
+            self._withdrawn.append(Withdrawn(n, swings[n] if n in swings else f"route {y.routes.number[n].id}", why))
+
+    def withdrawn(self) -> list[Withdrawn]:
+        """What was withdrawn since this was last asked."""
+        found, self._withdrawn = self._withdrawn, []
+        return found
 
     def _set(self, name: str, value: int) -> None:
         """Set a switch, or press a button."""
@@ -172,11 +217,7 @@ class Operator:
         assert self._ready.controller is not None
         y = self._ready.controller.symbols
         on = tuple(number for number, name in y.requests.automatic.items() if self.held.get(name))
-        if signal is None:
-            return on
-        own = y.routes.of_signal.get(signal, ())
-        those = {x.number for r in own for x in (r, *y.routes.set_with(r))}
-        return tuple(number for number in on if number in those)
+        return on if signal is None else tuple(number for number in on if number in self._numbers(signal))
 
     def _switch_off(self, numbers: Iterable[int]) -> tuple[str, ...]:
         """Routes work automatically no longer: what is cancelled would be set again at once."""
@@ -190,6 +231,7 @@ class Operator:
         """All signals to stop: every route is cancelled, and nothing opens by itself or for a command any more."""
         assert self._ready.controller is not None
         symbols = self._ready.controller.symbols
+        self._withdraw(waits(self.dispatcher), "all signals were put to stop after it")
         for name in self.dispatcher.give_up():
             self.numbers.ends(name)
         self._once = dict.fromkeys(symbols.cancellation.cancel.values(), 1)
@@ -242,7 +284,11 @@ class Operator:
         self._last = last
         seen = {} if last is None else {**last.inputs, **last.outputs}
         self.numbers.cycle(seen, last is not None and last.valid)
+        late = [n for n, at in self._since.items() if self._clock() - at > LATE_S]
+        self._withdraw(late, f"it was asked for more than {LATE_S:.0f} s ago, and is not done now: ask again")
         asked = self.dispatcher.step(seen, dt_ms)
+        waiting = waits(self.dispatcher)
+        self._since = {n: at for n, at in self._since.items() if n in waiting}
         pressed = self.presses.inputs({} if last is None else last.memory.state, dt_ms)
         found = dict.fromkeys(self._ready.allocation.written, 0) | asked | self.held | pressed | self._once
         self._once = {}

@@ -5,7 +5,6 @@ from __future__ import annotations
 import gc
 import importlib.util
 import json
-import queue
 import sys
 import threading
 from collections.abc import Callable, Iterable, Mapping
@@ -30,13 +29,14 @@ from interlock.cli.common import (
     proof_body,
     show_proof,
 )
+from interlock.cli.heard import Heard
+from interlock.cli.lines import Line, Lines, Reply
 from interlock.cli.operator_place import answering, parsed
 from interlock.dataclass import dataclass
 from interlock.diag.extras import install
 from interlock.dispatch.arbiter import Full
 from interlock.field.alone import Alone, InUse, Lock, hold
 from interlock.field.modbus import ModbusLink
-from interlock.field.operator_place import Reply
 from interlock.field.plc import Cycle, Link
 from interlock.field.polling import Beside
 from interlock.logic.cabinet import substations
@@ -137,7 +137,7 @@ def _place(modbus: tuple[str, ...], panel: bool, operator_modbus: str | None, re
 
 
 class _Typed:
-    """Commands as they are typed or come over Modbus, one for a cycle."""
+    """Commands as they are typed or come over Modbus."""
 
     def __init__(self, ready: Ready, say: Say) -> None:
         assert ready.layout is not None and ready.controller is not None and ready.allocation is not None
@@ -145,44 +145,58 @@ class _Typed:
         self._watch, self._dt_ms = Watch(ready.layout, ready.controller, ready.allocation), 0
         self._answers = Answers(ready)
         self._stood: dict[str, str] = {}
-        self._waiting: queue.SimpleQueue[tuple[str, str, Reply]] = queue.SimpleQueue()
+        symbols = ready.controller.symbols
+        self._stops = {"stop", *(f"cancel {g}" for g in symbols.cancellation.cancel)}
+        self._stops |= {f"{n}=1" for n in (*symbols.cancellation.cancel.values(), *symbols.sections.blocked.values())}
+        self._lines = Lines(lambda text: " ".join(text.split()) in self._stops)
 
     def listen(self) -> None:
         """Take what is typed, until there is no more."""
-        for line in sys.stdin:
-            self.take(line)
+        with suppress(BrokenPipeError):  # the run ends with it
+            for line in sys.stdin:
+                self.take(line)
 
     def take(self, line: str) -> None:
         """Take a line that is typed."""
-        self._waiting.put(("", line, lambda taken: None))
+        if why := self._lines.put("", line):
+            self._say({"refused": why})
 
     def asked(self, who: str, what: str, name: str, reply: Reply) -> None:
         """Take a request that came over Modbus."""
-        self._waiting.put((who, f"{what} {name}", reply))
+        self._lines.put(who, f"{what} {name}", reply)
 
     def ask(self, last: Cycle | None, dt_ms: int) -> Mapping[str, int]:
         """The inputs of the next cycle."""
-        waiting, operator, say = self._waiting, self._operator, self._say
+        operator, say = self._operator, self._say
         self._dt_ms = dt_ms
-        who, line, reply = ("", "", lambda taken: None) if waiting.empty() else waiting.get()
-        if line := line.strip():
-            if who:
-                say({"asked": line, "who": who})
-            taken = True
-            try:
-                for route in operator.type(line):
-                    say({"route": route, "automatic": False})
-            except (BadCommand, Full) as error:
-                taken = False
-                say({"refused": str(error)})
-            reply(taken)
-            self._held(line)
+        for line, why_not in self._lines.due():
+            if line.text:
+                self._do(line, why_not)
         found = operator.inputs(last, dt_ms)
+        for gone in operator.withdrawn():
+            say({"refused": f"{gone.name} is not asked for any more: {gone.why}"})
         for name in operator.presses.let_go():
             say({"let_go": name})
         for news in operator.news():
             say({"voyage": news})
         return found
+
+    def _do(self, line: Line, why_not: str) -> None:
+        """Carry out a line, or say why not."""
+        say, taken = self._say, not why_not
+        if line.who:
+            say({"asked": line.text, "who": line.who})
+        if why_not:
+            say({"refused": f"{line.text}: {why_not}"})
+        else:
+            try:
+                for route in self._operator.type(line.text):
+                    say({"route": route, "automatic": False})
+            except (BadCommand, Full) as error:
+                taken = False
+                say({"refused": str(error)})
+            self._held(line.text)
+        line.reply(taken)
 
     def _held(self, line: str) -> None:
         """Say what is pressed, or held, after a line that has set it."""
@@ -214,36 +228,15 @@ class _Typed:
         return (*stand, *(f"{TRAIN} {n}" for n in self._operator.numbers.alarms))
 
 
-class _Heard:
-    """Says what happens; where that finds no room the controller goes on, and the standard error output is told once.
-    Somebody who reads no more ends it, as always."""
-
-    def __init__(self, say: Say) -> None:
-        self._say, self._unheard = say, False
-
-    def __call__(self, event: dict[str, Any]) -> None:
-        try:
-            self._say(event)
-            self._unheard = False
-        except BrokenPipeError:
-            raise
-        except OSError as error:
-            if not self._unheard:
-                with suppress(OSError):
-                    click.echo(f"what happens cannot be written: {error.strerror or error}; the run goes on", err=True)
-            self._unheard = True
-
-
 def _run(
     ready: Ready,
     links: Mapping[str, Link],
     clock: Clock,
     place: tuple[str, int] | None,
     requests: bool,
-    say: Say,
+    say: Heard,
 ) -> None:
     """Run on real inputs and outputs until it is over or somebody ends it, and say what changes."""
-    say = _Heard(say)
     typed = _Typed(ready, say)
     typed.begin()
     gc.enable()  # off in the short-lived commands; this one runs on
@@ -271,7 +264,10 @@ def _run(
                 before = dict(result.outputs)
     except KeyboardInterrupt:
         pass
-    say(ending(left, longest, ms))
+    except BaseException:
+        say.close()
+        raise
+    say.close(ending(left, longest, ms))
 
 
 @click.command("run")
@@ -336,8 +332,9 @@ def command(
 
     Without --panel every section is blocked at first, as in the text for a PLC: BLK_q1=0 takes the block off section
     q1, free all.  With it only what a record that --record goes on with has as blocked.
-    A line of input is a command for one cycle: set ROUTE, swing SIGNAL, cancel SIGNAL, release, or stop, which cancels
-    every route and gives up every voyage.
+    A line of input is a command for one cycle, a line a cycle: set ROUTE, swing SIGNAL, cancel SIGNAL, release, or
+    stop, which cancels every route and gives up every voyage.  To stop or to cancel waits for no other line, and is
+    never too late; what else is older than five seconds is not done.
     Voyage NAME opens the routes of a voyage one after the other, each when its train stands before it, until it is done
     or voyage NAME end gives it up; voyage 12:W>E does so for locomotive 12 from W to E.
     From then on numbers step with the sections that are reported occupied, and what does not fit is an alarm; nothing
@@ -359,7 +356,7 @@ def command(
     ready, links = _prepared(layout, modbus)
     say = _json if form == "json" else _text
     if form == "json":
-        say(proof_body(ready.proved))
+        click.echo(say(proof_body(ready.proved)))
     else:
         show_proof(ready.proved, form, False)
     if ready.allocation is None:
@@ -370,7 +367,7 @@ def command(
         run_panel(ready, links, cycle_ms, sock, tokens, record, form, place, requests)
         return
     assert links is not None
-    _run(ready, links, Clock(cycle_ms, cycles), place, requests, say)
+    _run(ready, links, Clock(cycle_ms, cycles), place, requests, Heard(say))
 
 
 def _only_there(panel: bool) -> None:
@@ -381,40 +378,43 @@ def _only_there(panel: bool) -> None:
             raise click.UsageError(f"--{name.replace('_', '-')} goes {'without' if panel else 'with'} --panel")
 
 
-def _json(event: dict[str, Any]) -> None:
+def _json(event: dict[str, Any]) -> str:
     """One event on one line."""
-    click.echo(json.dumps(event, ensure_ascii=False))
+    return json.dumps(event, ensure_ascii=False)
 
 
-def _text(event: dict[str, Any]) -> None:
+def _text(event: dict[str, Any]) -> str:
     """The same for people."""
     match event:
         case {"route": route, "refused": text, "rule": rule}:
-            click.echo(f"  route {route} is refused: {text} ({rule})")
+            return f"  route {route} is refused: {text} ({rule})"
         case {"swing": signal_, "refused": text}:
-            click.echo(f"  swing {signal_} is refused: {text}")
+            return f"  swing {signal_} is refused: {text}"
         case {"route": route, "at_stop": waits}:
-            click.echo(f"  route {route} is set, its signal at stop: {'; '.join(waits)}")
+            return f"  route {route} is set, its signal at stop: {'; '.join(waits)}"
         case {"route": route, "automatic": _}:
-            click.echo(f"  route {route} no longer works automatically")
+            return f"  route {route} no longer works automatically"
         case {"refused": text} | {"voyage": text}:
-            click.echo(f"  {text}")
+            return f"  {text}"
         case {"asked": line, "who": who}:
-            click.echo(f"  {who} asks: {line}")
+            return f"  {who} asks: {line}"
         case {"alarm": text, "stands": stands}:
-            click.echo(f"  {'ALARM' if stands else 'over'}: {text}")
+            return f"  {'ALARM' if stands else 'over'}: {text}"
         case {"held": held}:
-            click.echo(f"  held: {', '.join(f'{n}={v}' for n, v in held.items()) or 'nothing'}")
+            return f"  held: {', '.join(f'{n}={v}' for n, v in held.items()) or 'nothing'}"
         case {"pressed": name, "value": value, "for_s": seconds}:
-            click.echo(f"  {name} = {value} for {seconds:g} s at most")
+            return f"  {name} = {value} for {seconds:g} s at most"
         case {"let_go": name}:
-            click.echo(f"  {name} = 0 again")
+            return f"  {name} = 0 again"
         case {"blocked": blocked}:
             first = next(iter(blocked.values()))
-            click.echo(f"blocked: {', '.join(blocked)}; {first}=0 takes the block off one, free off all")
+            return f"blocked: {', '.join(blocked)}; {first}=0 takes the block off one, free off all"
         case {"inputs": state, "lost": lost}:
-            click.echo(f"inputs {state}{''.join(f'; {x}' for x in lost)}")
+            return f"inputs {state}{''.join(f'; {x}' for x in lost)}"
         case {"output": name, "value": value}:
-            click.echo(f"  {name} = {value}")
+            return f"  {name} = {value}"
         case {"stopped": _}:
-            click.echo(ended(event))
+            return ended(event)
+        case {"not_told": number}:
+            return f"  {number} lines were not written here: nobody had read what came before"
+    return ""

@@ -1,17 +1,18 @@
 """The operator's place on Modbus TCP: what is said of routes, outputs and alarms, for a SCADA that reads registers.
 
 Input registers and discrete inputs are read; requests are written into holding registers, if that is allowed at all:
-what and which, and a number that changes, all at once or the number last.  A request is told to whoever runs the
-controller, with who asks, and goes the way of every other command.  Modbus knows no user and no password: the address
-from which somebody asks is all there is.  Values that are older than `FRESH_S`, or of no scan, are told as unknown.
-Alarms stand behind the outputs.
+what and which, and a number that changes, all at once or the number last, over one connection.  A request is told to
+whoever runs the controller, with who asks, and goes the way of every other command.  To cancel is always carried out;
+to set or to swing only if it is neither doubtful nor the first since the start, which may be one from before, and one
+at a time, so that none waits behind others and comes true late.  Modbus knows no user and no password: the address from
+which somebody asks is all there is.  Values that are older than `FRESH_S`, or of no scan, are told as unknown.  Alarms
+stand behind the outputs.
 Needs the extra `field`.
 """
 
 from __future__ import annotations
 
 import asyncio
-import contextvars
 import csv
 import io
 import socket
@@ -24,28 +25,27 @@ from hashlib import sha256
 from typing import Any
 
 from interlock.dataclass import dataclass
+from interlock.field.frames import Caller, caller
 from interlock.field.plc import Cycle
-from interlock.field.sockets import keeps_alive, most
 from interlock.logic.controller import Controller
 from interlock.logic.words import UNKNOWN
 
-IDLE_S = 60.0
-"""Seconds after which a connection over which nothing was asked is let go (our choice)."""
-
-FORM = 1
-"""The form of these registers."""
+FORM = 2
+"""The form of these registers: what they mean, and what is done with a request."""
 FIRST = 16
 """The input register of the route with the lowest number; those before it are about the controller."""
 FRESH_S = 2.0
 """Seconds after which the values of a scan are not told any more (our choice): the controller has stopped."""
-WAITING, TAKEN, REFUSED, NOT_KNOWN, INCOMPLETE = 1, 2, 3, 4, 5
+WAITING, TAKEN, REFUSED, NOT_KNOWN, INCOMPLETE, FIRST_ONE, USED = range(1, 8)
 ANSWERS = {
     0: "no request yet",
     WAITING: "waits for the next scan",
     TAKEN: "taken; what becomes of it is said by the word of the route",
     REFUSED: "refused",
     NOT_KNOWN: "no such request",
-    INCOMPLETE: "refused: WHAT and WHICH have to be written with REQUEST or before it",
+    INCOMPLETE: "refused: WHAT and WHICH have to be written with REQUEST or before it, over the same connection",
+    FIRST_ONE: "not carried out: the first one since the start may be from before; ask again with another number",
+    USED: "not carried out: this number was that of another request; ask again with another number",
 }
 SET, CANCEL, SWING = 1, 2, 3
 DOES = {SET: ("set", "route"), CANCEL: ("cancel", "signal"), SWING: ("swing", "signal")}
@@ -54,6 +54,9 @@ REQUEST = 3
 """Holding registers of a request: its number, what, which."""
 TOGETHER_S = 10.0
 """Seconds before the number within which what and which are written, if not at once with it (our choice)."""
+
+MOST_CANCELS = 200
+"""Requests to cancel that may wait for the next scan; one more is answered by the exception that the server is busy."""
 
 NOT_COUNTED = 65_535
 """Said instead of how many alarms stand, where that is not known."""
@@ -74,7 +77,6 @@ HEADINGS = ("Kind", "Address", "Name", "Meaning")
 Reply = Callable[[bool], None]
 Ask = Callable[[str, str, str, Reply], None]
 """Told who asks, what (`set`, `cancel`, `swing`) and for which route or signal, and whom to tell what became of it."""
-_peer: contextvars.ContextVar[str] = contextvars.ContextVar("peer", default="unknown")
 
 
 @dataclass(frozen=True)
@@ -122,7 +124,8 @@ class Registers:
                 0,
                 "REQUEST",
                 "a number other than before: the request in the next two registers is carried out once; write all "
-                "three at once (function 16), or these two first and REQUEST last; 0 by itself asks for nothing",
+                "three at once (function 16), or these two first and REQUEST last, over one connection; 0 by itself "
+                "asks for nothing",
             ),
             (1, "WHAT", "what is asked for; 0 again after each request"),
             (2, "WHICH", "for which; 0 again after each request"),
@@ -187,8 +190,9 @@ class OperatorPlace:
         self._image = _Image()
         self._stood: frozenset[str] = frozenset()
         self._request = (0, 0)  # the number of the last request, and what became of it
-        self._pair: dict[int, tuple[str, float]] = {}  # what and which: who has written it since, and when
-        self._number_first: set[str] = set()  # hosts that have written the number first
+        self._first = True  # nothing was asked for since the start but to cancel
+        self._waits: object = None  # the request to set or to swing that nobody has answered yet
+        self._cancels: set[object] = set()  # requests to cancel that nobody has answered yet
         self._ready = threading.Event()
         self._failed = ""
         self._thread = threading.Thread(target=self._run, name="operator's place", daemon=True)
@@ -242,37 +246,9 @@ class OperatorPlace:
             self._ready.set()
 
     async def _serve(self) -> None:
-        from pymodbus.server import ModbusTcpServer
-        from pymodbus.server.requesthandler import ServerRequestHandler
         from pymodbus.simulator import DataType, SimData, SimDevice
 
-        class Handler(ServerRequestHandler):
-            asks = False
-
-            def callback_connected(self) -> None:
-                super().callback_connected()
-                if sock := self.transport.get_extra_info("socket"):
-                    keeps_alive(sock)
-                if len(self.server.active_connections) > most():
-                    self.loop.call_soon(self.close)
-                self.loop.call_later(IDLE_S, self.look)
-
-            def look(self) -> None:
-                if not self.asks:
-                    self.close()
-                elif not self.is_closing:
-                    self.asks = False
-                    self.loop.call_later(IDLE_S, self.look)
-
-            async def handle_request(self) -> None:
-                found = self.transport.get_extra_info("peername") if self.transport else None
-                self.asks = True
-                _peer.set(f"{found[0]}:{found[1]}" if found else "unknown")
-                await super().handle_request()  # type: ignore[no-untyped-call]
-
-        class Server(ModbusTcpServer):
-            def callback_new_connection(self) -> Handler:
-                return Handler(self, self.trace_packet, self.trace_pdu, self.trace_connect)  # type: ignore[no-untyped-call]
+        from interlock.field.connection import Server
 
         self._loop, self._end = asyncio.get_running_loop(), asyncio.Event()
         bits = len(self.registers.bits) + len(self.registers.alarms)
@@ -304,7 +280,9 @@ class OperatorPlace:
                 return ExcCodes.ILLEGAL_FUNCTION
             if address + len(values) > REQUEST:
                 return ExcCodes.ILLEGAL_ADDRESS
-            self._write(address, values, held, image)
+            return self._write(caller.get(), address, values, held, image)
+        if function == 3:
+            held[:] = [held[0], *(self._pair(caller.get()).get(k, 0) for k in range(1, REQUEST))]
         elif function == 2:
             bits = [*image.bits, *[False] * (16 * len(held))]
             held[:] = [sum(bit << n for n, bit in enumerate(bits[16 * k : 16 * k + 16])) for k in range(len(held))]
@@ -320,45 +298,74 @@ class OperatorPlace:
         image = self._image
         return image if self._now() - image.at <= FRESH_S else _Image(image.cycle, came=image.came)
 
-    def _write(self, address: int, values: list[Any], held: list[int], image: _Image) -> None:
-        """What is asked for is carried out only if it was written together with its number, or before it by the same
-        host; it is cleared with each request.  Who writes the number first would ask for what he wanted the time
+    def _pair(self, who: Caller) -> dict[int, int]:
+        """What somebody has written of a request since his last one, and not too long ago."""
+        return {k: value for k, (value, at) in who.pair.items() if self._now() - at <= TOGETHER_S}
+
+    def _write(self, who: Caller, address: int, values: list[Any], held: list[int], image: _Image) -> Any:
+        """What is asked for is carried out only if it was written together with its number, or before it over the same
+        connection; it is cleared with each request.  Who writes the number first would ask for what he wanted the time
         before: after that his numbers ask for nothing until he writes all at once, or the number 0."""
         written = dict(enumerate(values, address))
-        wanted = [written.get(k, held[k]) for k in range(REQUEST)]
-        whole, new = len(written) == REQUEST, wanted[0] != held[0]
-        host, now = _peer.get().rpartition(":")[0], self._now()
-        self._pair |= {k: (host, now) for k in written if k}
-        if not (whole or new):
-            return
-        fits = [(h, t) for h, t in self._pair.values() if h == host and now - t <= TOGETHER_S]
-        complete = whole or (host not in self._number_first and len(fits) == REQUEST - 1)
-        if new and complete and (whole or wanted[0]):
-            self._take(wanted, image)
-        elif new and wanted[0]:
-            self._request = (wanted[0], INCOMPLETE)
-        if complete or not wanted[0]:
-            self._number_first.discard(host)
-        else:
-            self._number_first.add(host)
-        self._pair.clear()
-        held[1:REQUEST] = [0] * (REQUEST - 1)
+        who.pair |= {k: (value, self._now()) for k, value in written.items() if k}
+        number, whole, pair = written.get(0), len(written) == REQUEST, self._pair(who)
         values[:] = [x if k == 0 else 0 for k, x in written.items()]
+        if number is None or (number == held[0] and not pair):
+            return None
+        complete = whole or (not who.number_first and len(pair) == REQUEST - 1)
+        nothing = not number and (not whole or not any(pair.values()))
+        if complete and not nothing:
+            busy = self._take(who, (number, pair[1], pair[2]), number == held[0], image)
+            if busy:
+                return busy
+        elif number and number != held[0]:
+            self._request = (number, INCOMPLETE)
+        who.number_first = bool(number) and (not complete)
+        who.pair.clear()
+        return None
 
-    def _take(self, wanted: Sequence[int], image: _Image) -> None:
-        """A request, which is told on once: nothing is asked of a controller whose inputs are not valid."""
+    def _take(self, who: Caller, wanted: tuple[int, int, int], used: bool, image: _Image) -> Any:
+        """A request, which is told on once, however often it is written; the exception where it cannot be."""
+        from pymodbus.constants import ExcCodes
+
         number, what, which = wanted
         name = self.registers.requests.get((what, which))
-        if name is None or not image.valid or self.asks is None:
-            self._request = (number, NOT_KNOWN if name is None else REFUSED)
-            return
-        self._request = (number, WAITING)
+        if who.last == wanted:
+            return None
+        used |= who.last is not None and who.last[0] == number
+        cancels = what == CANCEL and name is not None
+        if cancels and len(self._cancels) >= MOST_CANCELS:
+            return ExcCodes.DEVICE_BUSY
+        who.last = wanted
+        first, self._first = self._first and not cancels, self._first and cancels
+        if name is None:
+            self._request = (number, NOT_KNOWN)
+        elif not cancels and (first or used):
+            self._request = (number, FIRST_ONE if first else USED)
+        elif self.asks is None or (not cancels and (not image.valid or self._waits is not None)):
+            self._request = (number, REFUSED)
+        else:
+            self._tell(who, number, DOES[what][0], name, cancels)
+        return None
+
+    def _tell(self, who: Caller, number: int, what: str, name: str, cancels: bool) -> None:
+        """Hand a request on, and say what becomes of it."""
+        assert self.asks is not None
+        this = self._request = (number, WAITING)
+        ticket = object()
+        if cancels:
+            self._cancels.add(ticket)
+        else:
+            self._waits = ticket
 
         def reply(taken: bool) -> None:
-            if self._request[0] == number:
+            self._cancels.discard(ticket)
+            if self._waits is ticket:
+                self._waits = None
+            if self._request is this:
                 self._request = (number, TAKEN if taken else REFUSED)
 
-        self.asks(f"modbus {_peer.get()}", DOES[what][0], name, reply)
+        self.asks(f"modbus {who.name}", what, name, reply)
 
 
 __all__ = ["DOES", "OperatorPlace", "Registers", "registers"]

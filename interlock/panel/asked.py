@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from interlock.app.reasons import Moment, Reason, Reasons
-from interlock.app.run import Operator
+from interlock.app.run import Operator, Withdrawn
 from interlock.dispatch.arbiter import Request, Source
 from interlock.field.plc import Cycle
 from interlock.logic.symbols import Symbols
@@ -97,6 +97,11 @@ class Asked:
         else:
             told = tuple(reasons.of_request(number, moment, UNKNOWN))
             yield Event("refusal", f"{name} does not swing", who or "dispatcher", at, told)
+
+    def withdrawn(self, gone: Withdrawn) -> Iterator[Event]:
+        """A number is not asked for any more: whoever has asked for it is told."""
+        for who in dict.fromkeys(self._waiting.pop(gone.number, ())):
+            yield Event("refusal", f"{gone.name} is refused", who, (), (Reason(gone.why),))
 
     def given_up(self, why: str) -> Iterator[Event]:
         """What was asked for before is not to come true some time after: inputs are lost, or signals put to stop."""

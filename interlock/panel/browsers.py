@@ -9,6 +9,7 @@ from collections import deque
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from interlock.app.run import since_boot
 from interlock.panel.event import Event
 from interlock.panel.picture import Shown
 
@@ -26,9 +27,18 @@ def sent(message: Mapping[str, Any]) -> str:
     return json.dumps(message, ensure_ascii=False, separators=(",", ":")).encode(errors="replace").decode()
 
 
+_BEGAN = time.time() - since_boot()
+
+
+def now_s() -> float:
+    """The clock here, by which ages are reckoned: the time on the wall when the program was started, and the seconds
+    since.  Nobody sets it."""
+    return _BEGAN + since_boot()
+
+
 def clock(mark: int | str | None) -> str:
     """The answer to a browser that asks for the clock here: the ages of what it is told are reckoned by it."""
-    return sent({"re": mark, "clock": time.time()})
+    return sent({"re": mark, "clock": now_s()})
 
 
 class Browsers:
@@ -56,7 +66,7 @@ class Browsers:
             self._listeners.add(listener)
             return {
                 "still": self.still,
-                "t": time.time(),
+                "t": now_s(),
                 "c": self.shown,
                 "events": [e.told() for e in self.events],
                 **self._other,
@@ -77,7 +87,7 @@ class Browsers:
         with self._lock:
             message: dict[str, Any] = {k: v for k, v in other.items() if self._other.get(k) != v}
             message["c"] = {k: v for k, v in shown.items() if self.shown.get(k) != v}
-            message["t"] = time.time()
+            message["t"] = now_s()
             if self._fresh:
                 message["events"] = [e.told() for e in self._fresh]
                 self.events.extend(self._fresh)

@@ -132,10 +132,12 @@ class Buttons:
         return int(number)
 
     def cancel(self, signal: str, last: Cycle) -> tuple[bool, tuple[str, ...]]:
-        """Take back the route from a signal: whether one is set, and those that no longer work automatically."""
+        """Take back the route from a signal, or the request for one: whether one is set, and those that no longer work
+        automatically."""
         state = last.memory.state
         is_set = any(state.get(r.active) for r in self._symbols.routes.of_signal.get(SignalId(signal), []))
-        if not is_set and not self._operator.automatic(SignalId(signal)):
+        waits = self._operator.waits(SignalId(signal))
+        if not is_set and not waits and not self._operator.automatic(SignalId(signal)):
             raise Refused(f"no route from {signal} is set that a train has not entered", f"g:{signal}")
         return is_set, self._typed(f"cancel {signal}")
 

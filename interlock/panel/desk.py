@@ -7,7 +7,6 @@ changed goes to whoever listens, as one text.  The desk never stops because of a
 from __future__ import annotations
 
 import os
-import queue
 import threading
 import time
 import traceback
@@ -18,24 +17,23 @@ from typing import Any
 
 from interlock.app.alarms import HAZARD, RECORD, TRAIN, Watch
 from interlock.app.reasons import Moment, Reason
-from interlock.app.run import Ready, run, since_boot
+from interlock.app.run import LATE_S, Ready, run, since_boot
 from interlock.dataclass import dataclass
 from interlock.field.plc import Cycle, Link
 from interlock.field.polling import Beside, InTurn
 from interlock.panel.alarms import Alarm
 from interlock.panel.asking import in_words
-from interlock.panel.browsers import Browsers
+from interlock.panel.browsers import Browsers, now_s
 from interlock.panel.clock import MOST_S, SPEEDS, Clock
 from interlock.panel.commands import Refused
-from interlock.panel.entry import LONGEST, Command, NotKnown, cleaned, line, never_late
+from interlock.panel.entry import LONGEST, WHY, Command, NotKnown, cleaned, line, never_late
 from interlock.panel.event import Event, stamp
 from interlock.panel.operating import Operating, Person
 from interlock.panel.picture import Picture, still, trains
 from interlock.panel.recorder import Recorder
 from interlock.panel.simulated import SimulatedField
 from interlock.panel.stock import LENGTH_M, Impossible
-
-Reply = Callable[[dict[str, Any]], None]
+from interlock.panel.turns import LOOKS, Reply, Turn, Turns
 
 
 @dataclass
@@ -83,7 +81,7 @@ class Desk:
         self._watch = self._watching()
         self.power = True
         self.ran = Ran()
-        self._queue: queue.SimpleQueue[tuple[Person, dict[str, Any], Reply]] = queue.SimpleQueue()
+        self._turns = Turns(LOOKS * cycle_ms / 1000)
         self._last = Cycle({}, {}, False, ())
         self._dt_ms = cycle_ms
         self._hazards = 0
@@ -99,9 +97,10 @@ class Desk:
 
     # --- browsers ----------------------------------------------------------------------------------
 
-    def ask(self, who: Person, command: dict[str, Any], reply: Reply) -> None:
-        """A command for the next cycle; `reply` is told what became of it, in the thread of the cycles."""
-        self._queue.put((who, command, reply))
+    def ask(self, who: Person, command: dict[str, Any], reply: Reply, why_not: str = "") -> None:
+        """A command for the next cycle, or why it is refused then; `reply` is told what became of it, in the thread of
+        the cycles."""
+        self._turns.put(who, command, reply, why_not)
 
     # --- the thread --------------------------------------------------------------------------------
 
@@ -166,6 +165,8 @@ class Desk:
         self._dt_ms = dt_ms
         self._commands()
         found = self.operating.operator.inputs(last, dt_ms)
+        for gone in self.operating.withdrawn():
+            self._note(gone)
         for news in self.operating.operator.news():
             self._note(Event("note", news))
         for name in self.operating.operator.presses.let_go():
@@ -264,18 +265,18 @@ class Desk:
     # --- commands ----------------------------------------------------------------------------------
 
     def _commands(self) -> None:
-        for _ in range(self._queue.qsize()):  # what comes meanwhile waits: it does not hold up the cycle
-            who, command, reply = self._queue.get_nowait()
-            answer = self._answer(who, command)
+        for turn in self._turns.due():
+            answer = self._answer(turn)
             with suppress(Exception):  # whoever cannot be told has gone
-                reply(answer)
+                turn.reply(answer)
 
-    def _answer(self, who: Person, given: Mapping[str, Any]) -> dict[str, Any]:
+    def _answer(self, turn: Turn) -> dict[str, Any]:
         """What becomes of a command; whatever is wrong with it, or with us, the cycles go on."""
+        who = turn.who
         try:
-            command = cleaned(given)
+            command = cleaned(turn.command)
             try:
-                return {"ok": True, **(self._do(who, command) or {})}
+                return {"ok": True, **(self._do(turn, command) or {})}
             except (Refused, Impossible) as no:
                 at = tuple(getattr(no, "at", ()))
                 asked = in_words(command, self.picture.layout.machines)
@@ -291,16 +292,15 @@ class Desk:
                 self._note(Event("note", text, who.name))
             return {"ok": False, "why": [[text, []]]}
 
-    def _do(self, who: Person, command: Command) -> dict[str, Any] | None:
-        what = command["do"]
-        if what == "why":
+    def _do(self, turn: Turn, command: Command) -> dict[str, Any] | None:
+        who, what = turn.who, command["do"]
+        if what == WHY:
             found = self.operating.waits(command["route"], self._last, self._dt_ms)
             return {"why": [[r.text, list(r.at)] for r in found]}
         if not who.operates:
             raise Refused("this browser may only look")
-        late = age_s(command)
-        if late > LATE_S and not never_late(what, command):
-            raise Refused(f"it was asked for {late:.0f} s ago, and is not done now: ask again")
+        if not never_late(what, command) and (why_not := turn.why_not or _late(turn, command)):
+            raise Refused(why_not)
         if what in SIMULATED:
             if self.field is None:
                 raise Refused("the railway is real: this can only be done where it is simulated")
@@ -350,9 +350,17 @@ class Desk:
 DEFECT = "a defect of this program, please report it"
 """What is said where a command fails for no reason that the program knows."""
 
-LATE_S = 5.0
-"""Seconds after which what a browser has asked for is not done any more (our choice): whoever asked has seen no answer,
-and gone on to something else."""
+AHEAD_S = 1.0
+"""Seconds from now that a browser may say it asks at (our choice): it knows our clock to within the time that a message
+takes, and one that takes longer is old."""
+
+
+def _late(turn: Turn, command: Command) -> str:
+    """Why what was asked for is not done any more; empty where it is not late."""
+    age = max(age_s(command), since_boot() - turn.since)
+    if age_s(command) < -AHEAD_S:
+        return f"it says that it is asked for in {-age_s(command):.0f} s: when that was is not known, ask again"
+    return f"it was asked for {age:.0f} s ago, and is not done now: ask again" if age > LATE_S else ""
 
 
 def age_s(command: Command) -> float:
@@ -361,7 +369,7 @@ def age_s(command: Command) -> float:
     heard, after = command.get("heard"), command.get("after")
     if heard is None or after is None:
         return 0.0
-    return float(time.time() - heard - after / 1000)
+    return float(now_s() - heard - after / 1000)
 
 
 SIMULATED = ("put", "bring", "drive", "turn train", "divide", "take away", "fail", "power", "speed")

@@ -35,6 +35,9 @@ ACKNOWLEDGE = "acknowledge"
 CLOCK = "clock"
 """Asks for the clock here, which is answered at once and not by the cycle."""
 
+WHY = "why"
+"""Asks why a route is not set, or its signal at stop."""
+
 STOP = "stop"
 NEVER_LATE = (STOP, "cancel", ACKNOWLEDGE, "remind", "lamp test")
 """Commands that do no harm however late they come; so does to block a section."""
@@ -109,6 +112,18 @@ def cleaned(given: Mapping[str, Any]) -> Command:
         elif key == ALARMS:
             found[key] = _pairs(value)
     return found
+
+
+def verb(given: Mapping[str, Any]) -> str:
+    """What is asked for, as far as that can be told."""
+    do = given.get("do")
+    return line(do) if isinstance(do, str) else ""
+
+
+def dated(given: Mapping[str, Any]) -> bool:
+    """Whether it says when it was asked for, or need not."""
+    what = verb(given)
+    return what == WHY or never_late(what, given) or all(given.get(k) is not None for k in TIMES)
 
 
 def never_late(what: str, command: Mapping[str, Any]) -> bool:

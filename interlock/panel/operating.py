@@ -96,6 +96,11 @@ class Operating:
         yield from self._asked.answers(self.reasons, before, cycle, moment)
         yield from self._asked.by_itself(before, cycle)
 
+    def withdrawn(self) -> Iterator[Event]:
+        """What people have asked for and is not asked for any more."""
+        for gone in self.operator.withdrawn():
+            yield from self._asked.withdrawn(gone)
+
     def waits(self, route: str, last: Cycle, dt_ms: int) -> list[Reason]:
         """Why a route is not set, or does not open."""
         row = self.buttons.routes.get(route)
@@ -183,6 +188,8 @@ class Operating:
 
 def _cancelled(signal: str, is_set: bool, switched_off: tuple[str, ...]) -> str:
     """What is told of a cancellation: what is set again by itself would be set again at once."""
+    if not is_set and not switched_off:
+        return f"cancel at {signal}, where none is set yet"
     if not is_set:
         return f"cancel at {signal}, where none is set; no longer automatic: {', '.join(switched_off)}"
     more = "; it no longer works automatically" if switched_off else ""

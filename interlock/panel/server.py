@@ -57,6 +57,11 @@ WAITING = 50
 """Commands of one browser that may wait for the next cycle; so many again where they put all signals to stop, which is
 not refused because of others (our choice)."""
 
+LOOKS_S = 0.05
+"""Seconds between two messages that are read of a browser that only looks (our choice)."""
+
+NOT_DATED = "it does not say when it was asked for, and is not done"
+
 LARGEST = 4096
 """Characters of a command at most."""
 
@@ -160,6 +165,8 @@ class _Talk:
                 if not isinstance(command, dict):
                     break
                 self._ask(who, command)
+                if not who.operates:
+                    await asyncio.sleep(LOOKS_S)
         finally:
             self.desk.browsers.forget(self._tell)
             sending.cancel()
@@ -177,7 +184,8 @@ class _Talk:
             self._queue(sent({"re": mark, "ok": False, "why": [[why, []]]}))
             return
         self.waiting += 1
-        self.desk.ask(who, command, lambda answer: self._tell(sent({"re": mark, **answer}), answers=True))
+        why_not = "" if entry.dated(command) else NOT_DATED
+        self.desk.ask(who, command, lambda answer: self._tell(sent({"re": mark, **answer}), answers=True), why_not)
 
     async def _read(self) -> Any:
         """The next message, None for one that is none."""

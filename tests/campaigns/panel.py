@@ -61,6 +61,7 @@ class Client:
         self.ws, self.rng = ws, rng
         self.ws.send(json.dumps({"name": f"client {rng.randrange(100)}"}))
         self.sys: dict[str, Any] = {}
+        self.heard = 0.0
         self.trains: list[Any] = []
         self.alarms: list[Any] = []
         self.done: Counter[str] = Counter()
@@ -69,13 +70,14 @@ class Client:
 
     def _hear(self) -> dict[str, Any]:
         m: dict[str, Any] = json.loads(self.ws.recv(timeout=20))
+        self.heard = m.get("t", self.heard)
         self.sys, self.trains = m.get("sys", self.sys), m.get("trains", self.trains)
         self.alarms = m.get("alarms", self.alarms)
         return m
 
     def ask(self, **command: Any) -> bool:
         """A command, and whether it was done."""
-        self.ws.send(json.dumps({**command, "re": 1}))
+        self.ws.send(json.dumps({"heard": self.heard, "after": 0, **command, "re": 1}))
         while "re" not in (m := self._hear()):
             pass
         self.done[f"{command['do']}{'' if m['ok'] else ', refused'}"] += 1
