@@ -152,6 +152,12 @@ def press(page: Any, name: str) -> None:
     asked(page, page.locator(f"button:enabled:has-text({name!r})").first.click)
 
 
+def release_all(page: Any) -> None:
+    """The mouse releases all clear sections, which rests on somebody's word, and says so."""
+    press(page, "Release all clear sections")
+    press(page, "It is so: release all that is clear")
+
+
 def typed(page: Any, line: str) -> None:
     """A line is typed below the plan."""
 
@@ -272,7 +278,7 @@ def worked(chromium: Any, path: Path, script: str = "") -> Iterator[tuple[Desk, 
     """A page of a panel that has gone through its restart, with its desk in this process."""
     with serving(unproved(path.read_text("utf-8"))) as (desk, url), closing_pages(chromium) as b:
         page, wrong = opened(b, url, script)
-        press(page, "Release all clear sections")
+        release_all(page)
         page.wait_for_selector("#restart", state="hidden")
         yield desk, page
         assert [w for w in wrong if "/nowhere" not in w] == []  # where a test has sent it away

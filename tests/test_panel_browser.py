@@ -20,6 +20,7 @@ from tests.pages import (
     opened,
     press,
     refused,
+    release_all,
     serving,
     set_route,
     typed,
@@ -63,7 +64,7 @@ def test_from_request_to_release_by_mouse_alone(chromium: Any, server: Server) -
             still = "{simulated: s, sections: {}}"
             steps = f"async s => (await import('/acts.js')).steps({still}, {{'s:s2': [0]}}, {delay}, () => false)"
             assert told in page.evaluate(steps, simulated)[2][1].rpartition("Trains")[2]
-        press(page, "Release all clear sections")
+        release_all(page)
         page.wait_for_selector("#restart", state="hidden")
         asked(page, lambda: page.select_option("#speed select", "10"))  # time, not the railway
         click(page, "#signal-XB .reach")
@@ -93,7 +94,7 @@ def test_from_request_to_release_by_mouse_alone(chromium: Any, server: Server) -
 def test_by_keys_alone(chromium: Any, server: Server) -> None:
     with closing_pages(chromium) as b:
         page, wrong = opened(b, server.url)
-        press(page, "Release all clear sections")
+        release_all(page)
         page.wait_for_selector("#restart", state="hidden")
 
         def route() -> None:
@@ -133,7 +134,7 @@ def test_two_browsers_agree_and_the_page_outlives_its_server(chromium: Any, serv
     with closing_pages(chromium) as b:
         one, _ = opened(b, server.url)
         two, _ = opened(b, server.url + "?look")
-        press(one, "Release all clear sections")
+        release_all(one)
         one.wait_for_selector("#restart", state="hidden")
         set_route(one, "signal-XI9", "buffer-XC5")
         for page in (one, two):
@@ -202,7 +203,7 @@ def test_between_two_signals_each_kind_of_route_is_offered(chromium: Any) -> Non
     ready = unproved(Path("layouts/passing_loop.yaml").read_text("utf-8") + QUICK)
     with serving(ready) as (_, url), closing_pages(chromium) as b:
         page, wrong = opened(b, url)
-        press(page, "Release all clear sections")
+        release_all(page)
         page.wait_for_selector("#restart", state="hidden")
         offered = ["train route S-S1 over IIAG, 2DG, IG", "call-on route S-S1.c over IIAG, 2DG, IG"]
         for again, route in enumerate(offered):

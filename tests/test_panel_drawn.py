@@ -24,6 +24,7 @@ from tests.pages import (
     is_,
     opened,
     press,
+    release_all,
     serving,
     serving_process,
     style,
@@ -146,7 +147,7 @@ def test_a_manual_change_of_direction_stands_on_the_plan(chromium: Any) -> None:
     ready = unproved(Path("layouts/passing_loop.yaml").read_text("utf-8") + QUICK)
     with serving(ready) as (_, url), closing_pages(chromium) as b:
         page, wrong = opened(b, url)
-        press(page, "Release all clear sections")
+        release_all(page)
         page.wait_for_selector("#restart", state="hidden")
         click(page, "#boundary-W .reach")
         on, off = (page.get_by_role("button", name=f"Special manual change: {x}") for x in ("on", "off"))

@@ -20,8 +20,8 @@ from tests.pages import (
     fresh,
     is_,
     opened,
-    press,
     refused,
+    release_all,
     serving,
     style,
     typed,
@@ -37,7 +37,7 @@ def test_what_was_asked_and_what_is_said_of_it(chromium: Any, tmp_path: Path) ->
     """One page, whose messages are held back or made up: requests without an answer, reasons that are past."""
     with serving(unproved(quick(tmp_path).read_text("utf-8"))) as (desk, url), closing_pages(chromium) as b:
         page, wrong = opened(b, url, TAPPED)
-        press(page, "Release all clear sections")
+        release_all(page)
         page.wait_for_selector("#restart", state="hidden")
         fresh(page)
         page.locator("#section-s9").focus()

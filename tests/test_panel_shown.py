@@ -19,6 +19,7 @@ from tests.pages import (
     is_,
     opened,
     press,
+    release_all,
     serving,
     set_route,
     style,
@@ -205,7 +206,7 @@ def test_a_speed_indicator_stands_at_its_signal(chromium: Any) -> None:
     text = text.replace("principles: {", QUICK.strip().replace("}", ", ").replace("\n", " "))
     with serving(unproved(text)) as (desk, url), closing_pages(chromium) as b:
         page, wrong = opened(b, url)
-        press(page, "Release all clear sections")
+        release_all(page)
         page.wait_for_selector("#restart", state="hidden")
         assert page.locator("#plan .speed").count() == 0
         set_route(page, "signal-X2", "signal-X4")

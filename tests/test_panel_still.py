@@ -20,6 +20,7 @@ from tests.pages import (
     opened,
     over,
     press,
+    release_all,
     serving,
     until,
     worked,
@@ -112,7 +113,7 @@ def test_a_button_that_is_held_down_is_clicked_whatever_happens_meanwhile(chromi
         assert desk.field is not None
         with closing_pages(chromium) as b:
             page, wrong = opened(b, url)
-            press(page, "Release all clear sections")
+            release_all(page)
             page.wait_for_selector("#restart", state="hidden")
             page.locator("#section-s3").focus()
             page.keyboard.press("Enter")

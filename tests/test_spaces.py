@@ -394,14 +394,14 @@ def test_the_report_opens_a_route_by_its_link(
 
 @pytest.mark.external
 def test_the_panel_takes_names_with_spaces(chromium: Any, tmp_path: Path) -> None:
-    from tests.pages import closing_pages, is_, opened, press, serving_process, typed
+    from tests.pages import closing_pages, is_, opened, release_all, serving_process, typed
     from tests.panels import QUICK
 
     text = SPACES.read_text("utf-8").replace("principles: {shunt_release_s: 60}", QUICK.strip())
     (tmp_path / "spaces.yaml").write_text(text, "utf-8")
     with serving_process(tmp_path / "spaces.yaml") as server, closing_pages(chromium) as b:
         page, wrong = opened(b, server.url)
-        press(page, "Release all clear sections")
+        release_all(page)
         page.wait_for_selector("#restart", state="hidden")
         typed(page, "Signal 11 P Strecke O")
         is_(page, "[id='signal-Signal\u00a011\u00a0P']", "clear")
