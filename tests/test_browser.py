@@ -406,3 +406,35 @@ def test_a_large_plan_opens_where_its_lines_come_in(chromium: Any, tmp_path: Pat
                 f"(e => [e.left, e.top])(document.getElementById('boundary-{b}').getBoundingClientRect())"
             )
             assert 0 <= box[0] <= 1500 and 300 <= box[1] <= 700, (b, box)
+
+
+BROKEN = """() => {
+    const found = [], r = document.createRange();
+    for (const td of document.querySelectorAll(".form td")) {
+        const all = document.createTreeWalker(td, NodeFilter.SHOW_TEXT);
+        let text = "", spots = [];
+        for (let n; (n = all.nextNode()); text += n.data)
+            for (let k = 0; k < n.data.length; k++) spots.push([n, k]);
+        for (const m of text.matchAll(/[^\\s、，；,;]+/g)) {
+            const [a, b] = [spots[m.index], spots[m.index + m[0].length - 1]];
+            r.setStart(a[0], a[1]); r.setEnd(b[0], b[1] + 1);
+            if (new Set([...r.getClientRects()].map(x => Math.round(x.top))).size > 1) found.push(m[0]);
+        }
+    }
+    return found;
+}"""
+"""The names and words in the cells of forms that stand on two lines."""
+
+
+@pytest.mark.external
+def test_no_name_in_a_national_form_is_broken(chromium: Any, tmp_path: Path) -> None:
+    """`17-` stood at the end of a line and `23DG` in the next, and the last character of a track's name by itself."""
+    layout, table, _ = built("cn6502")
+    path = tmp_path / "cn6502.html"
+    path.write_text(report_html(layout, table, plan_svg(layout), [], [], {}, {}, ""), "utf-8")
+    with shown(chromium, path) as page:
+        for media, width in (("screen", 1500), ("screen", 1100), ("print", 1500)):
+            page.emulate_media(media=media)
+            page.set_viewport_size({"width": width, "height": 900})
+            assert page.locator(".form .scroll tbody tr").count() == 58
+            assert page.evaluate(BROKEN) == [], (media, width)

@@ -182,6 +182,8 @@ def test_the_command_writes_sheets_and_a_table(tmp_path: Path, monkeypatch: pyte
     assert digest and f'@bottom-left {{ content: "fig2_2, {digest[1]}"' in page, "a sheet by itself says what it is of"
     assert "counter(page)" in page and "counter(pages)" in page
     assert page.count(", tested by: ____") == page.count("<h2>") + 1, "each part is signed, and all of it"
+    signed = re.findall(r'<p class="sign">(.*?)</p>', page)
+    assert all(re.fullmatch(r"(<span>[^<]*: _+</span> ?){3}", x) for x in signed), "no line stands apart from its word"
     Path("fig2_2_tests.csv").write_text("seen: all right", "utf-8")  # what a tester has filled in is not overwritten
     done = run.invoke(cli, ["commission", layout])
     assert done.exit_code == 1 and "--force" in done.output

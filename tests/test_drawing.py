@@ -530,3 +530,20 @@ def test_no_length_stands_so_near_to_a_name_that_they_are_read_as_one(path: str)
             t for t in labels if t.box[1] < bottom - 2 and top + 2 < t.box[3] and t.box != (left, top, right, bottom)
         ]
         assert all(t.box[0] - right >= 5.9 or left - t.box[2] >= 5.9 for t in row)
+
+
+def test_the_second_of_two_yellows_and_the_route_indicator_have_symbols() -> None:
+    """The forms said UU and B of signals that were drawn as any other; where nothing lights them, there are none."""
+    for name in SHIPPED:
+        layout, _, controller = built(name)
+        svg, units = plan_svg(layout), {}
+        for g in layout.signalling.signals:
+            drawn = re.search(rf'<g id="signal-{re.escape(g.id)}".*?</g>', svg)
+            assert drawn is not None
+            units[g.id] = re.findall(r'class="lamp (\w+)"', drawn[0])
+        aspects = controller.symbols.aspects
+        assert {g for g, kinds in units.items() if "second" in kinds} == set(aspects.second)
+        assert {g for g, kinds in units.items() if "indicator" in kinds} == set(aspects.indicator)
+        if name == "cn6502":
+            assert units["X"] == ["main", "second"] and units["S5"] == ["main", "shunt", "indicator"]
+            assert units["D1"] == ["shunt"]

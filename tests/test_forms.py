@@ -314,13 +314,44 @@ def test_points_wanted_both_ways_by_one_route_are_told_from_those_wanted_by_diff
     assert said["1/3+"] == said["1/3−"] == ("", "x") and said["201a+"] == ("x", "x")
 
 
-@pytest.mark.parametrize("profile", ["de", "uk", "generic"])
-def test_a_foul_section_is_left_out_where_the_point_beside_it_lies_the_other_way(profile: str) -> None:
+@pytest.mark.parametrize(
+    ("key", "profile", "word", "said"),
+    [
+        ("de_sslr", "de", "oder", "[3DG oder 1/3−]"),
+        ("uk_routes", "uk", "or", "[3DG or 1/3 R]"),
+        ("us_locking", "generic", "or", "[3DG or 1/3 R]"),
+    ],
+)
+def test_a_foul_section_is_left_out_where_the_point_beside_it_lies_the_other_way(
+    key: str, profile: str, word: str, said: str
+) -> None:
     """3DG fouls the way over 5DG while 1/3 lies normal: it is asked clear, or 1/3 reverse."""
-    key = {"de": "de_sslr", "uk": "uk_routes", "generic": "us_locking"}[profile]
     rows = sheets("cn6502", profile)[key].rows
-    said = {x for row in rows for cell in row for x in re.findall(r"\[3DG or [^\]]*\]", cell)}
-    assert said == {"[3DG or 1/3 R]"}
+    assert {x for row in rows for cell in row for x in re.findall(rf"\[3DG {word} [^\]]*\]", cell)} == {said}
+
+
+def test_a_german_form_tells_by_the_side_how_points_lie_that_make_a_foul_section_clear() -> None:
+    """Over the diamond BC must be clear while 102 lies normal, which is to the right: reverse is L, and R would tell
+    the opposite."""
+    made = sheets("junction", "de")
+    clear = {r["Route"]: r["Sections clear"] for r in told(made["de_verschluss"])}
+    assert clear["S1J-S5"] == "AC, CD, [BC oder 102L], CE"
+    assert dict(made["de_verschluss"].legend)["[BC oder 102L]"].startswith("BC ist frei")
+    assert not any(sign.startswith("[") for sign, _ in sheets("flank_lab")["de_verschluss"].legend)
+
+
+def test_the_german_locking_table_tells_what_a_route_with_one_of_its_overlaps_is() -> None:
+    legend = dict(sheets("flank_lab")["de_verschluss"].legend)
+    assert legend["N2-F.o2"] == "die Fahrstraße mit D-Weg D2; mit einem anderen schließt sie nicht aus"
+    assert not any(".o" in sign for sign in dict(sheets("passing_loop", "de")["de_sslz"].legend))
+
+
+def test_german_two_way_protection_tells_for_which_movements_in_words_of_the_form() -> None:
+    made = grown(TWO_WAY)
+    assert made is not None
+    (form,) = (s for s in national_sheets(made[0], made[1]) if s.key == "de_sslw")
+    said = {r["Points in position"]: r["Remarks"] for r in told(form)}
+    assert said == {"3L": "für 1 bei Fahrt über L", "3R": "für 2 bei Fahrt über R"}
 
 
 def test_what_the_author_declares_hostile_is_told_though_points_exclude_it_too() -> None:

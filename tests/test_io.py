@@ -347,6 +347,9 @@ def test_what_has_to_be_bought_is_counted_once_and_no_more() -> None:
     counted = _equipment(layout, controller)
     called_on = [g.id for g in layout.signalling.signals if g.call_on]
     assert counted["call-on lamp"] == len(called_on) == 2 and set(called_on) == {"X", "XD"}
+    aspects = controller.symbols.aspects
+    assert (counted["second yellow lamp"], counted["route indicator"]) == (len(aspects.second), len(aspects.indicator))
+    assert (len(aspects.second), len(aspects.indicator)) == (2, 4), "each is wired, and was on no list"
     outside = {b.approach for b in layout.track.boundaries} - {None}
     assert counted["approach section with detection"] == len(outside)
     assert counted["section with detection"] == len(layout.track.sections) - len(outside)

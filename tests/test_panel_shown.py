@@ -225,6 +225,20 @@ def test_a_speed_indicator_stands_at_its_signal(chromium: Any) -> None:
         assert desk.broken == "" and wrong == []
 
 
+def test_two_yellows_and_the_route_indicator_light_units_of_their_own(chromium: Any) -> None:
+    """They were letters beside a signal that was drawn without them."""
+    with told(chromium, Path("layouts/cn6502.yaml").read_text("utf-8")) as (page, _):
+        units = {"UU": "#signal-X .lamp.second", "B": "#signal-S5 .lamp.indicator"}
+        for mark, signal in (("UU", "X"), ("B", "S5")):
+            dark = style(page, units[mark], "fill")
+            for marks, aspect in ((mark, "caution"), ("", "caution"), (mark, "clear"), ("", "stop")):
+                tell(page, {f"g:{signal}": [aspect, 0, None, None, 0, None, marks]})
+                lit = {"UU": "rgb(255, 210, 31)", "B": "rgb(255, 255, 255)"}[mark] if marks else dark
+                assert style(page, units[mark], "fill") == lit, (mark, marks)
+        tell(page, {"g:S5": ["stop", 0, None, None, 1, None, ""]})
+        assert style(page, units["B"], "stroke") != "rgb(255, 176, 0)", "the stop lamp is out, not the indicator"
+
+
 def test_a_signal_that_calls_on_shows_white_beside_its_red(chromium: Any) -> None:
     """Its main lamp turned white, though stop stays lit."""
     with told(chromium, Path("layouts/passing_loop.yaml").read_text("utf-8")) as (page, still):

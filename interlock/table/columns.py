@@ -263,7 +263,7 @@ COLUMNS: tuple[Column, ...] = (
         "Erlaubnis",
         lambda r: [] if r.conditions.token is None else [(r.conditions.token.boundary, r.conditions.token.because)],
     ),
-    Column("approach", "Approach locking", "接近锁闭", "Annäherungsverschluss", _approach),
+    Column("approach", "Approach locking", "接近锁闭", "Anrückverschluss", _approach),
     Column(
         "release",
         "Sectional release",

@@ -13,7 +13,6 @@ from math import hypot
 
 from interlock.emit.drawing.canvas import (
     DISTANT,
-    SIGNAL,
     UNIT,
     Box,
     Drawing,
@@ -31,6 +30,7 @@ from interlock.emit.drawing.canvas import (
     reach,
     width,
 )
+from interlock.emit.drawing.lamps import symbol_width
 from interlock.emit.drawing.slanting import Tracks, places
 from interlock.emit.drawing.slips import blades, double_slips
 from interlock.model.elements import BufferKind, DeviceKind, EdgeId, MachineId, SectionId
@@ -179,9 +179,8 @@ def _signals(d: Drawing) -> None:
         up = ahead is leftward
         way = 1 if ahead else -1
         d.signals[g.id] = (x, y, ahead)
-        d.taken.add(
-            (min(x, x + way * SIGNAL), y - 19 if up else y + 6, max(x, x + way * SIGNAL), y - 6 if up else y + 19)
-        )
+        far = x + way * symbol_width(d.layout, g)
+        d.taken.add((min(x, far), y - 19 if up else y + 6, max(x, far), y - 6 if up else y + 19))
         anchor = "start" if ahead else "end"
         _put(d, Label("signal", g.id, g.id, x + way * 2, y - 22 if up else y + 30, anchor=anchor))
     for k in d.layout.signalling.distants:

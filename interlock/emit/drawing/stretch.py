@@ -18,7 +18,6 @@ from interlock.emit.drawing.canvas import (
     DISTANT,
     LEAST,
     MARGIN,
-    SIGNAL,
     TOP,
     UNIT,
     Drawing,
@@ -30,6 +29,7 @@ from interlock.emit.drawing.canvas import (
     reach,
     width,
 )
+from interlock.emit.drawing.lamps import symbol_width
 from interlock.emit.drawing.names import put_names
 from interlock.emit.drawing.narrowest import narrowest
 from interlock.emit.drawing.slips import double_slips
@@ -59,7 +59,7 @@ def _content(plan: Plan, s: Strand, k: int, named: dict[EdgeId, SectionId]) -> f
     for node in (s.nodes[k], s.nodes[k + 1]):
         signal = layout.signalling.facing.get((node, edge))
         if signal is not None:
-            need += max(SIGNAL, width(signal.id)) + 8
+            need += max(symbol_width(layout, signal), width(signal.id)) + 8
         elif node in layout.pointwork.point_at:
             turned = edge == plan.turned_leg(layout.pointwork.point_at[node])
             toe = edge == layout.pointwork.point_at[node].toe

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from xml.sax.saxutils import escape, quoteattr
 
 from interlock.emit.drawing.canvas import Drawing, Label, Spot, arrow, bend, device_spots, fouling_mark
+from interlock.emit.drawing.lamps import FIRST, NEXT, lamps, unit
 from interlock.emit.drawing.place import place
 from interlock.emit.drawing.slips import CHORDS, DoubleSlip, blades, double_slips
 from interlock.model.elements import (
@@ -340,16 +341,11 @@ def _signals(d: Drawing) -> list[str]:
 
 def _signal(layout: Layout, g: Signal, x: float, y: float, ahead: bool, leftward: bool) -> str:
     """A foot at the joint, a mast along the track in the direction of travel, and its lamps: full for main signals,
-    open for shunt signals, both for combined ones; one more, open, for an identifier light.  A board has none, but a
-    plate on its mast: full where trains end, open for a limit of shunt."""
+    open for shunt signals, both for combined ones; with a slash the second of two yellows (UU); one more, open, for an
+    identifier light; a box for a route indicator (B).  A board has none, but a plate on its mast: full where trains
+    end, open for a limit of shunt."""
     side, way = (-1 if ahead is leftward else 1), (1 if ahead else -1)
     my = y + side * 14
-    lamps = [
-        k
-        for k, there in (("main", g.main), ("shunt", g.shunt))
-        if there and layout.signalling.opens(g.id, k == "shunt")
-    ]
-    lamps += ["identifier"] if g.id in layout.signalling.identifiers else []
     mast = f"M{_n(x)} {_n(y + side * 4)} L{_n(x)} {_n(my + side * 4)} M{_n(x)} {_n(my)} L{_n(x + way * 12)} {_n(my)}"
     plate, px = "", x + way * 12
     if g.id in layout.signalling.boards and g.main:
@@ -357,10 +353,7 @@ def _signal(layout: Layout, g: Signal, x: float, y: float, ahead: bool, leftward
     elif g.id in layout.signalling.boards:
         mast += f" M{_n(px)} {_n(my - 6)} L{_n(px + way * 5)} {_n(my - 6)} L{_n(px + way * 5)} {_n(my + 6)}"
         mast += f" L{_n(px)} {_n(my + 6)} Z"
-    heads = "".join(
-        f'<circle class="lamp {kind}" cx="{_n(x + way * (16 + 9 * k))}" cy="{_n(my)}" r="4.2"/>'
-        for k, kind in enumerate(lamps)
-    )
+    heads = "".join(unit(kind, x + way * (FIRST + NEXT * k), my) for k, kind in enumerate(lamps(layout, g)))
     return f'<g id={_id(f"signal-{g.id}")} class="signal {g.kind}"><path class="mast" d="{mast}"/>{plate}{heads}</g>'
 
 

@@ -9,6 +9,7 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from datetime import datetime
 
+from interlock.derivation.lamps import Beside, beside_main
 from interlock.emit.bundle import reproducible
 from interlock.logic.cabinet import Allocation, Channel
 from interlock.logic.controller import Controller
@@ -112,6 +113,8 @@ def equipment_csv(layout: Layout, a: Allocation) -> str:
     kinds["stop board"] = sum(g in layout.signalling.stops for g in layout.signalling.boards)
     kinds["limit-of-shunt board"] = sum(g not in layout.signalling.stops for g in layout.signalling.boards)
     kinds["call-on lamp"] = sum(g.call_on for g in layout.signalling.signals)
+    units = Counter(unit for each in beside_main(layout).values() for unit in each)
+    kinds["second yellow lamp"], kinds["route indicator"] = units[Beside.SECOND], units[Beside.INDICATOR]
     kinds["identifier light"] = len(layout.signalling.identifiers)
     kinds["distant signal"] = len(layout.signalling.distants)
     kinds["section with detection"] = sum(s.detected and not s.approach for s in layout.track.sections)

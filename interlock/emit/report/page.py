@@ -9,6 +9,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, field
 from functools import lru_cache
@@ -99,6 +100,7 @@ def report_html(
             mmt=mmt,
             most=max((x for row in mmt for x in row), default=1),
             heat=_heat,
+            whole=_whole,
             cell=lambda c, way: _cell(c, way, shared, large),
             beyond=beyond_matrix(table),
             forms=[f.printed() for f in national_sheets(layout, table)] if not large else [],
@@ -121,6 +123,8 @@ def _hostile_parts(way: PrintedRoute, large: bool) -> list[tuple[RouteRow | None
     return [(p.row, ", ".join(p.items)) for p in parts(told) if p.items]
 
 
+LONG = 24
+"""Letters of a name that may be broken (our choice)."""
 OF_A_WIDTH = frozenset({"route", "hostile", "flank", "release", "sections"})
 """Columns that the style sheet speaks of."""
 
@@ -164,6 +168,14 @@ def _reasoned(items: Reasons, shared: _Shared) -> Markup:
     """The rest of a tag, with the places of reasons, and the items in it."""
     places = " ".join([str(shared.reason(because)) for _, because in items])
     return Markup(f' data-why="{places}">{escape(", ".join([text for text, _ in items]))}')
+
+
+def _whole(cell: str) -> Markup:
+    """A cell of a form, whose names are not broken behind their hyphens: `17-23DG` stands on one line."""
+    words = re.split(r"([^\s、，；,;]+)", cell)
+    return Markup("").join(
+        Markup('<span class="whole">{}</span>').format(w) if "-" in w and len(w) <= LONG else w for w in words
+    )
 
 
 def _sheet(data: bytes) -> list[list[str]]:

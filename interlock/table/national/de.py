@@ -7,7 +7,8 @@ SslrColumns.java); Ril 819.0102 itself was not read.  What a layout says nothing
 
 from __future__ import annotations
 
-from itertools import pairwise
+from collections.abc import Iterable
+from itertools import islice, pairwise
 
 from interlock.model.elements import DeviceKind, Hand, MachineId, PointId, Position
 from interlock.model.layout import Layout
@@ -120,6 +121,31 @@ def _other_devices(x: Reading, r: RouteRow) -> list[str]:
     """Bridges, doors and what else a route locks, and level crossings that must be open."""
     others = ((m, at) for m, at in x.machines.devices(r).items() if not _closed(x, m, at))
     return [f"{m} {GESTELLT[x.layout.machines.word(m, at)]}" for m, at in others]
+
+
+def _clear(x: Reading, r: RouteRow) -> tuple[str, ...]:
+    """The sections that must be clear: `[BC oder 102L]` only while 102 is not detected there (Grenzzeichen)."""
+
+    def unless(m: MachineId, at: Position) -> str:
+        return f"oder {m}{' ' * x.machines.is_derailer(m)}{lage(x, m, at)}"
+
+    return tuple(x.sections(r, unless))
+
+
+def _signs(x: Reading, ways: Iterable[PrintedRoute], routes: bool = False) -> tuple[tuple[str, str], ...]:
+    """What a section means that is foul in some positions only, and (`routes`) a route with one of its overlaps: the
+    first of each stands for all."""
+    listed = [r for w in ways for r in w.rows]
+    whole = {w.id for w in x.printed.all}
+    foul = (c for r in listed for c in _clear(x, r) if c.startswith("["))
+    excluded = (n for r in listed if routes for n in x.named(r.locking.hostile.routes, by=r) if n not in whole)
+    return (
+        *((c, f"{c[1:].partition(' ')[0]} ist frei, oder die Weiche liegt nachweislich so") for c in islice(foul, 1)),
+        *(
+            (n, f"die Fahrstraße mit D-Weg D{n.rpartition('.o')[2]}; mit einem anderen schließt sie nicht aus")
+            for n in islice(excluded, 1)
+        ),
+    )
 
 
 def _derailers(x: Reading, r: RouteRow) -> str:
@@ -270,7 +296,7 @@ def shunt_routes(layout: Layout, table: InterlockingTable) -> Sheet:
         Field(heading("F", "Art", "Kind", "性质"), _kind),
         Field(heading("G", "Autom. Einstellung", "Automatic", "自动"), lambda r: "x" if r.id in automatic else ""),
         Field(heading("J", "Gegenfahrtausschluss", "Opposing excluded", "迎面进路"), lambda r: _onto(x, r)),
-        Field(heading("K", "Gleisfreimeldung", "Sections clear", "轨道区段"), lambda r: tuple(x.sections(r))),
+        Field(heading("K", "Gleisfreimeldung", "Sections clear", "轨道区段"), lambda r: _clear(x, r)),
         Field(
             heading("L", "Fahrwegweichen mit Flankenschutz", "Points with flank", "要求防护道岔"),
             lambda r: _with_flank(x, r),
@@ -291,7 +317,8 @@ def shunt_routes(layout: Layout, table: InterlockingTable) -> Sheet:
         Field(heading("Q", "Bemerkung", "Remarks", "备注"), lambda r: _remarks(x, r)),
         Field(heading("", "Fahrstraße", "Route in the other tables", "进路名"), lambda r: x.printed.ways[r.id].id),
     )
-    headings, rows = by_way(fields, [w for w in x.printed.listed if w.rows[0].kind is RouteKind.SHUNT], _d_way)
+    listed = [w for w in x.printed.listed if w.rows[0].kind is RouteKind.SHUNT]
+    headings, rows = by_way(fields, listed, _d_way)
     return Sheet(
         "de_sslr",
         "de",
@@ -304,6 +331,7 @@ def shunt_routes(layout: Layout, table: InterlockingTable) -> Sheet:
         legend=(
             *LAGE,
             ("R, U", "Regelfahrstraße, Umfahrstraße"),
+            *_signs(x, listed),
             ("J", "ja: gleichzeitige Rangierfahrten von der anderen Seite in das Zielgleis sind ausgeschlossen"),
         ),
     )
@@ -336,7 +364,7 @@ def locking(layout: Layout, table: InterlockingTable) -> Sheet:
         ),
         Field(heading("", "Gleissperren", "Derailers", "脱轨器"), lambda r: _derailers(x, r)),
         Field(heading("", "Signale in Halt", "Signals at stop", "禁止信号"), lambda r: tuple(x.stops(r))),
-        Field(heading("", "Freimeldung", "Sections clear", "轨道区段"), lambda r: tuple(x.sections(r))),
+        Field(heading("", "Freimeldung", "Sections clear", "轨道区段"), lambda r: _clear(x, r)),
         Field(
             heading("", "Ausschlüsse", "Routes excluded", "敌对进路"), lambda r: x.named(r.locking.hostile.routes, by=r)
         ),
@@ -356,5 +384,5 @@ def locking(layout: Layout, table: InterlockingTable) -> Sheet:
         rows,
         True,
         "after the classic Verschlusstafel (routes against what they lock); no worked example was at hand",
-        legend=(*LAGE, *([MITLAUFEND] if x.drives else [])),
+        legend=(*LAGE, *_signs(x, x.printed.listed, routes=True), *([MITLAUFEND] if x.drives else [])),
     )

@@ -163,6 +163,12 @@ def _requester(x: Reading, c: FlankCell) -> tuple[str, str]:
     return (c.requester, "") if used is None else (x.machines.called(PointId(name)), end_lage(x, PointId(name), used))
 
 
+def _movement(x: Reading, c: FlankCell) -> str:
+    """The movement that asks, in words."""
+    name, over = _requester(x, c)
+    return f"{name} bei Fahrt über {over}" if over else name
+
+
 Wanted = dict[MachineId, dict[Position, list[FlankCell]]]
 
 
@@ -226,7 +232,7 @@ def two_way(layout: Layout, table: InterlockingTable) -> Sheet:
         Field(heading("N", "nicht freigemeldet", "Space not proved", "不检查区段"), lambda w: w.asked.not_clear()),
         Field(
             heading("P", "Bemerkung", "Remarks", "备注"),
-            lambda w: "für " + ", ".join(dict.fromkeys(c.requester for c in w.asked.cells)),
+            lambda w: "für " + ", ".join(dict.fromkeys(_movement(x, c) for c in w.asked.cells)),
         ),
     )
     headings, cells_ = filled(fields, rows)

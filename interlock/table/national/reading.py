@@ -198,10 +198,15 @@ class Reading:
         """The way of a lock."""
         return self.topo.traversals[key[0]][key[1] - 1]
 
-    def sections(self, r: RouteRow) -> list[str]:
-        """Sections to be clear: path, foul sections with their condition, overlap, flank space, what was added."""
+    def sections(
+        self, r: RouteRow, unless: Callable[[MachineId, Position], str] = lambda m, at: f"or {m} {at}"
+    ) -> list[str]:
+        """Sections to be clear: path, foul sections with their condition, overlap, flank space, what was added.
+
+        unless: says, in the form's words, that a foul section need not be clear where a machine lies so.
+        """
         foul = [
-            f.section if f.when is None else f"[{f.section} or {f.when[0]} {f.when[1].other}]" for f in r.clear.foul
+            f.section if f.when is None else f"[{f.section} {unless(f.when[0], f.when[1].other)}]" for f in r.clear.foul
         ]
         over = [s for s, _ in r.locking.overlap.ways] if r.locking.overlap else []
         space = [c.name for c in r.clear.space if not c.lamp]

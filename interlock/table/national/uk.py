@@ -184,7 +184,7 @@ def route_table(layout: Layout, table: InterlockingTable) -> Sheet:
             Heading("Speed (km/h)", "速度 (km/h)", "Geschwindigkeit (km/h)"),
             lambda r: "" if r.signal.speed.kmh is None else str(r.signal.speed.kmh),
         ),
-        Field(Heading("Approach locked", "接近锁闭", "Annäherungsverschluss"), _approach),
+        Field(Heading("Approach locked", "接近锁闭", "Anrückverschluss"), _approach),
         Field(Heading("Approach locking released", "接近解锁", "Auflösung"), _approach_release),
         Field(Heading("Remarks", "备注", "Bemerkung"), lambda r: _remarks(x, r)),
         Field(Heading("In the other tables", "进路名", "Fahrstraße"), lambda r: x.printed.ways[r.id].id),

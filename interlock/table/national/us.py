@@ -56,7 +56,9 @@ def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
             lambda r: tuple(name for names in _conflicting(x, r) for name in names),
         ),
         Field(Heading("Track circuits (OS)", "轨道区段", "Freimeldung"), lambda r: tuple(x.sections(r))),
-        Field(Heading("Approach circuit", "接近区段", "Annäherung"), lambda r: ", ".join(r.locking.approach.sections)),
+        Field(
+            Heading("Approach circuit", "接近区段", "Anrückabschnitt"), lambda r: ", ".join(r.locking.approach.sections)
+        ),
         Field(Heading("Time locking (s)", "延时", "Zeitverschluss"), lambda r: f"{r.locking.approach.delay_s:g}"),
         Field(
             Heading("Traffic locking", "方向闭锁", "Streckenblock"),
