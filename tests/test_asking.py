@@ -13,6 +13,9 @@ from interlock.proof.engines.by_kind import FIRST, decided_by_kind
 from interlock.proof.engines.limits import Limits
 from interlock.proof.engines.minisat import MiniSat
 from interlock.proof.engines.plaisted_greenbaum import OneSided
+from interlock.proof.induction.inductive import holding_at_restart
+from interlock.proof.system.transition import System
+from tests.layouts import built
 
 
 def test_what_does_not_follow_wears_patience_out() -> None:
@@ -86,3 +89,17 @@ def test_a_goal_that_needs_more_than_those_before_it_is_asked_with_all_facts(mon
     found = decided_by_kind(goals, facts, {}, Limits(), [False] * count)
     assert all(d.follows for d in found)
     assert assumed == [4] * FIRST + [1] * 2 + [1, 4] + [3]
+
+
+@pytest.mark.parametrize(
+    ("answer", "said"),
+    [(Answer.UNSAT, "the restart states contradict each other"), (Answer.UNKNOWN, "could not be decided")],
+)
+def test_restart_states_contradict_each_other_only_where_an_engine_has_said_so(
+    monkeypatch: pytest.MonkeyPatch, answer: Answer, said: str
+) -> None:
+    """An engine that gave up within its limit has said nothing, and nothing is concluded from it."""
+    layout, _, controller = built("mine11")
+    monkeypatch.setattr(MiniSat, "ask", lambda sat, *literals: answer)
+    with pytest.raises(RuntimeError, match=said):
+        holding_at_restart(System(layout, controller), [], Limits())

@@ -243,7 +243,7 @@ def test_edited_text_is_refuted_unless_the_edit_changes_nothing() -> None:
 
 
 def test_a_wire_is_only_what_its_variable_holds_when_it_is_read() -> None:
-    """Written right and then otherwise, read before it is written, or taken by an input: each is another function."""
+    """Written twice, read before it is written, or taken by an input: each is another function, or refused as it is."""
     _, _, controller = built("fig2_2")
     text = text_of("fig2_2")
     assert compare_st(controller, text).proved
@@ -251,10 +251,11 @@ def test_a_wire_is_only_what_its_variable_holds_when_it_is_read() -> None:
     end = text.index(" (* lies there since the restart *)", begin)
     made, after = text[begin:end] + "\n", text[end:]
     assert made.rstrip().endswith(";") and "AVN_P1" in after
-    assert compare_st(controller, text[:begin] + made + "  D.AVN_P1 := D.AVN_P1;\n" + after).proved
-    assert compare_st(controller, text[:begin] + made + made + after).proved
-    assert not compare_st(controller, text[:begin] + made + "  D.AVN_P1 := NOT D.AVN_P1;\n" + after).proved
-    assert not compare_st(controller, text[:begin] + made + "  D.AVN_P1 := FALSE;\n" + after).proved
+    assert compare_st(controller, text[:begin] + made + after).proved
+    for again in (made, "  D.AVN_P1 := D.AVN_P1;\n", "  D.AVN_P1 := NOT D.AVN_P1;\n", "  D.AVN_P1 := FALSE;\n"):
+        assert not compare_st(controller, text[:begin] + made + again + after).proved
+    denied = made.replace(":= ", ":= NOT (", 1).replace(";", ");")
+    assert not compare_st(controller, text[:begin] + denied + after).proved
     reader = after.index("  D.WF_DP_1 := ")  # what it reads of the wire is now older than the wire
     assert not compare_st(controller, text[:begin] + after[:reader] + made + after[reader:]).proved
     a = controller.next[0].name

@@ -84,11 +84,14 @@ class Execution(Generic[V]):
     """Runs scans of the last block of a unit over an algebra.
 
     kept: a value for a variable that is read while nobody knows what it holds, by its path and what it begins with.
+    With it a scan is carried out for proof, and `BadText` is raised where it writes a variable twice: others may see it
+    in between (a signal that shows proceed until a later statement takes it back).
     """
 
     def __init__(self, unit: Unit, algebra: Algebra[V], kept: Callable[[str, V], V] | None = None) -> None:
         self.algebra = algebra
         self.kept = kept
+        self._written: set[tuple[str, str]] = set()
         self.blocks = {b.name.upper(): b for b in unit.blocks}
         if len(self.blocks) != len(unit.blocks):
             raise BadText("two blocks of one name")
@@ -141,6 +144,7 @@ class Execution(Generic[V]):
 
     def scan(self, inputs: Mapping[str, V]) -> dict[str, V]:
         """One call of the main block."""
+        self._written = set()
         self._call(self.main, inputs)
         return {d.name: self._held(self.main, d.name) for d in self.main.block.outputs}
 
@@ -156,11 +160,19 @@ class Execution(Generic[V]):
         for s in body:
             if isinstance(s, Assign):
                 holder, name = self._place(inst, s.target)
+                self._write(holder, name)
                 holder.values[name] = self.algebra.assigned(name, self._value(inst, s.value))
             elif isinstance(s, Call):
                 self._invoke(inst, s)
             else:
                 self._branch(inst, s)
+
+    def _write(self, holder: Instance[V], name: str) -> None:
+        """Note that a variable is written in this scan."""
+        variable = holder.path, name
+        if self.kept is not None and variable in self._written:
+            raise BadText(f"{''.join(variable)} is written twice in a scan")
+        self._written.add(variable)
 
     def _place(self, inst: Instance[V], target: Name) -> tuple[Instance[V], str]:
         """What is assigned to: a variable of the block, or a member of a structure that is no input."""
@@ -190,12 +202,17 @@ class Execution(Generic[V]):
         conditions = [self._value(inst, c) for c, _ in s.arms]
         places = [self._place(inst, n) for n in _targets(inst.block, s).values()]
         before = [self._held(holder, n) for holder, n in places]
+        for holder, n in places:
+            self._write(holder, n)
         left: list[list[V]] = []
+        written = self._written
         for body in (*(then for _, then in s.arms), s.otherwise):
+            self._written = set()  # one of the arms is carried out
             self._run(inst, body)
             left.append([holder.values[n] for holder, n in places])
             for (holder, n), v in zip(places, before, strict=True):
                 holder.values[n] = v
+        self._written = written
         found = left.pop()
         for condition, then in zip(reversed(conditions), reversed(left), strict=True):
             found = [v if x is v else a.choose(condition, x, v) for x, v in zip(then, found, strict=True)]

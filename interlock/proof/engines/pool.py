@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import multiprocessing
+import os
+import pickle
 import signal
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from multiprocessing import connection
+from multiprocessing.connection import Connection
 from multiprocessing.context import ForkProcess
-from queue import Empty
+from queue import SimpleQueue
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -27,19 +31,26 @@ def undisturbed() -> None:
 
 class Begun:
     """Work that goes on in processes of their own beside what its owner does, until the end of a `with` block; what is
-    not begun there when its results are asked for, and all of it without forks, its owner does."""
+    not begun there when its results are asked for, and all of it without forks, its owner does.
+
+    Each process tells its answers through a pipe of its own, which ends with it, also in the midst of an answer.
+    """
 
     def __init__(self, tasks: Sequence[Task], beside: int) -> None:
         """`beside`: the number of processes.  They are forks: they inherit what the tasks read."""
         self._tasks = tasks
         self._processes: list[ForkProcess] = []
+        self._pipes: list[Connection] = []
         if beside > 0 and _forks():
             fork = multiprocessing.get_context("fork")
             self._next = fork.Value("i", 0)
-            self._answers = fork.Queue()
-            self._processes = [fork.Process(target=self._work, daemon=True) for _ in range(beside)]
-            for process in self._processes:
+            for _ in range(beside):
+                pipe, end = fork.Pipe(duplex=False)
+                process = fork.Process(target=self._work, args=(pipe, end), daemon=True)
                 process.start()
+                end.close()  # before the next fork: nobody else holds it
+                self._processes.append(process)
+                self._pipes.append(pipe)
 
     def _take(self) -> int | None:
         """The number of the first task that nobody has begun."""
@@ -48,13 +59,17 @@ class Begun:
             self._next.value += 1
         return n if n < len(self._tasks) else None
 
-    def _work(self) -> None:
+    def _work(self, pipe: Connection, end: Connection) -> None:
+        """Do tasks while there are some; answers are told beside it, since their owner may be at a task of its own."""
         undisturbed()
+        pipe.close()
+        answers: SimpleQueue[bytes] = SimpleQueue()
+        telling = threading.Thread(target=_tell, args=(answers, end), daemon=True)
+        telling.start()
         while (n := self._take()) is not None:
-            try:
-                self._answers.put((n, self._tasks[n](), None))
-            except Exception as error:
-                self._answers.put((n, None, error))
+            answers.put(_answer(n, self._tasks[n]))
+        answers.put(_DONE)
+        telling.join()
 
     def results(self, done: Callable[[int], None] = lambda n: None) -> list[Any]:
         """The results in the order of the tasks; raises what a task raised.  `done` is told each one's number."""
@@ -70,25 +85,31 @@ class Begun:
         else:
             while (own := self._take()) is not None:
                 note(own, self._tasks[own]())
-                while len(found) < len(self._tasks) and self._told(note, wait=False):
+                while self._told(note, wait=False):
                     pass
             while len(found) < len(self._tasks):
                 self._told(note, wait=True)
         return [found[n] for n in range(len(self._tasks))]
 
     def _told(self, note: Callable[[int, Any], None], wait: bool) -> bool:
-        """Take an answer of the processes, if there is one."""
-        codes = [p.exitcode for p in self._processes]  # before the last look: all that a process has told is there
-        try:
-            n, result, error = self._answers.get(timeout=1) if wait else self._answers.get_nowait()
-        except Empty:
-            if None not in codes or any(codes):
+        """Take the answers that the processes have begun to tell; whether there were some."""
+        if wait and not self._pipes:
+            raise RuntimeError("what no process does any more is waited for")
+        ready = connection.wait(self._pipes, None if wait else 0)
+        for pipe in [p for p in self._pipes if p in ready]:
+            try:
+                answer = pipe.recv_bytes()
+            except (EOFError, OSError):
                 raise RuntimeError("a process has ended before its work was done") from None
-            return False
-        if error is not None:
-            raise error
-        note(n, result)
-        return True
+            if answer == _DONE:
+                self._pipes.remove(pipe)
+                pipe.close()
+                continue
+            n, result, error = pickle.loads(answer)
+            if error is not None:
+                raise error
+            note(n, result)
+        return bool(ready)
 
     def __enter__(self) -> Begun:
         return self
@@ -98,6 +119,32 @@ class Begun:
         for process in self._processes:
             process.terminate()
             process.join()
+        for pipe in self._pipes:
+            pipe.close()
+
+
+_DONE = b""
+"""What a process tells last."""
+
+
+def _tell(answers: SimpleQueue[bytes], end: Connection) -> None:
+    """Tell answers as they come, until the last; where nobody hears them the process ends."""
+    while True:
+        answer = answers.get()
+        try:
+            end.send_bytes(answer)
+        except OSError:
+            os._exit(1)
+        if answer == _DONE:
+            return
+
+
+def _answer(n: int, task: Task) -> bytes:
+    """The result of the task of a number, or what it raised."""
+    try:
+        return pickle.dumps((n, task(), None), pickle.HIGHEST_PROTOCOL)
+    except Exception as error:
+        return pickle.dumps((n, None, error), pickle.HIGHEST_PROTOCOL)
 
 
 def _forks() -> bool:

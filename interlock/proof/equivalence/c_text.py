@@ -3,7 +3,8 @@
 pycparser (the extra `c99`) reads C99 but neither comments nor directives.  Comments are taken out here; of directives
 the file may have those that are emitted, at their places, and nothing that C's preprocessor would replace may follow.
 What all files have in common must have the syntax tree of what the emitter calls fixed; tables, structures, and every
-statement of the functions are read one by one.  A construct of any other kind is refused.
+statement of the functions are read one by one.  A construct of any other kind is refused, and so is an object that is
+written twice in a call: who looks in between would see what is compared with nothing.
 
 **Theorem.**  The walk gives each variable the formula of the value that the statements, taken in order, leave in it; a
 construct whose meaning it does not know is refused: so what is equal to the controller as a formula is equal in every
@@ -97,6 +98,7 @@ class _Reader:
         self.values: dict[str, Term] = {}
         self.functions: dict[str, Any] = {}
         self.called: set[str] = set()
+        self.written: set[str] = set()
         self.structures: dict[str, dict[str, str]] = {}
         self.tables: dict[str, tuple[object, tuple[tuple[str, ...], ...]]] = {}
         name = self.p.removeprefix("IL_")
@@ -244,7 +246,7 @@ class _Reader:
         if any(self.values.get(x) not in (FALSE, Constant(0)) for x in stopped) or self.values.get("begun") is not TRUE:
             raise BadC("a timer is not stopped at the beginning, or the beginning is not noted")
         self.values = {f"now.{s.name}": var(s.name) for s in c.state}
-        self.called = set()
+        self.called, self.written = set(), set()
         name = f"{p}_scan"
         statements = self._begun(self._statements(name), self.fixed.begin)
         statements = self._begun(self._copied(statements), self.fixed.late)  # from here on the copy alone is read
@@ -339,6 +341,7 @@ class _Reader:
         if len(places) != 1:
             raise self._bad(x, "several words at once")
         (place,) = places
+        self._write(x, place)
         self.values[place] = self.algebra.assigned(place.partition(".")[2], found)
 
     def _said(self, body: Any, places: set[str]) -> Term:
@@ -370,10 +373,12 @@ class _Reader:
         if type(x.lvalue).__name__ == "ID":
             if (x.lvalue.name, getattr(x.rvalue, "name", None)) != ("now", "next"):
                 raise self._bad(x, "a copy that is not emitted")
+            self._write(x, "now")
             for s in self.controller.state:
                 self.values[f"now.{s.name}"] = self._held(x, f"next.{s.name}")
             return
         place = self._place(x.lvalue)
+        self._write(x, place)
         root, _, name = place.partition(".")
         if root in self.told:
             value = self._code(x, place)
@@ -395,6 +400,12 @@ class _Reader:
             raise self._bad(x, f"{root} is written")
         shown = spelled(name) if root == "wire" else computed(spelled(name)) if root == "next" else ""
         self.values[place] = self.algebra.assigned(shown, value) if shown else value
+
+    def _write(self, x: Any, place: str) -> None:
+        """Note that an object is written in this call: twice it may not be, since others may see it in between."""
+        if place in self.written:
+            raise self._bad(x, f"{place} is written twice in a call")
+        self.written.add(place)
 
     def _timed(self, x: Any, root: str, name: str) -> Term:
         """A timer's call gives the wire of its own name."""

@@ -2,7 +2,8 @@
 
 The text is parsed back by our own grammar and executed symbolically, from any values that its variables may have kept
 from the scan before; every state variable's initial and next value, every timer's input and preset, and every output
-must be the same function as in the controller.
+must be the same function as in the controller.  That is compared at the end of the scan; so that nobody who looks in
+its midst sees anything else, a text that writes a variable twice in a scan is refused.
 
 Where a variable of the text gets the very expression that the controller has for the wire of its name, the wire's name
 stands for it in what follows: by the order of the text, each name then stands for what the controller computes.

@@ -74,6 +74,7 @@ def holding_at_restart(system: System, invariants: Sequence[Invariant], limits: 
     """Which invariants hold at the restart.
 
     Most of the state has one value there: what is not true by these values alone is asked.
+    Raises RuntimeError if there is no such state, or if that could not be decided: then nothing is proved.
     """
     fixed, others = restart_values(system.initial)
     put = Substitution(fixed)
@@ -81,8 +82,11 @@ def holding_at_restart(system: System, invariants: Sequence[Invariant], limits: 
     cnf = Cnf()
     for x in facts:
         cnf.require(x)
-    if solver(limits.engine, cnf, limits.query_ms).ask() is not Answer.SAT:
+    answer = solver(limits.engine, cnf, limits.query_ms).ask()
+    if answer is Answer.UNSAT:
         raise RuntimeError("the restart states contradict each other")
+    if answer is not Answer.SAT:
+        raise RuntimeError("whether there is a restart state could not be decided")
     known = {name: x is TRUE for name, x in fixed.items()}
     left = [n for n, i in enumerate(invariants) if not settled(i.expr, known)]
     asked = [put(invariants[n].expr) for n in left]

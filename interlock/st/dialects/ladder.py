@@ -3,7 +3,8 @@
 Before it is drawn an equation is brought into a form that a rung has: contacts in a row, or rows beside each other, of
 variables alone; what is nested deeper, a comparison, or a negated bracket gets a rung and a variable of its own.  A
 constant is a coil at the rail, negated for FALSE.  Rungs stand one below the other in the order of the text, and the
-reader takes them in this order only.
+reader takes them in this order only, each at least a row below the one before: Beremiz carries out coils that are less
+than 10 apart from left to right, whatever their order.
 """
 
 from __future__ import annotations
@@ -43,6 +44,9 @@ WIDE, HIGH = 120, 40
 """From contact to contact, from row to row."""
 SIDE = 60
 """Of a block."""
+_OUTPUTS = {"EQ": ("ENO", "OUT"), "TON": ("Q", "ET")}
+"""Of the blocks that are drawn, from above."""
+_NUMBER = re.compile("[0-9]+")
 _POINT = "connectionPointIn"
 _RULES = {
     "body": Rule(children="ST LD"),
@@ -213,7 +217,7 @@ class _Sheet:
             raise Unsupported(f"a comparison by {x.op}")
         rail = self._begin(s.note, 2)
         left, right = self._given(x.left, self.y), self._given(x.right, self.y + HIGH)
-        block = self._block("EQ", "", {"EN": rail, "IN1": left, "IN2": right}, ("ENO", "OUT"))
+        block = self._block("EQ", "", {"EN": rail, "IN1": left, "IN2": right})
         self._end(s.target, 3, [(block, "OUT")])
         self.y += 2 * HIGH
 
@@ -222,16 +226,16 @@ class _Sheet:
         rail = self._begin(call.note, 2)
         contact = self._contact(given["IN"], 1, rail, "", self.y)
         inputs = {"IN": contact, "PT": self._given(given["PT"], self.y + HIGH)}
-        block = self._block("TON", f' instanceName="{call.instance}"', inputs, ("Q", "ET"))
+        block = self._block("TON", f' instanceName="{call.instance}"', inputs)
         self._end(s.target, 3, [(block, "Q")])
         self.y += 2 * HIGH
 
-    def _block(self, kind: str, instance: str, inputs: dict[str, int], outputs: Sequence[str]) -> int:
+    def _block(self, kind: str, instance: str, inputs: dict[str, int]) -> int:
         given = "".join(f'<variable formalParameter="{n}">{_joined([(x, "")])}</variable>' for n, x in inputs.items())
         told = "".join(
             f'<variable formalParameter="{n}"><connectionPointOut><relPosition x="{SIDE}" y="{k * SIDE // 3}"/>'
             "</connectionPointOut></variable>"
-            for k, n in enumerate(outputs, 1)
+            for k, n in enumerate(_OUTPUTS[kind], 1)
         )
         text = f"<inputVariables>{given}</inputVariables><inOutVariables/><outputVariables>{told}</outputVariables>"
         return self._add(
@@ -253,11 +257,16 @@ def _joined(ends: Sequence[tuple[int, str]], line: str = "") -> str:
 
 @dataclass(frozen=True)
 class _Element:
-    """An element of a body: what leads to it, by its inputs' names."""
+    """An element of a body: what leads to it, by its inputs' names.
+
+    at: x and y.  outputs: those of a block, and where they are.  end: where the line to it comes from, if it is drawn.
+    """
 
     tag: str
-    y: int
+    at: tuple[int, int]
     inputs: dict[str, tuple[tuple[str, str], ...]]
+    outputs: tuple[tuple[str, tuple[int, int]], ...]
+    end: tuple[int, int] | None
     negated: bool
     variable: str
     kind: str
@@ -285,10 +294,9 @@ class _Reader:
 
     def _element(self, x: ElementTree.Element) -> _Element:
         tag = x.tag.rsplit("}", 1)[1]
-        place = x.find(self._path("position"))
-        y = place.get("y", "") if place is not None else ""
-        if not y.isdigit() or x.get("negated", "false") not in ("true", "false"):
-            raise self._bad(f"a {tag} without a place, or with another sign")
+        at = self._place(x.find(self._path("position")))
+        if x.get("negated", "false") not in ("true", "false"):
+            raise self._bad(f"a {tag} with another sign")
         inputs = {"": self._connections(x)}
         for v in x.findall(self._path("inputVariables", "variable")):
             own = v.get("formalParameter", "")
@@ -297,7 +305,27 @@ class _Reader:
             inputs[own] = self._connections(v)
         variable = x.findtext(self._path("variable")) or x.findtext(self._path("expression")) or ""
         kind, instance = x.get("typeName", ""), x.get("instanceName", "")
-        return _Element(tag, int(y), inputs, x.get("negated") == "true", variable, kind, instance)
+        corners = x.findall(self._path(_POINT, "connection", "position"))
+        end = self._place(corners[-1]) if corners else None
+        negated = x.get("negated") == "true"
+        return _Element(tag, at, inputs, self._outputs(x, at), end, negated, variable, kind, instance)
+
+    def _outputs(self, x: ElementTree.Element, at: tuple[int, int]) -> tuple[tuple[str, tuple[int, int]], ...]:
+        """The outputs of a block, from above, and where they are."""
+        found = []
+        for v in x.findall(self._path("outputVariables", "variable")):
+            if set(v.attrib) != {"formalParameter"}:
+                raise self._bad("an output with a sign of its own")
+            right, below = self._place(v.find(self._path("connectionPointOut", "relPosition")))
+            found.append((v.get("formalParameter", ""), (at[0] + right, at[1] + below)))
+        return tuple(found)
+
+    def _place(self, x: ElementTree.Element | None) -> tuple[int, int]:
+        """The x and y that an element says."""
+        said = (x.get("x", ""), x.get("y", "")) if x is not None else ("", "")
+        if not all(_NUMBER.fullmatch(n) for n in said):
+            raise self._bad(f"no place is said by x {said[0]!r} and y {said[1]!r}")
+        return int(said[0]), int(said[1])
 
     def _connections(self, x: ElementTree.Element) -> tuple[tuple[str, str], ...]:
         found = x.findall(self._path(_POINT, "connection"))
@@ -305,14 +333,14 @@ class _Reader:
 
     def body(self) -> Iterator[Statement]:
         """A rung for each coil, from above."""
-        above = -1
+        above = -HIGH
         for number, x in self.found.items():
             if x.tag == "comment":
                 self.used.add(number)
             elif x.tag == "coil":
-                if x.y <= above:
-                    raise self._bad(f"the rung of {x.variable} stands above the one before")
-                above = x.y
+                if x.at[1] < above + HIGH:
+                    raise self._bad(f"the rung of {x.variable} does not stand a row below the one before")
+                above = x.at[1]
                 self.used.add(number)
                 yield from self._rung(x)
             elif x.tag == "rightPowerRail":
@@ -334,7 +362,10 @@ class _Reader:
         target, ends = self._name(coil.variable), coil.inputs[""]
         first = self.found.get(ends[0][0]) if len(ends) == 1 else None
         if first is not None and first.tag == "block" and not coil.negated:
-            yield from self._block(self._take(ends[0][0], "block"), ends[0][1], target)
+            block = self._take(ends[0][0], "block")
+            if coil.end is None or coil.end != dict(block.outputs).get(ends[0][1]):
+                raise self._bad(f"the line to {target} does not come from the output {ends[0][1]!r}")
+            yield from self._block(block, ends[0][1], target)
         elif first is not None and first.tag == "leftPowerRail":
             self._take(ends[0][0], "leftPowerRail")
             yield Assign(target, Bool(not coil.negated))
@@ -360,6 +391,9 @@ class _Reader:
         return found[0] if len(found) == 1 else Nary("AND", tuple(found))
 
     def _block(self, b: _Element, output: str, target: Name) -> Iterator[Statement]:
+        heights = [y for _, (_, y) in b.outputs]
+        if tuple(n for n, _ in b.outputs) != _OUTPUTS.get(b.kind) or heights != sorted(set(heights)):
+            raise self._bad(f"a block {b.kind} with other outputs, or not from above")
         ends = {n: x[0] for n, x in b.inputs.items() if len(x) == 1 and not x[0][1]}
         if b.kind == "TON" and output == "Q" and set(ends) == {"IN", "PT"}:
             timer = str(self._name(b.instance))
@@ -372,7 +406,7 @@ class _Reader:
             yield Assign(target, Name((timer, "Q")))
         elif b.kind == "EQ" and output == "OUT" and set(ends) == {"EN", "IN1", "IN2"} and not b.instance:
             left, right = (self._take(ends[n][0], "inVariable") for n in ("IN1", "IN2"))
-            if left.negated or right.negated or not right.variable.isdigit():
+            if left.negated or right.negated or not _NUMBER.fullmatch(right.variable):
                 raise self._bad(f"a comparison of {left.variable} with {right.variable}")
             self._take(ends["EN"][0], "leftPowerRail")
             yield Assign(target, Compare("=", self._name(left.variable), Int(int(right.variable))))
