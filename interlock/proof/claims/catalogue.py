@@ -12,7 +12,7 @@ from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, eq, iff, implies, neg, var
 from interlock.logic.plant import accepted, came, has_token, o, rests, shunting
 from interlock.logic.symbols import RouteSymbols
-from interlock.model.elements import SignalId
+from interlock.model.elements import SectionId, SignalId
 from interlock.model.principles import Caution
 from interlock.model.traversal import zone_joints
 from interlock.proof.claims.added import declared, demanded, held
@@ -115,7 +115,9 @@ CLAIMS: dict[str, str] = {
     "set, or for the movement that passes it.",
     "S-CANCELLED": "A cancelled signal shows stop in the same scan.",
     "S-SET": "A section is locked for a movement only when inputs are valid, it is not blocked or locked, and it is "
-    "steadily clear; for calling on, and where a shunting movement ends, it need be neither clear nor unlocked.",
+    "steadily clear; for calling on, and where a shunting movement ends, it need be neither clear nor unlocked.  A "
+    "shunting movement is set into vehicles only while no train is called in, nothing is set in at another end, and "
+    "all is steadily clear in rear of what came in there past a signal.",
     "S-BOARD": "No section is locked past the place where a movement must end: past a stop board for nobody, past a "
     "limit-of-shunt board for trains only, past a shunt signal at which trains end for shunting movements only.",
     "S-IDENTIFIER": "A signal shows its identifier light alone, neither stop nor proceed beside it, and only while the "
@@ -443,6 +445,28 @@ def _set(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             else [neg(f.locking.locked(s)), *([f.seen.steadily_clear(s)] if s in f.sym.sections.clear else [])]
         )
         yield "S-SET", f"{s} {n}", implies(new, conj((var(f.sym.valid), *blocked, *free)))
+    for r in f.sym.routes:
+        if r.path.berth is not None:
+            new = conj((f.after(var(r.active)), neg(var(r.active))))
+            yield "S-SET", f"{r.id} into a berth", implies(new, _nobody_comes_in(f, *r.path.berth))
+
+
+def _nobody_comes_in(f: Facts, s: SectionId, n: int) -> Expr:
+    """R2: no train is called into a berth, and of what comes in at another end than a movement all has come in: a
+    reading of clear in rear of it that does not last is none (R15)."""
+    out = [neg(f.locking.train(s)), *map(neg, f.locking.overlaps(s))]
+    for j in f.topo.ends[s]:
+        rear = f.topo.beyond(s, j)
+        if j == f.track.way(s, n)[0]:
+            continue
+        if (j, s) in f.topo.signal_into:
+            boundary = f.layout.track.boundary_at.get(j)
+            behind = rear if boundary is None else boundary.approach
+            came = conj((f.seen.used(s), FALSE if behind is None else f.seen.steadily_clear(behind)))
+            out.append(implies(f.locking.locked_in(s, j), came))
+        elif rear is not None:
+            out.append(neg(f.locking.locked_out(rear, j)))
+    return conj(out)
 
 
 def _boards(f: Facts) -> Iterator[tuple[str, str, Expr]]:

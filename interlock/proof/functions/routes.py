@@ -315,7 +315,7 @@ def _berth(w: Words, way: Way, wide: bool) -> Iterator[Expr]:
             continue
         g = w.sections.signal_at(s, j)
         if g is not None:
-            waits = disj((neg(f.seen.used(s)), w.sections.occupied(w.sections.rear(s, j)), w.signals.passing(g)))
+            waits = disj((neg(f.seen.used(s)), neg(w.sections.long(w.sections.rear(s, j))), w.signals.passing(g)))
             yield conj((f.locking.locked_in(s, j), waits))
         elif rear is not None:
             yield f.locking.locked_out(rear, j)

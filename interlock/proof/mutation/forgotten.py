@@ -9,7 +9,7 @@ from interlock.derivation import derive
 from interlock.diag import Sink
 from interlock.logic import names
 from interlock.logic.controller import Controller, Equation
-from interlock.logic.expr import FALSE, TRUE, Substitution, disj, var
+from interlock.logic.expr import FALSE, TRUE, Substitution, disj, neg, var
 from interlock.logic.lower import lower
 from interlock.model.elements import BoundaryKind, BufferKind
 from interlock.model.layout import Layout
@@ -156,6 +156,19 @@ def rear_alone(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
         )
         if following != tuple(c.next):
             yield str(s), replace(c, next=following)
+
+
+def berth_read_once(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A movement is set into a berth as soon as what is in rear of another one reads clear, were it for one scan."""
+    c = lower(layout, table)
+    timer = c.symbols.sections.release_timer
+    once = Substitution({name: neg(var(names.OCCUPIED(s))) for s, name in timer.items()})
+    for e in c.equations:
+        for i, t in enumerate(e.terms):
+            now = t._replace(expr=once(t.expr))
+            if t.kind == "no other movement into the berth" and now != t:
+                early = replace(e, terms=(*e.terms[:i], now, *e.terms[i + 1 :]))
+                yield str(e.name), replace(c, steps=tuple(early if x is e else x for x in c.steps))
 
 
 def let_go(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:

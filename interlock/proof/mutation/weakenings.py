@@ -404,6 +404,7 @@ KINDS: tuple[Kind, ...] = (
         "two shunting movements are set into one berth",
         without("G AD", "no other movement into the berth"),
     ),
+    Kind("berth-read-once", "in rear of one who comes in clear is read once", forgotten.berth_read_once),
     Kind(
         "arrived-early", "a train counts as arrived before it is wholly in", without("AR", "wholly in", "rear released")
     ),
