@@ -195,6 +195,8 @@ ALONE = {
     "doors-at-once": (DOORS, "P-AIR-LOCK"),
     "starts-under-train": ("cn6502", "P-LOCKED"),
     "berth-read-once": (SHUNT, "S-SET"),
+    "trailed-unseen": ("fig2_2", "S-TRAILED"),
+    "trailed-uncommanded": ("fig2_2", "S-TRAILED"),
     "added-let-go": (ADDED, "S-DECLARED"),
     "held-no-longer": (HELD, "S-DEMANDED"),
     "held-from-the-grant": (HELD, "S-DEMANDED"),

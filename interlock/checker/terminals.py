@@ -165,9 +165,9 @@ class Terminals(Lamps):
     def w_trailed(self, m: str) -> Formula:
         return leaf(f"TR_{safe(m)}")
 
-    def w_was_right(self, m: str) -> Formula:
-        """It was detected where it was commanded."""
-        return leaf(f"TH_{safe(m)}")
+    def w_was_detected(self, m: str, x: str) -> Formula:
+        """It was detected there, not commanded elsewhere, nor anew since."""
+        return leaf(f"TH{x}_{safe(m)}")
 
     def w_commanded(self, m: str, x: str) -> Formula:
         return leaf(f"C{x}_{safe(m)}")

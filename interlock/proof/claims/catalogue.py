@@ -66,7 +66,9 @@ CLAIMS: dict[str, str] = {
     "S-CALL-ON": "A train is called on only where the layout lets the signal call on, only beside stop, once only, "
     "into a steadily clear first section, and onto no track in which vehicles may stand unless it is steadily clear.",
     "S-DETECTED": "Proceed is shown only when every point and device of the path is detected in that very scan.",
-    "S-TRAILED": "No proceed is shown over a point that was trailed and has not been looked at since.",
+    "S-TRAILED": "No proceed is shown over a point that was trailed and has not been looked at since.  One that is "
+    "driven counts as trailed when its detection is lost without a command, commanded before or not, or is not there "
+    "again when lost inputs come back; nothing is remembered of it until the restart delay is over.",
     "S-LOCKED": "Proceed is shown only when every section of the path is locked for it and its points really lie so, "
     "as they must for the route for which the signal opens.",
     "S-FLANK": "Proceed is shown over a point or diamond only when no vehicle can roll into it from the flank.",

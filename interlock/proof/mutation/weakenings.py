@@ -468,6 +468,8 @@ KINDS: tuple[Kind, ...] = (
     Kind("opens-after-block", "a signal opens when a block in its way is taken off", without("W", "unhindered")),
     Kind("request-kept", "what is asked for while a condition is lost opens the signal later", asked.request_kept),
     Kind("trailed-not-kept-back", "proceed over a trailed point", without("WD", "not trailed")),
+    Kind("trailed-unseen", "detection is forgotten as inputs are lost", forgotten.detection_forgotten(True)),
+    Kind("trailed-uncommanded", "only what was commanded can be trailed", forgotten.detection_forgotten(False)),
     Kind("lamp-not-lit", "proceed with its lamp out", without("CO", "proceed lamp intact")),
     Kind("clear-lamp-not-lit", "clear with its lamp out", without("C", "clear lamp intact")),
     Kind("call-on-blind", "a train is called on without looking at its first section or at berths", _blind_call_on),
