@@ -195,6 +195,7 @@ ALONE = {
     "doors-at-once": (DOORS, "P-AIR-LOCK"),
     "starts-under-train": ("cn6502", "P-LOCKED"),
     "berth-read-once": (SHUNT, "S-SET"),
+    "call-on-after-loss": ("passing_loop", "S-AGAIN"),
     "trailed-unseen": ("fig2_2", "S-TRAILED"),
     "trailed-uncommanded": ("fig2_2", "S-TRAILED"),
     "added-let-go": (ADDED, "S-DECLARED"),

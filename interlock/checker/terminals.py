@@ -274,6 +274,10 @@ class Terminals(Lamps):
             return self.w_asked(r)
         return some(self.w_asked(x) for x in self.w_set_with(r) if x not in self.w_identifier_routes())
 
+    def w_may_open_again(self, r: int) -> Formula:
+        """Its signal opens again when it is asked for: not what calls a train on."""
+        return fact(r not in self.w_routes_calling_on())
+
     def w_routes_calling_on(self) -> list[int]:
         return sorted({r for g in self.w_opening() for r in self._routes_by(g, CALL_ON)})
 

@@ -110,7 +110,8 @@ CLAIMS: dict[str, str] = {
     "main lamp, none that speaks to movements of which the layout does not let the signal speak, and a distant signal "
     "shows either clear or caution.",
     "S-AGAIN": "A signal that closed while its route stayed set, or in whose path a section was blocked or a point was "
-    "trailed meanwhile, opens only in the scan after one in which it was asked for again.",
+    "trailed meanwhile, opens only in the scan after one in which it was asked for again; one that calls on not at "
+    "all, nor when inputs were lost meanwhile, before its route is set anew.",
     "S-REQUEST": "A route is set only in the scan in which its number comes after 0, or while its switch for automatic "
     "working is on, and an overlap swings only when its number comes so; a number that is held asks once.  What is "
     "locked past a signal that a route passes is set with that route alone.  A signal is open only for a route that is "
@@ -491,11 +492,13 @@ def _boards(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
 
 def _hindered(f: Facts, r: RouteSymbols) -> Expr:
-    """A section in the path of a route is blocked, or a point in it was trailed."""
+    """A section in the path of a route is blocked, or a point in it was trailed; or inputs are lost, where it is to
+    call a train on."""
     ways = [*r.path.ways, *([r.path.berth] if r.path.berth is not None else [])]
     points = [p for s, n in ways for p, _ in f.topo.traversals[s][n - 1].points]
     machines = dict.fromkeys(f.layout.pointwork.point[p].machine for p in points)
     hinder = [var(f.sym.sections.blocked[s]) for s, _ in ways if s in f.sym.sections.blocked]
+    hinder += [neg(var(f.sym.valid))] if r.call_on else []
     return disj((*hinder, *(var(f.sym.machines.trailed[m]) for m in machines if m in f.sym.machines.trailed)))
 
 

@@ -41,7 +41,7 @@ FUNCTIONS: dict[str, str] = {
     "F-SPEED": "A main signal shows the speed of the path for which it is open (R11).",
     "F-WANT": "A signal is wanted from when its route is set until it is cancelled, something in its way is blocked or "
     "was trailed or, once it has been open, a condition is lost; then again when it is asked for while that is not so "
-    "(R14).",
+    "(R14); one that calls on until inputs are lost, too, and never again (R2, R16).",
     "F-PASSING": "A signal stays open until the whole movement has passed, unless a condition is lost, where the "
     "layout has it so, and nowhere else; none does that calls on (R2, R3).",
     "F-ADDED": "A route holds what the author has added to it exactly from its grant until its train is wholly in its "

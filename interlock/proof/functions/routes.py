@@ -99,7 +99,9 @@ def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
 
 
 def _hindering(w: Words, r: RouteSymbols) -> Iterator[Expr]:
-    """A section in the way of a route is blocked, or a point that it needs was trailed."""
+    """A section in the way of a route is blocked, or a point that it needs was trailed; or inputs are lost while it is
+    to call a train on (R16)."""
+    yield neg(w.valid) if r.call_on else FALSE
     beyond = _overlaps(w, r)
     for s, n in (*r.path.ways, *([r.path.berth] if r.path.berth is not None else [])):
         yield from (w.ways.blocked(s), w.ways.trailed(s, n))

@@ -466,6 +466,7 @@ KINDS: tuple[Kind, ...] = (
     Kind("lamp-not-proved", "a signal opens with its stop lamp out", without("PR", "stop lamp proved")),
     Kind("opens-by-itself", "a signal opens again when a lost condition returns", without("W", "conditions kept")),
     Kind("opens-after-block", "a signal opens when a block in its way is taken off", without("W", "unhindered")),
+    Kind("call-on-after-loss", "a call-on opens after inputs were lost", without("UH", "inputs valid")),
     Kind("request-kept", "what is asked for while a condition is lost opens the signal later", asked.request_kept),
     Kind("trailed-not-kept-back", "proceed over a trailed point", without("WD", "not trailed")),
     Kind("trailed-unseen", "detection is forgotten as inputs are lost", forgotten.detection_forgotten(True)),
