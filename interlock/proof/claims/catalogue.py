@@ -60,7 +60,8 @@ CLAIMS: dict[str, str] = {
     "S-OPPOSING": "No two signals that lead towards each other over the same track show proceed.",
     "S-HOSTILE": "No two signals show proceed onto paths that share a section, a diamond or a foul joint.",
     "S-CLEAR": "A signal opens, and stays open until a movement begins to pass it, only when every section of the "
-    "path, as the points lie, is steadily clear: reported clear without a break for the release delay.",
+    "path, as the points lie, is steadily clear: reported clear without a break for the release delay; but for the "
+    "berth in which a shunting movement ends, and for calling on.",
     "S-PASSING": "A signal that stays open until the whole movement has passed does so only while the sections "
     "before and beyond it are not reported clear, and no second movement can take it for itself.",
     "S-CALL-ON": "A train is called on only where the layout lets the signal call on, only beside stop, once only, "
@@ -94,17 +95,19 @@ CLAIMS: dict[str, str] = {
     "neighbour has it not.",
     "S-BLOCKED": "No proceed is shown over a blocked section.",
     "S-LOST-INPUT": "When inputs are lost, every signal shows stop at once, and nothing is granted or released.",
-    "S-ASPECT": "Clear is shown only when the next signal is open, and by a distant only when its signal shows clear; "
-    "where the principles ask for two yellows, a main signal that opens shows the second one over every path with a "
-    "reversed point that does not lead out onto a checked line, and a route indicator is lit for a departure by a main "
-    "signal exactly where the layout has one for that direction.",
+    "S-ASPECT": "Where signals have a caution aspect, clear is shown only when the next signal is open or the line "
+    "beyond is checked; a distant shows clear only when its signal does; where the principles ask for two yellows, a "
+    "main signal that opens shows the second one over every path with a reversed point that does not lead out onto a "
+    "checked line, and a route indicator is lit for a departure by a main signal exactly where the layout has one for "
+    "that direction.",
     "S-SPEED": "No signal shows a higher speed than its path permits, as the points lie; where the layout states a "
     "speed for the path, a main signal that opens shows one.",
-    "S-ENTRY": "A main signal that is open to a signal shows a speed, and none above the one for which the overlap "
-    "there is made, as its points lie.",
+    "S-ENTRY": "A main signal that is open to a signal with an overlap that is made for a speed shows a speed, and "
+    "none above that one, as the overlap's points lie.",
     "S-LAMP": "Where lamps are reported: a signal opens only while its stop lamp is intact, shows a main aspect only "
     "while a lamp for it is, its identifier light only while that is, a second yellow lamp only while it "
-    "is intact, and a speed only while its indicator is.  (White and call-on lamps are not reported.)",
+    "is intact, and a speed only while its indicator is.  (White and call-on lamps, route indicators, and the lamps of "
+    "distants are not reported.)",
     "S-STOP": "At every signal stop is lit exactly when no main, white or identifier lamp is; no two of these are lit "
     "at once, a speed only beside a main lamp, a second yellow only beside the first, a route indicator only beside a "
     "main lamp, none that speaks to movements of which the layout does not let the signal speak, and a distant signal "
