@@ -17,7 +17,8 @@ from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
 from interlock.proof.witnesses.routes import witnesses
 from interlock.verify import Rejected
-from tests.layouts import grown
+from tests.layouts import built, grown
+from tests.test_release_behind import Bench
 from tests.written import told
 
 YARD = Path("tests/layouts_for_tests/shunt_yard.yaml").read_text("utf-8")
@@ -122,3 +123,20 @@ def test_where_no_berth_is_none_is_denied() -> None:
 def test_a_layout_that_denies_none_has_the_digest_that_it_had() -> None:
     one, other = grown(YARD), grown(YARD + "sections:\n  g1: {berth: yes}\n")
     assert one is not None and other is not None and one[0].digest == other[0].digest
+
+
+def test_another_movement_is_set_into_a_berth_when_the_section_in_rear_is_steadily_clear() -> None:
+    """Vehicles shunted from l1 stand or run across the joint of l1 and l2, into which others are to be shunted from the
+    far end.  A moment in which l1 reads clear is none in which they have come in (R15)."""
+    b = Bench(built("../tests/layouts_for_tests/shunt_yard")[2])
+    b.go(5, CLR_l1=0, **{n: 1 for n in b.inputs if n.startswith("RL_")})
+    b.ask("D1-D2")
+    assert b.outputs["YW_D1"]
+    b.go(5, CLR_l2=0)
+    b.go(0.2, CLR_l1=1, REQ=b.routes["S1-D3.s"])
+    assert b.controller.why_not("S1-D3.s") is not None
+    b.go(2, CLR_l1=0, REQ=0)
+    assert not b.outputs["YW_S1"]
+    b.go(4, CLR_l1=1)
+    b.ask("S1-D3.s")
+    assert b.outputs["YW_S1"]

@@ -95,7 +95,7 @@ def test_what_reads_its_neighbours_variable_is_noticed_or_the_same(name: str) ->
     ("name", "which", "why"),
     [
         ("crossing_line", "TG_LC2 reads GW_s5_1 for GW_s4_2", "F-POINT at LC2 returns"),
-        ("junction", "MAR_102 reads TG_101 for TG_102", "F-POINT at 102 R by hand"),
+        ("junction", "MAR_102 reads TG_101 for TG_102", "F-OFF at 102 at last"),
     ],
 )
 def test_what_is_set_elsewhere_keeps_no_machine_from_moving(name: str, which: str, why: str) -> None:
@@ -121,8 +121,8 @@ def test_no_mutant_of_an_output_or_of_a_preset_survives(judge: Judge) -> None:
     assert {m.name: v for m in some if (v := judge.judge(m)).fate not in (Fate.CLAIM, Fate.FUNCTION)} == {}
 
 
-OWN_BITS = ("next TR_P1 false", "next TH_P1 false", "STI_P1 false", "STI_P1 true", "STI_P1 without NOT QN_P1")
-OWN_BITS += ("next TR_P1 without TH_P1 AND VALID AND", "NU_DP_1 without OCC_DP", "NU_DP_1 without OCC_SA")
+OWN_BITS = ("next TR_P1 false", "next THN_P1 false", "STI_P1 false", "STI_P1 true", "STI_P1 without NOT QN_P1")
+OWN_BITS += ("next TR_P1 without ((THN_P1", "NU_DP_1 without OCC_DP", "NU_DP_1 without OCC_SA")
 OWN_BITS += ("NU_DP_1 true", "next P_DP true", "next X_X1 true", "next X_X1 with CAN_X1 negated")
 
 

@@ -226,6 +226,18 @@ def test_a_train_is_called_on_past_a_failed_section_and_its_locks_are_cancelled_
     assert "L_q3_1" not in seen[-1]
 
 
+def test_inputs_that_were_lost_while_a_call_on_was_set_keep_its_signal_at_stop() -> None:
+    """What passed it meanwhile was not seen: it is cancelled and set again, asked for once more or not (R16)."""
+    sim = simulator(CALL)
+    call = number(sim, "X2-X3.c")
+    steps(sim, 2, REQ=call, DN_P1=0, DR_P1=0)
+    steps(sim, 2, DN_P1=0, DR_P1=0)
+    steps(sim, 1, VALID=0)
+    assert f"A_R{call}" in steps(sim, 2)[-1] and on(sim, "YS_X2")
+    steps(sim, 2, REQ=call)
+    assert not any("YO_X2" in seen for seen in steps(sim, 60)), "nothing opens it by itself, nor when asked for again"
+
+
 def test_no_call_on_with_the_first_section_occupied_or_over_a_locked_section() -> None:
     sim = simulator(CALL)
     call = number(sim, "X2-X3.c")

@@ -10,6 +10,7 @@ import pytest
 from interlock.simulate.faults import Faults
 from interlock.simulate.run import load
 from interlock.simulate.track import Track
+from interlock.simulate.train import Driver, Train
 from interlock.simulate.world import World
 from tests.campaigns.simulate import Case, drive
 from tests.weakened import WEAKENED
@@ -85,3 +86,20 @@ def test_a_train_comes_no_faster_than_it_can_stop_before_the_first_signal(tmp_pa
             here = track.stretches[t.body[0]].metres - t.head + 100.0
             assert t.speed > 0 and t.speed**2 / (2 * t.handling.brakes) <= here - t.handling.margin + 1e-9
     assert world.traffic.numbers > 50
+
+
+@pytest.mark.parametrize(("tail", "harm"), [("l2", True), ("g1", False)])
+def test_the_simulator_sees_a_shunting_movement_before_a_train_that_is_still_running_in(tail: str, harm: bool) -> None:
+    """In a berth, towards a train that is wholly in, on sight; towards one that is not, never (T-COLLISION)."""
+    case = Case.of("tests/layouts_for_tests/shunt_yard.yaml")
+    track, runtime = Track.of(case.layout), load(case.runtime)
+    world = World(case.layout, track, runtime["INPUTS"], runtime["OUTPUTS"], Random(1), Faults())
+    section = track.sections.index("g1")
+    along = {track.sections[s.section]: d for d, s in reversed(list(enumerate(track.stretches))) if not s.outside}
+    train = Train(1, [along[tail], along["g1"]], 50.0, 10.0, speed=5.0, driver=Driver(called=True))
+    shunted = Train(2, [along["p1"]], 1.0, 0.0, speed=2.0, driver=Driver(called=True, shunting=True))
+    for t in (train, shunted):
+        t.under.looks(track, t.body)
+    world.trains[:] = [train, shunted]
+    world.watch.comes_in(world, shunted, section)
+    assert bool(world.watch.found) is harm

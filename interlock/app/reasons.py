@@ -143,8 +143,10 @@ class Reasons:
         if _Look(self, moment).value(computed(names.WANTED(number))):
             return found
         been = state.get(names.SHOWN(number))
-        once = "it has closed once, and" if been else "its way was blocked, or a point in it trailed: it"
         call_on = self.symbols.routes.number[number].call_on
+        hindered = "its way was blocked, a point in it trailed, or inputs were lost: it"
+        hindered = hindered if call_on else "its way was blocked, or a point in it trailed: it"
+        once = "it has closed once, and" if been else hindered
         again = "once it is cancelled and set again" if call_on else "when it is asked for again"
         return [*found, Reason(f"{once} opens only {again}")]
 

@@ -153,9 +153,9 @@ class Terminals(Lamps):
     def w_trailed(self, m: str) -> Formula:
         return leaf(f"TR_{safe(m)}")
 
-    def w_was_right(self, m: str) -> Formula:
-        """It was detected where it was commanded."""
-        return leaf(f"TH_{safe(m)}")
+    def w_was_detected(self, m: str, x: str) -> Formula:
+        """It was detected there, not commanded elsewhere, nor anew since."""
+        return leaf(f"TH{x}_{safe(m)}")
 
     def w_commanded(self, m: str, x: str) -> Formula:
         return leaf(f"C{x}_{safe(m)}")
@@ -261,6 +261,10 @@ class Terminals(Lamps):
         if r not in self.w_identifier_routes():
             return self.w_asked(r)
         return some(self.w_asked(x) for x in self.w_set_with(r) if x not in self.w_identifier_routes())
+
+    def w_may_open_again(self, r: int) -> Formula:
+        """Its signal opens again when it is asked for: not what calls a train on."""
+        return fact(r not in self.w_routes_calling_on())
 
     def w_routes_calling_on(self) -> list[int]:
         return sorted({r for g in self.w_opening() for r in self._routes_by(g, CALL_ON)})

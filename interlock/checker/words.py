@@ -259,6 +259,10 @@ class Topology:
     def w_berth_of(self, p: Path) -> list[str]:
         return [p.last.section] if p.berth else []
 
+    def w_ends_beside(self, p: Path) -> list[str]:
+        """The ends of the last section but that at which a path comes in."""
+        return self.w_other_ends(p.last.section, p.last.entry)
+
     def w_first_way_and_berths(self, p: Path) -> list[Way]:
         return [w for i, w in enumerate(p.ways) if i == 0 or w.section in self.r.berths]
 

@@ -77,7 +77,7 @@ class MachineSymbols:
     by_hand: Mapping[tuple[MachineId, Position], Name]
     drive: Mapping[tuple[MachineId, Position], Name]
     trailed: Mapping[MachineId, Name]
-    seen_right: Mapping[MachineId, Name]
+    was_detected: Mapping[tuple[MachineId, Position], Name]
     looked_at: Mapping[MachineId, Name]
     late_timer: Mapping[MachineId, Name]
     turn: Mapping[MachineId, Name]

@@ -80,20 +80,25 @@ class Watch:
                     self.tell(world.clock, f"open {a.number} {name}", said)
 
     def comes_in(self, world: Scene, t: Train, section: int) -> None:
-        """A head comes into a section in which another vehicle is (a shunting movement may, on sight in a berth), or
-        into a zone in which there are as many trains as there may be; what stands there at a restart may be more."""
+        """A head comes into a section in which another vehicle is (a shunting movement may, on sight in a berth, but
+        not before a train that is still running in), or into a zone in which there are as many trains as there may be;
+        what stands there at a restart may be more."""
         for name, most, inside in self.limits:
             if section in inside and inside.isdisjoint(x for x in t.under.sections if x != section):
                 within = {o.origin for o in world.trains if not inside.isdisjoint(o.under.sections)} - {t.origin}
                 if len(within) >= most:
                     text = f"train {t.number} comes into {name}, where {len(within)} are, {most} allowed"
                     self.tell(world.clock, f"zone {name} {t.number}", text)
-        if t.driver.shunting and section in self.track.berths:
-            return
+        on_sight = t.driver.shunting and section in self.track.berths
         for o in world.trains:
-            if o is not t and section in o.under.sections:
+            if o is not t and section in o.under.sections and (not on_sight or self._runs_in(o, section)):
                 text = f"train {t.number} comes into {self.track.sections[section]}, where train {o.number} is"
                 self.tell(world.clock, f"comes {t.number} {o.number} {section}", text)
+
+    def _runs_in(self, t: Train, section: int) -> bool:
+        """A train was called into a section, and is not yet wholly in."""
+        tail, head = (self.track.stretches[d].section for d in (t.body[0], t.body[-1]))
+        return t.driver.called and not t.driver.shunting and head == section != tail
 
     def contradicts(self, world: Scene, signal: int) -> None:
         """A signal shows two things at once."""

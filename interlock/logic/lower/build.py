@@ -190,7 +190,7 @@ def _machines(d: Draft) -> MachineSymbols:
         by_hand=by_position(names.MOVE_BY_HAND),
         drive=by_position(names.DRIVE),
         trailed=powered(names.TRAILED),
-        seen_right=powered(names.WAS_RIGHT),
+        was_detected={(m, x): names.WAS_DETECTED(m, x) for m in d.machines.powered for x in Position},
         looked_at=powered(names.LOOKED_AT),
         late_timer={m: names.LATE(m) for m in d.machines.all},
         turn={m: names.MAY_RUN(m) for m in d.machines.all if d.machines.started(m) is not TRUE},

@@ -257,33 +257,32 @@ def _anew(d: Draft, m: MachineId) -> Expr:
 def trailing(d: Draft) -> None:
     """Detection lost without a command: run through from the wrong side; locked until looked at (R10).
 
-    TH: detected where it is commanded.  TR: trailed.
+    TH: detected in a position, not commanded to the other one, nor anew since.  What is seen so is remembered while
+    inputs are lost, and from when the restart delay is over: before that nobody has looked at the points yet (R16).
+    TR: trailed.
     """
     for m in d.machines.powered:
         group = f"point {m}"
-        right = disj(conj((d.machines.command(m, x), d.machines.detected(m, x))) for x in Position)
-        lost = disj(
-            conj(
-                (
-                    d.machines.command(m, x),
-                    neg(d.machines.detected(m, x)),
-                    neg(var(names.DEMANDED(m, x.other))),
-                    neg(var(names.MOVED_BY_HAND(m, x.other))),
-                )
+        for x in Position:
+            there = conj((d.machines.detected(m, x), neg(d.machines.command(m, x.other))))
+            unseen = conj((var(names.WAS_DETECTED(m, x)), neg(var(names.VALID))))
+            terms = (
+                Term(disj((there, unseen)), "detected"),
+                Term(neg(_anew(d, m)), "no new command"),
+                Term(var(names.RESTART_OVER), "restart delay over"),
             )
-            for x in Position
-        )
-        trailed = conj((var(names.WAS_RIGHT(m)), var(names.VALID), lost))
+            d.kept(
+                names.WAS_DETECTED(m, x),
+                False,
+                f"machine {m} was detected {d.layout.machines.word(m, x)}",
+                Join.ALL,
+                terms,
+                group,
+            )
+        was = (conj((var(names.WAS_DETECTED(m, x)), neg(d.machines.detected(m, x)))) for x in Position)
+        trailed = conj((disj(was), var(names.VALID), neg(_anew(d, m))))
         seen = conj(
             [var(names.LOOKED_AT(m)), var(names.VALID), *(d.sections.clear(s) for s in d.machines.sections_of(m))]
-        )
-        d.kept(
-            names.WAS_RIGHT(m),
-            False,
-            f"machine {m} was detected where it is commanded",
-            Join.ALL,
-            (Term(right, "detected"), Term(neg(_anew(d, m)), "no new command")),
-            group,
         )
         d.kept(
             names.TRAILED(m),

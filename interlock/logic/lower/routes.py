@@ -65,9 +65,8 @@ def _berth_terms(d: Draft, r: RouteRow) -> list[Term]:
             continue
         g = d.signals.signal_at(s, node)
         if g is not None:
-            waits = disj(
-                (neg(var(names.USED(s))), d.sections.occupied(d.sections.rear(s, node)), d.signals.passing_signal(g))
-            )
+            behind = neg(d.sections.clear(d.sections.rear(s, node)))
+            waits = disj((neg(var(names.USED(s))), behind, d.signals.passing_signal(g)))
             coming = conj((d.sections.locked_in(s, node), waits))
         else:
             coming = FALSE if rear is None else d.sections.locked_out(rear, node)

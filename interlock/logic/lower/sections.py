@@ -318,7 +318,7 @@ def wholly_in(d: Draft, s: SectionId, rear: list[Term]) -> list[Term]:
     for node in d.topo.ends[s]:
         g = d.signals.main_at(s, node)
         if g is not None:
-            behind = d.sections.occupied(d.sections.rear(s, node))
+            behind = neg(d.sections.clear(d.sections.rear(s, node)))
             terms.append(
                 Term(neg(conj((d.sections.locked_in(s, node), behind))), "wholly in", f"nothing stands before {g}")
             )

@@ -235,14 +235,16 @@ def proceed_terms(d: Draft, r: RouteRow) -> list[Term]:
 def unhindered(d: Draft) -> None:
     """Nobody has blocked a section in the way of a route that is set, and no point in it was trailed: what was asked
     for before comes to nothing then, so that nobody opens a signal who takes a block off, or has looked at a point
-    (R14)."""
+    (R14).  Nor were inputs lost: of a call-on route, on whose sections nobody relies, nothing else tells (R16)."""
     for r in d.table.routes:
         keys = [*r.path.locked, *([r.path.traversals[-1]] if r.path.berth is not None else [])]
         terms = [x for k in keys for x in (*not_blocked(k[0]), *_trailed(d, d.table.lock[k]))]
         terms += [*_overlap_not_blocked(d, r), *_overlap_not_trailed(d, r)]
         terms += [x for p in r.locking.added for x in added.not_trailed(d, p.machine)]
+        terms += [Term(var(names.VALID), "inputs valid")] if r.kind is RouteKind.CALL_ON else []
         terms = list({t.expr: t for t in terms}.values())
-        note = f"nothing in the way of route {r.id} is blocked or was trailed ({rules.ONE_TRAIN_ONE_ROUTE})"
+        lost = ", nor are inputs lost" if r.kind is RouteKind.CALL_ON else ""
+        note = f"nothing in the way of route {r.id} is blocked or was trailed{lost} ({rules.ONE_TRAIN_ONE_ROUTE})"
         d.wire(names.UNHINDERED(r.number), Join.ALL, terms, f"route {r.id}", note)
 
 

@@ -143,17 +143,19 @@ ASSUMPTIONS: dict[str, str] = {
     "there, the train in it stands.",
     "A-SCAN": "A head leaves a section, and a tail leaves it, only after the occupation that it causes has been "
     "scanned (or while inputs are lost).",
-    "A-HEADWAY": "No second train accepts a signal in the very scan in which the tail of the first passes it.",
+    "A-HEADWAY": "No second movement accepts a signal while one passes it, from when the head of that one has passed "
+    "it until its tail has, the scan of the tail included.",
     "A-DETECT": "A train that stands in a section before and after a step is reported; one that just came in or "
     "left may be reported either way (no loss of shunt beyond one scan).",
     "A-ONE-FALSE": "No two neighbouring sections are falsely reported occupied in the same scan.",
-    "A-CONTACT": "A point is never reported in a position in which it does not lie; a missing report is always "
-    "possible.",
-    "A-POINT": "A point moves only when commanded, at most one scan late.",
+    "A-CONTACT": "A point or device is never reported in a position in which it does not lie; a missing report is "
+    "always possible.",
+    "A-POINT": "A point or device moves only when commanded, at most one scan late.",
     "A-TIMER": "When a signal has shown stop without a break for the time that a train needs to come to a stand from "
     "the highest speed in its approach, a train on its way to it has passed it or stands.",
-    "A-RESTART": "At a restart trains stand anywhere, points lie anyhow; a train moves again only when a signal "
-    "calls it (others are moved under local rules before their section is released).",
+    "A-RESTART": "At a restart trains stand anywhere, across a joint only as the points beside it lie, and points lie "
+    "anyhow; a train moves again only when a signal calls it (others are moved under local rules before their section "
+    "is released).",
     "A-TRAILED": "Vehicles that are moved under local rules do not run through points that lie against them.",
     "A-BUFFER": "No train runs through a buffer: none stands where the track goes on.",
     "A-PARTED": "The rear part of a train that parts stays where it is until it is moved under local rules.",

@@ -12,7 +12,7 @@ from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, eq, iff, implies, neg, var
 from interlock.logic.plant import accepted, came, has_token, o, rests, shunting
 from interlock.logic.symbols import RouteSymbols
-from interlock.model.elements import SignalId
+from interlock.model.elements import SectionId, SignalId
 from interlock.model.principles import Caution
 from interlock.model.traversal import zone_joints
 from interlock.proof.claims.added import declared, demanded, held
@@ -60,13 +60,16 @@ CLAIMS: dict[str, str] = {
     "S-OPPOSING": "No two signals that lead towards each other over the same track show proceed.",
     "S-HOSTILE": "No two signals show proceed onto paths that share a section, a diamond or a foul joint.",
     "S-CLEAR": "A signal opens, and stays open until a movement begins to pass it, only when every section of the "
-    "path, as the points lie, is steadily clear: reported clear without a break for the release delay.",
+    "path, as the points lie, is steadily clear: reported clear without a break for the release delay; but for the "
+    "berth in which a shunting movement ends, and for calling on.",
     "S-PASSING": "A signal that stays open until the whole movement has passed does so only while the sections "
     "before and beyond it are not reported clear, and no second movement can take it for itself.",
     "S-CALL-ON": "A train is called on only where the layout lets the signal call on, only beside stop, once only, "
     "into a steadily clear first section, and onto no track in which vehicles may stand unless it is steadily clear.",
     "S-DETECTED": "Proceed is shown only when every point and device of the path is detected in that very scan.",
-    "S-TRAILED": "No proceed is shown over a point that was trailed and has not been looked at since.",
+    "S-TRAILED": "No proceed is shown over a point that was trailed and has not been looked at since.  One that is "
+    "driven counts as trailed when its detection is lost without a command, commanded before or not, or is not there "
+    "again when lost inputs come back; nothing is remembered of it until the restart delay is over.",
     "S-LOCKED": "Proceed is shown only when every section of the path is locked for it and its points really lie so, "
     "as they must for the route for which the signal opens.",
     "S-FLANK": "Proceed is shown over a point or diamond only when no vehicle can roll into it from the flank.",
@@ -92,30 +95,35 @@ CLAIMS: dict[str, str] = {
     "neighbour has it not.",
     "S-BLOCKED": "No proceed is shown over a blocked section.",
     "S-LOST-INPUT": "When inputs are lost, every signal shows stop at once, and nothing is granted or released.",
-    "S-ASPECT": "Clear is shown only when the next signal is open, and by a distant only when its signal shows clear; "
-    "where the principles ask for two yellows, a main signal that opens shows the second one over every path with a "
-    "reversed point that does not lead out onto a checked line, and a route indicator is lit for a departure by a main "
-    "signal exactly where the layout has one for that direction.",
+    "S-ASPECT": "Where signals have a caution aspect, clear is shown only when the next signal is open or the line "
+    "beyond is checked; a distant shows clear only when its signal does; where the principles ask for two yellows, a "
+    "main signal that opens shows the second one over every path with a reversed point that does not lead out onto a "
+    "checked line, and a route indicator is lit for a departure by a main signal exactly where the layout has one for "
+    "that direction.",
     "S-SPEED": "No signal shows a higher speed than its path permits, as the points lie; where the layout states a "
     "speed for the path, a main signal that opens shows one.",
-    "S-ENTRY": "A main signal that is open to a signal shows a speed, and none above the one for which the overlap "
-    "there is made, as its points lie.",
+    "S-ENTRY": "A main signal that is open to a signal with an overlap that is made for a speed shows a speed, and "
+    "none above that one, as the overlap's points lie.",
     "S-LAMP": "Where lamps are reported: a signal opens only while its stop lamp is intact, shows a main aspect only "
     "while a lamp for it is, its identifier light only while that is, a second yellow lamp only while it "
-    "is intact, and a speed only while its indicator is.  (White and call-on lamps are not reported.)",
+    "is intact, and a speed only while its indicator is.  (White and call-on lamps, route indicators, and the lamps of "
+    "distants are not reported.)",
     "S-STOP": "At every signal stop is lit exactly when no main, white or identifier lamp is; no two of these are lit "
     "at once, a speed only beside a main lamp, a second yellow only beside the first, a route indicator only beside a "
     "main lamp, none that speaks to movements of which the layout does not let the signal speak, and a distant signal "
     "shows either clear or caution.",
     "S-AGAIN": "A signal that closed while its route stayed set, or in whose path a section was blocked or a point was "
-    "trailed meanwhile, opens only in the scan after one in which it was asked for again.",
+    "trailed meanwhile, opens only in the scan after one in which it was asked for again; one that calls on not at "
+    "all, nor when inputs were lost meanwhile, before its route is set anew.",
     "S-REQUEST": "A route is set only in the scan in which its number comes after 0, or while its switch for automatic "
     "working is on, and an overlap swings only when its number comes so; a number that is held asks once.  What is "
     "locked past a signal that a route passes is set with that route alone.  A signal is open only for a route that is "
     "set, or for the movement that passes it.",
     "S-CANCELLED": "A cancelled signal shows stop in the same scan.",
     "S-SET": "A section is locked for a movement only when inputs are valid, it is not blocked or locked, and it is "
-    "steadily clear; for calling on, and where a shunting movement ends, it need be neither clear nor unlocked.",
+    "steadily clear; for calling on, and where a shunting movement ends, it need be neither clear nor unlocked.  A "
+    "shunting movement is set into vehicles only while no train is called in, nothing is set in at another end, and "
+    "all is steadily clear in rear of what came in there past a signal.",
     "S-BOARD": "No section is locked past the place where a movement must end: past a stop board for nobody, past a "
     "limit-of-shunt board for trains only, past a shunt signal at which trains end for shunting movements only.",
     "S-IDENTIFIER": "A signal shows its identifier light alone, neither stop nor proceed beside it, and only while the "
@@ -444,6 +452,28 @@ def _set(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             else [neg(f.locking.locked(s)), *([f.seen.steadily_clear(s)] if s in f.sym.sections.clear else [])]
         )
         yield "S-SET", f"{s} {n}", implies(new, conj((var(f.sym.valid), *blocked, *free)))
+    for r in f.sym.routes:
+        if r.path.berth is not None:
+            new = conj((f.after(var(r.active)), neg(var(r.active))))
+            yield "S-SET", f"{r.id} into a berth", implies(new, _nobody_comes_in(f, *r.path.berth))
+
+
+def _nobody_comes_in(f: Facts, s: SectionId, n: int) -> Expr:
+    """R2: no train is called into a berth, and of what comes in at another end than a movement all has come in: a
+    reading of clear in rear of it that does not last is none (R15)."""
+    out = [neg(f.locking.train(s)), *map(neg, f.locking.overlaps(s))]
+    for j in f.topo.ends[s]:
+        rear = f.topo.beyond(s, j)
+        if j == f.track.way(s, n)[0]:
+            continue
+        if (j, s) in f.topo.signal_into:
+            boundary = f.layout.track.boundary_at.get(j)
+            behind = rear if boundary is None else boundary.approach
+            came = conj((f.seen.used(s), FALSE if behind is None else f.seen.steadily_clear(behind)))
+            out.append(implies(f.locking.locked_in(s, j), came))
+        elif rear is not None:
+            out.append(neg(f.locking.locked_out(rear, j)))
+    return conj(out)
 
 
 def _boards(f: Facts) -> Iterator[tuple[str, str, Expr]]:
@@ -466,11 +496,13 @@ def _boards(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
 
 def _hindered(f: Facts, r: RouteSymbols) -> Expr:
-    """A section in the path of a route is blocked, or a point in it was trailed."""
+    """A section in the path of a route is blocked, or a point in it was trailed; or inputs are lost, where it is to
+    call a train on."""
     ways = [*r.path.ways, *([r.path.berth] if r.path.berth is not None else [])]
     points = [p for s, n in ways for p, _ in f.topo.traversals[s][n - 1].points]
     machines = dict.fromkeys(f.layout.pointwork.point[p].machine for p in points)
     hinder = [var(f.sym.sections.blocked[s]) for s, _ in ways if s in f.sym.sections.blocked]
+    hinder += [neg(var(f.sym.valid))] if r.call_on else []
     return disj((*hinder, *(var(f.sym.machines.trailed[m]) for m in machines if m in f.sym.machines.trailed)))
 
 

@@ -245,19 +245,20 @@ def _withdrawn(f: Facts, r: RouteSymbols) -> Expr:
 
 
 def _trailed(f: Facts) -> Iterator[tuple[str, str, Expr]]:
-    """R10: detection lost without a command.  That it was there in the scan before is the controller's own bit."""
-    after, commands = f.after, f.sym.machines.command
+    """R10: detection lost without a command.  That it was there before is the controller's own bit, which stays while
+    inputs are lost, and is kept from when the restart delay is over."""
+    after, commands, valid = f.after, f.sym.machines.command, var(f.sym.valid)
     for m, trailed in f.sym.machines.trailed.items():
-        right = var(f.sym.machines.seen_right[m])
-        there = disj(conj((var(commands[m, x]), f.seen.reported(m, x))) for x in Position)
-        anew = disj(conj((after(var(commands[m, x])), neg(var(commands[m, x])))) for x in Position)
-        yield "S-TRAILED", f"{m} detected", implies(conj((there, neg(anew))), after(right))
+        quiet = neg(disj(conj((after(var(commands[m, x])), neg(var(commands[m, x])))) for x in Position))
         for x in Position:
-            stays = conj((var(commands[m, x]), after(var(commands[m, x])), neg(after(var(commands[m, x.other])))))
-            lost = conj((right, var(f.sym.valid), stays, neg(f.seen.reported(m, x))))
-            yield "S-TRAILED", f"{m} {x}", implies(lost, after(var(trailed)))
+            was, reported = var(f.sym.machines.was_detected[m, x]), f.seen.reported(m, x)
+            there = conj((reported, neg(var(commands[m, x.other])), quiet, var(f.sym.start.restart_timer)))
+            yield "S-TRAILED", f"{m} detected {x}", implies(there, after(was))
+            unseen = conj((was, neg(valid), quiet, var(f.sym.start.restart_timer)))
+            yield "S-TRAILED", f"{m} unseen {x}", implies(unseen, after(was))
+            yield "S-TRAILED", f"{m} {x}", implies(conj((was, valid, quiet, neg(reported))), after(var(trailed)))
         sections = f.layout.machines.sections[m]
-        seen = conj((var(f.sym.machines.looked_at[m]), var(f.sym.valid), *(f.seen.steadily_clear(s) for s in sections)))
+        seen = conj((var(f.sym.machines.looked_at[m]), valid, *(f.seen.steadily_clear(s) for s in sections)))
         yield "S-TRAILED", f"{m} kept", implies(conj((var(trailed), neg(seen))), after(var(trailed)))
 
 

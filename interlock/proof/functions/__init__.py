@@ -41,7 +41,7 @@ FUNCTIONS: dict[str, str] = {
     "F-SPEED": "A main signal shows the speed of the path for which it is open (R11).",
     "F-WANT": "A signal is wanted from when its route is set until it is cancelled, something in its way is blocked or "
     "was trailed or, once it has been open, a condition is lost; then again when it is asked for while that is not so "
-    "(R14).",
+    "(R14); one that calls on until inputs are lost, too, and never again (R2, R16).",
     "F-PASSING": "A signal stays open until the whole movement has passed, unless a condition is lost, where the "
     "layout has it so, and nowhere else; none does that calls on (R2, R3).",
     "F-ADDED": "A route holds what the author has added to it exactly from its grant until its train is wholly in its "
@@ -58,8 +58,9 @@ FUNCTIONS: dict[str, str] = {
     "F-MODE": "A section is locked for a train exactly from when a train route is set over it until it is released, or "
     "a train has arrived, wholly (R2).",
     "F-RELEASE": "A section is released exactly when R8, R9 or R16 has it released; and nothing of it is remembered.",
-    "F-TRAILED": "A point counts as trailed exactly when it loses its detection without a new command, until looked "
-    "at (R10).",
+    "F-TRAILED": "A point that is driven counts as trailed exactly when it loses its detection without a new command, "
+    "or has not got it again when lost inputs come back, until looked at; what was detected until the restart delay is "
+    "over does not count (R10).",
     "F-POINT": "A machine is commanded exactly by a route, by hand where R10 permits it, or by what opens or closes by "
     "itself; a command stays until the other is given.",
     "F-OFF": "The drive of a point is kept off from when a section of it is blocked until it is commanded while none "

@@ -105,7 +105,7 @@ def start(w: Words) -> Expr:
     off += map(
         var, (*sym.machines.turn.values(), *([sym.machines.started] if sym.machines.started is not None else []))
     )
-    off += map(var, (*sym.machines.trailed.values(), *sym.machines.seen_right.values()))
+    off += map(var, (*sym.machines.trailed.values(), *sym.machines.was_detected.values()))
     off += map(var, sym.cancellation.rear_cleared.values())
     off += [var(name) for x in sym.token.values() for name in (x.have, x.give, x.seen)]
     on = [*(f.seen.used(s) for s in w.topo.sections), *map(var, sym.zone_full.values())]

@@ -14,14 +14,17 @@ from interlock.proof.functions.words import Way, Words
 def points(w: Words) -> Iterator[tuple[str, str, Expr]]:
     """F-TRAILED, F-POINT, F-OFF and F-TURN."""
     for m, name in w.sym.machines.trailed.items():
-        there = disj(conj((w.points.commanded(m, x), w.points.detected(m, x))) for x in Position)
-        lost = disj(conj((w.points.commanded(m, x), neg(w.points.detected(m, x)))) for x in Position)
-        was, quiet, trailed = var(w.sym.machines.seen_right[m]), neg(w.points.anew(m)), var(name)
+        quiet, trailed, over = neg(w.points.anew(m)), var(name), var(w.sym.start.restart_timer)
         seen = conj(
             (var(w.sym.machines.looked_at[m]), w.valid, *(w.sections.long(s) for s in w.layout.machines.sections[m]))
         )
-        new = conj((was, w.valid, lost, quiet))
-        yield "F-TRAILED", f"{m} detected", iff(w.after(was), conj((there, quiet)))
+        lost = []
+        for x in Position:
+            was, detected = var(w.sym.machines.was_detected[m, x]), w.points.detected(m, x)
+            there = disj((conj((detected, neg(w.points.commanded(m, x.other)))), conj((was, neg(w.valid)))))
+            yield "F-TRAILED", f"{m} detected {x}", iff(w.after(was), conj((there, quiet, over)))
+            lost.append(conj((was, neg(detected))))
+        new = conj((disj(lost), w.valid, quiet))
         yield "F-TRAILED", m, iff(w.after(trailed), disj((new, conj((trailed, neg(seen))))))
     for m in w.layout.machines:
         yield from _commands(w, m)

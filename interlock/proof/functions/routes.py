@@ -99,7 +99,9 @@ def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
 
 
 def _hindering(w: Words, r: RouteSymbols) -> Iterator[Expr]:
-    """A section in the way of a route is blocked, or a point that it needs was trailed."""
+    """A section in the way of a route is blocked, or a point that it needs was trailed; or inputs are lost while it is
+    to call a train on (R16)."""
+    yield neg(w.valid) if r.call_on else FALSE
     beyond = _overlaps(w, r)
     for s, n in (*r.path.ways, *([r.path.berth] if r.path.berth is not None else [])):
         yield from (w.ways.blocked(s), w.ways.trailed(s, n))
@@ -315,7 +317,7 @@ def _berth(w: Words, way: Way, wide: bool) -> Iterator[Expr]:
             continue
         g = w.sections.signal_at(s, j)
         if g is not None:
-            waits = disj((neg(f.seen.used(s)), w.sections.occupied(w.sections.rear(s, j)), w.signals.passing(g)))
+            waits = disj((neg(f.seen.used(s)), neg(w.sections.long(w.sections.rear(s, j))), w.signals.passing(g)))
             yield conj((f.locking.locked_in(s, j), waits))
         elif rear is not None:
             yield f.locking.locked_out(rear, j)

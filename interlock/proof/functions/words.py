@@ -48,9 +48,9 @@ class SectionWords:
         """Counts as occupied: not validly reported clear, or without detection (R3)."""
         return TRUE if s is None else neg(conj((self._w.valid, self._w.f.seen.clear(s))))
 
-    def long(self, s: str) -> Expr:
+    def long(self, s: str | None) -> Expr:
         """Steadily clear: without a break for the release delay (R15); never, without detection."""
-        name = self._w.sym.sections.release_timer.get(SectionId(s))
+        name = None if s is None else self._w.sym.sections.release_timer.get(SectionId(s))
         return FALSE if name is None or s in self._w.layout.track.undetected else var(name)
 
     def on(self, s: SectionId, j: NodeId, rear: SectionId) -> Expr:
@@ -84,7 +84,7 @@ class SectionWords:
         out = [self._w.valid, self._w.f.seen.used(s), self.rear_released(s)]
         for j in self._w.topo.ends[s]:
             if self.main_at(s, j):
-                out.append(neg(conj((self._w.f.locking.locked_in(s, j), self.occupied(self.rear(s, j))))))
+                out.append(neg(conj((self._w.f.locking.locked_in(s, j), neg(self.long(self.rear(s, j)))))))
         cleared = self._w.sym.cancellation.rear_cleared
         out += [disj((neg(locked), var(cleared[s]))) for _, locked in first_behind(self._w.f, s) if s in cleared]
         return conj(out)

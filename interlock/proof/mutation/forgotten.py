@@ -9,7 +9,7 @@ from interlock.derivation import derive
 from interlock.diag import Sink
 from interlock.logic import names
 from interlock.logic.controller import Controller, Equation
-from interlock.logic.expr import FALSE, TRUE, Substitution, disj, var
+from interlock.logic.expr import FALSE, TRUE, Substitution, conj, disj, neg, var
 from interlock.logic.lower import lower
 from interlock.model.elements import BoundaryKind, BufferKind
 from interlock.model.layout import Layout
@@ -156,6 +156,35 @@ def rear_alone(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
         )
         if following != tuple(c.next):
             yield str(s), replace(c, next=following)
+
+
+def berth_read_once(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A movement is set into a berth as soon as what is in rear of another one reads clear, were it for one scan."""
+    c = lower(layout, table)
+    timer = c.symbols.sections.release_timer
+    once = Substitution({name: neg(var(names.OCCUPIED(s))) for s, name in timer.items()})
+    for e in c.equations:
+        for i, t in enumerate(e.terms):
+            now = t._replace(expr=once(t.expr))
+            if t.kind == "no other movement into the berth" and now != t:
+                early = replace(e, terms=(*e.terms[:i], now, *e.terms[i + 1 :]))
+                yield str(e.name), replace(c, steps=tuple(early if x is e else x for x in c.steps))
+
+
+def detection_forgotten(unseen: bool) -> Callable[[Layout, InterlockingTable], Iterator[Mutant]]:
+    """That a machine was detected is forgotten with the inputs (`unseen`), or remembered of commanded ones alone."""
+
+    def make(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+        c = lower(layout, table)
+        for (m, x), name in c.symbols.machines.was_detected.items():
+            less = Substitution({name: FALSE}) if unseen else Substitution({})
+            for e in (e for e in c.next if e.name == name):
+                commanded = TRUE if unseen else disj((var(names.COMMAND(m, x)), neg(var(c.symbols.valid))))
+                first = e.terms[0]._replace(expr=conj((less(e.terms[0].expr), commanded)))
+                changed = replace(e, terms=(first, *e.terms[1:]))
+                yield f"{m} {x}", replace(c, next=tuple(changed if y is e else y for y in c.next))
+
+    return make
 
 
 def let_go(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:

@@ -404,6 +404,7 @@ KINDS: tuple[Kind, ...] = (
         "two shunting movements are set into one berth",
         without("G AD", "no other movement into the berth"),
     ),
+    Kind("berth-read-once", "in rear of one who comes in clear is read once", forgotten.berth_read_once),
     Kind(
         "arrived-early", "a train counts as arrived before it is wholly in", without("AR", "wholly in", "rear released")
     ),
@@ -435,11 +436,7 @@ KINDS: tuple[Kind, ...] = (
         "the direction is given away while a train leaves, is on the line, or has not been given before",
         without("BV", "line clear", "no departure"),
     ),
-    Kind(
-        "direction-in-a-hurry",
-        "the direction is given before its last change is complete",
-        without("BV", "change complete"),
-    ),
+    Kind("direction-in-a-hurry", "the direction is given while it still changes", without("BV", "change complete")),
     Kind("direction-not-handed-over", "the direction stays here although it was given", without("BH", "not given")),
     Kind("identifier-unlocked", "an identifier light although nothing leads to it", without("PR", "rear locked")),
     Kind("identifier-not-shown", "a route past a signal opens at stop there", without("PR", "identifier shown")),
@@ -466,8 +463,11 @@ KINDS: tuple[Kind, ...] = (
     Kind("lamp-not-proved", "a signal opens with its stop lamp out", without("PR", "stop lamp proved")),
     Kind("opens-by-itself", "a signal opens again when a lost condition returns", without("W", "conditions kept")),
     Kind("opens-after-block", "a signal opens when a block in its way is taken off", without("W", "unhindered")),
+    Kind("call-on-after-loss", "a call-on opens after inputs were lost", without("UH", "inputs valid")),
     Kind("request-kept", "what is asked for while a condition is lost opens the signal later", asked.request_kept),
     Kind("trailed-not-kept-back", "proceed over a trailed point", without("WD", "not trailed")),
+    Kind("trailed-unseen", "detection is forgotten as inputs are lost", forgotten.detection_forgotten(True)),
+    Kind("trailed-uncommanded", "only what was commanded can be trailed", forgotten.detection_forgotten(False)),
     Kind("lamp-not-lit", "proceed with its lamp out", without("CO", "proceed lamp intact")),
     Kind("clear-lamp-not-lit", "clear with its lamp out", without("C", "clear lamp intact")),
     Kind("call-on-blind", "a train is called on without looking at its first section or at berths", _blind_call_on),

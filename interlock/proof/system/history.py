@@ -29,7 +29,7 @@ def history(loop: ClosedLoop, ties: Iterable[Tie]) -> dict[Name, Expr]:
     for r in symbols.routes:
         hindered = conj((var(r.active), neg(var(names.UNHINDERED(r.number)))))  # S-AGAIN tells what that comes to
         was_open = disj((var(names.SHUT(r.number)), var(r.proceed), var(r.shown), hindered))
-        asked = symbols.requests.asked_for(r, symbols.routes)
+        asked = FALSE if r.call_on else symbols.requests.asked_for(r, symbols.routes)
         out[names.SHUT(r.number)] = conj((was_open, neg(var(r.proceed.next)), var(r.active.next), neg(asked)))
     for s in loop.topo.sections:
         came_in = disj(plant.events.get(names.HEAD(j, _beyond(loop, s, j)), FALSE) for j in loop.topo.ends[s])
