@@ -44,7 +44,7 @@ HARM = {
     "clear before stop": ("junction", 1),
     "delay from setting": ("mine11", 2),
     "delay always running": ("pit_bottom", 0),
-    "presets of a millisecond": ("junction", 8),
+    "presets of a millisecond": ("junction", 6),
     "one clear reading": ("junction", 6),
     "restart without delay": ("terminus_slip", 3),
     "overlap ignored": ("slip_junction", 0),
