@@ -27,6 +27,7 @@ from interlock.logic.controller import MalformedController
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.simulate import Outcome, simulate
+from interlock.simulate.faults import Faults
 from tests.campaigns.origin import processor
 from tests.weakened import WEAKENED
 
@@ -81,8 +82,8 @@ class Case:
         return Case(found.layout, text, routes)
 
 
-def drive(case: Case, scans: int, seed: int, hostile: bool) -> Outcome:
-    """So many scans, or until a hazard."""
+def drive(case: Case, scans: int, seed: int, hostile: bool, faults: Faults | None = None) -> Outcome:
+    """So many scans, or until a hazard; with other `faults` than usual."""
     return simulate(
         case.layout,
         case.runtime,
@@ -90,6 +91,7 @@ def drive(case: Case, scans: int, seed: int, hostile: bool) -> Outcome:
         seed=seed,
         hostile=hostile,
         routes=case.routes,
+        faults=faults,
     )
 
 
