@@ -59,12 +59,17 @@ class RouteTests:
         lost, in the time in which it opened without.  `at`: where it is asked for, if not at the centre."""
         bench, row = self._bench, self._row
         bench.back(self._rest)
+        before, devices = dict(bench.lies), bench.layout.machines.device
         for m, p in row.demands.items():
             if row.turnable(m):
                 bench.lies[m] = p.position.other
-            elif row.calls_on:
+            elif row.calls_on and m not in devices:
+                bench.lies[m] = p.position
+        bench.looked_at(m for m, x in before.items() if bench.lies[m] is not x)
+        for m, p in row.demands.items():
+            if not row.turnable(m) and row.calls_on and m in devices:
                 by_hand = bench.symbols.machines.by_hand.get((m, p.position))
-                if m in bench.layout.machines.device and bench.lies[m] is not p.position and by_hand is not None:
+                if bench.lies[m] is not p.position and by_hand is not None:
                     bench.scans(FEW, {str(by_hand): 1})  # a door opens before a train stands at it
                 bench.lies[m] = p.position
         if row.calls_on:
