@@ -46,7 +46,6 @@ class Panel:
         self.shown: dict[str, int] = {}
         self.read = dict(self.inputs)
         self.table, self.asked = table, []  # type: tuple[InterlockingTable, list[int]]
-        self.failing = ""
         self.sticks: dict[str, str] = {}
         """Machines that do not leave a position."""
         self.driven: dict[str, tuple[int, int]] = {}
@@ -61,8 +60,6 @@ class Panel:
             if wanted["REQ"] and wanted["REQ"] not in self.asked[-1:]:
                 self.asked.append(wanted["REQ"])
             self.inputs |= wanted
-            if self.failing:
-                self.inputs |= {f"D{x}_{self.failing}": 0 for x in "NR"}
             self.read = {**self.inputs, **inputs}
             self.shown = self.scan(self.read, SCAN_MS)
             for n, on in self.shown.items():
@@ -75,7 +72,7 @@ class Panel:
         left = left - 1 if before == to else 2
         self.driven[machine] = (to, left)  # type: ignore[assignment]
         for x in "NR":
-            self.inputs[f"D{x}_{machine}"] = int(x == to and left <= 0 and machine != self.failing)
+            self.inputs[f"D{x}_{machine}"] = int(x == to and left <= 0)
 
     def stand(self, *sections: str) -> None:
         """Exactly these sections are occupied."""
@@ -194,9 +191,12 @@ def test_who_is_caught_by_a_train_without_a_command_is_named_and_goes_on_when_it
 
 def test_a_point_that_fails_makes_another_plan() -> None:
     p = panel("mine11")
+    p.inputs |= {"DN_P1": 0, "DR_P1": 1}
+    p.run(1)
+    p.run(2, TC_P1=1)  # it was turned by nobody's command, and somebody has looked at it
+    p.sticks = {"P1": "-"}  # commanded normal it leaves reverse, and does not arrive
     order, _ = errand(p.dispatcher.railway, "7:W>E", 60.0)
     p.dispatcher.carry_out(order)
-    p.failing = "P1"
     p.stand("ap_W")
     p.run(20)
     p.drive("ap_W", "q1")
@@ -204,7 +204,7 @@ def test_a_point_that_fails_makes_another_plan() -> None:
     taken_back = [x for x in p.dispatcher.journal.said if "is taken back, since P1 is not detected" in x]
     assert len(taken_back) == 1 and p.opened() == set()
     assert p.dispatcher.journal.said[-1] == "no plan exists: 7 cannot go on, with P1 in the way"
-    p.failing = ""
+    p.sticks = {}
     p.run(400)
     assert p.opened() & {"X1"}
 
