@@ -85,13 +85,6 @@ class Bench:
             left -= SCAN_MS
         return True
 
-    def looked_at(self, turned: Iterable[MachineId]) -> None:
-        """Points that were turned without a command count as trailed: somebody has looked at them, and says so."""
-        looks = {str(n): 1 for m in turned if (n := self.symbols.machines.looked_at.get(m)) is not None}
-        if looks:
-            self.scan()
-            self.scan(looks)
-
     def moment(self) -> Moment:
         """What is now."""
         c = self._controller

@@ -5,7 +5,7 @@ What has to come is read from the row alone; where something else comes on the b
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from interlock.commissioning.approach import Place, further, settings
 from interlock.commissioning.bench import FEW, SCAN_MS, Bench, Moment, not_at_stop, occupied
@@ -65,7 +65,7 @@ class RouteTests:
                 bench.lies[m] = p.position.other
             elif row.calls_on and m not in devices:
                 bench.lies[m] = p.position
-        bench.looked_at(m for m, x in before.items() if bench.lies[m] is not x)
+        _looked_at(bench, (m for m, x in before.items() if bench.lies[m] is not x))
         for m, p in row.demands.items():
             if not row.turnable(m) and row.calls_on and m in devices:
                 by_hand = bench.symbols.machines.by_hand.get((m, p.position))
@@ -378,3 +378,11 @@ class RouteTests:
     def _step(self, do: str, expect: str, rule: str, came: list[str] | None) -> Step:
         """`came`: None where it was not tried."""
         return Step(Sheet.ROUTES, self._row.row.id, do, expect, rule, came is not None, "; ".join(came or ()))
+
+
+def _looked_at(bench: Bench, turned: Iterable[MachineId]) -> None:
+    """Points that were turned without a command count as trailed: somebody has looked at them, and says so."""
+    looks = {str(n): 1 for m in turned if (n := bench.symbols.machines.looked_at.get(m)) is not None}
+    if looks:
+        bench.scan()
+        bench.scan(looks)
