@@ -23,7 +23,7 @@ IDLE_S = 60.0
 """Seconds after which a connection over which nothing was asked is let go (our choice)."""
 
 PIPELINED = 16
-"""Requests of one connection that may wait for their answer: the most that the specification of Modbus TCP names."""
+"""Requests of one connection that may wait for their answer (our choice)."""
 
 
 class Connection(ServerRequestHandler):
