@@ -144,7 +144,7 @@ def test_voyages_and_automatic_working_on_random_layouts_are_proved(seed: int) -
     "name",
     [
         *("overlaps_join", "overlap_unused", "overlap_berth", "overlap_head", "balloon", "foul_beyond"),
-        *("one_way_rear", "no_calling_on", "overlap_one_way"),
+        *("one_way_rear", "no_calling_on", "overlap_one_way", "foul_of_itself"),
     ],
 )
 def test_layouts_on_which_random_growth_once_found_a_fault(name: str) -> None:

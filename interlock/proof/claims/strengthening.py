@@ -25,7 +25,7 @@ from interlock.logic.plant import (
     shunting,
     was_called,
 )
-from interlock.logic.symbols import RouteSymbols
+from interlock.logic.symbols import RouteSymbols, Way
 from interlock.model.elements import MachineId, Position, SectionId, SignalId, of_points
 from interlock.proof.claims.added import added_invariants, called_on_lit
 from interlock.proof.claims.block import token_invariants
@@ -140,11 +140,17 @@ def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
             yield f"S-COMMAND:{n}:{m}", implies(x, var(f.sym.machines.command[m, p]))
             yield f"S-LIES:{n}:{m}", implies(conj((x, f.locking.firm(s))), f.seen.settled(m, p))
         for other, whole, numbers in f.sym.ways.excluded[s, n]:
-            against = against_of(f, other, whole, numbers)
+            against = against_of(f, other, whole, tuple(k for k in numbers if not _one_route(f, (s, n), (other, k))))
             yield f"S-EXCLUDES:{n}:{other}", implies(x, neg(against))
         train = f.locking.train(s) if f.track.berth(s) else TRUE
         yield f"S-PASSED-BEEN:{n}", implies(conj((x, train, f.seen.passed(s))), f.seen.been(s))
     yield from _standing_section(f, s)
+
+
+def _one_route(f: Facts, a: Way, b: Way) -> bool:
+    """Whether a route leads over both ways: where it comes foul of itself, it alone locks what excludes each other."""
+    over = f.sym.routes.over
+    return not {r.id for r in over.get(a, ())}.isdisjoint(r.id for r in over.get(b, ()))
 
 
 def _standing_section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
