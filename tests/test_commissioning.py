@@ -96,6 +96,8 @@ points P1 without detection: ask for route X1-A
   signal X1 stays at stop
 signal X1 at proceed: try to move P1 reverse
   nothing moves, and it stays at proceed
+signal X1 at proceed: points P1 loses its detection, and then as before: ask for route X1-A again
+  stop, before and after; once it is confirmed that points P1 was looked at, signal X1 opens when asked
 signal X1 at proceed for route X1-A: ask for hostile route X3-C
   it is refused, and the signal stays at proceed
 all clear, nothing set: ask for route X1-A on the spot (LREQ), by its number 1
@@ -114,7 +116,7 @@ def test_a_route_is_tested_cell_by_cell() -> None:
     steps = [s for s in of(*built("fig2_2")) if s.of == "X1-A"]
     printed, looked_for = [f"{s.do}\n  {s.expect}\n" for s in steps], X1_A.strip().split("\n")
     pairs = [f"{do}\n{expect}\n" for do, expect in zip(looked_for[::2], looked_for[1::2], strict=True)]
-    assert len(steps) == 20 and all(s.tried for s in steps)
+    assert len(steps) == 21 and all(s.tried for s in steps)
     assert [x for x in printed if x in pairs] == pairs
 
 
@@ -139,6 +141,8 @@ def test_every_wire_is_tested_with_both_values_and_an_open_circuit() -> None:
         ("cancel-with-train", "given up too early"),
         ("restart-unlocked", "is not locked"),
         ("stop-lamp-dark", "does not show stop"),
+        ("trailed-unseen", "no alarm"),
+        ("trailed-uncommanded", "no alarm"),
         ("hand-beside-grant", ""),  # two requests in one scan: no test of one route from rest shows it, the proof does
     ],
 )
@@ -146,6 +150,13 @@ def test_a_controller_that_is_wrong_is_noticed(kind: str, said: str) -> None:
     layout, table, _ = built("junction")
     found = [noticed(layout, table, weak) for _, weak in next(k for k in KINDS if k.name == kind).make(layout, table)]
     assert any(said in x for x in found) if said else not any(found)
+
+
+def test_a_section_given_back_behind_a_train_while_another_comes_is_noticed() -> None:
+    """Further back than the section before the signal: only a test with a second train can tell (R9)."""
+    layout, table, _ = built("flank_lab")
+    kind = next(k for k in KINDS if k.name == "approach-not-asked")
+    assert any("is released" in noticed(layout, table, weak) for _, weak in kind.make(layout, table))
 
 
 def test_points_that_are_driven_when_the_controller_is_switched_on_are_noticed() -> None:

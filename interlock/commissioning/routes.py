@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from interlock.commissioning.approach import Place, further, settings
-from interlock.commissioning.bench import FEW, SCAN_MS, Bench, Moment, not_at_stop, occupied
+from interlock.commissioning.bench import FEW, SCAN_MS, Bench, Moment, not_at_stop, occupied, undetected
 from interlock.commissioning.needs import Need, needs, to_open
 from interlock.commissioning.row import Row
 from interlock.commissioning.step import SLACK_S, Sheet, Step
@@ -39,6 +39,8 @@ class RouteTests:
         yield from (self._falls(opened, x) for x in needs(row))
         yield from (self._stays(x) for x in (*needs(row), *to_open(row)))
         yield from (self._held(opened, m) for m in row.demands)
+        if not row.calls_on:
+            yield from (self._kept_back(opened, m) for m in row.demands if m in self._bench.symbols.machines.looked_at)
         yield from (self._refused(opened, self._table.route[h]) for h in row.row.locking.hostile.routes)
         yield from self._on_the_spot()
         yield from self._cancelled(opened)
@@ -176,6 +178,28 @@ class RouteTests:
         do = f"{self._at_proceed()}: try to {machines.to_move(m, x.other)}"
         return self._step(do, "nothing moves, and it stays at proceed", "R10", [*came, *self._closed()])
 
+    def _kept_back(self, opened: Moment, m: MachineId) -> Step:
+        """Points that were trailed are not used before somebody has looked at them."""
+        bench, row, machines = self._bench, self._row, self._bench.symbols.machines
+        bench.back(opened)
+        bench.scans(2, undetected(bench.symbols, m))
+        bench.scans(2)
+        asked = {str(bench.symbols.requests.request): row.row.number}
+        bench.scans(FEW, asked)
+        came = ["it opens"] if self._proceed() else []
+        bench.scan({str(machines.looked_at[m]): 1})
+        bench.scan()
+        bench.scans(FEW, asked)
+        came += (
+            [] if came or self._proceed() else [f"it does not open when asked afterwards: {bench.why_not(row.symbols)}"]
+        )
+        named = bench.layout.machines.named(m)
+        do = f"{self._at_proceed()}: {named} loses its detection, and then as before: ask for {row.name} again"
+        expect = (
+            f"stop, before and after; once it is confirmed that {named} was looked at, {row.signal} opens when asked"
+        )
+        return self._step(do, expect, "R10", came)
+
     def _refused(self, opened: Moment, other: RouteRow) -> Step:
         bench = self._bench
         bench.back(opened)
@@ -255,8 +279,27 @@ class RouteTests:
             bench.scans(FEW)
             before = " and ".join(called("route", r.id) for r in routes)
             train = "no train to be seen" if place.section is None else f"a train in {place.section} alone"
+            both = bench.moment()
             yield self._given_up_late(f", {before} set before it, {train}")
+            trains = all(r.kind is RouteKind.MAIN for r in (self._row.row, *routes))  # others may leave vehicles behind
+            if trains and place.section is not None and len(self._row.path) > 1 and self._row.rear:
+                bench.back(both)
+                yield self._followed(before, place.section)
             return
+
+    def _followed(self, before: str, other: SectionId) -> Step:
+        """What a train leaves first is kept while another may still come towards the signal (R9)."""
+        bench, row, y = self._bench, self._row, self._bench.symbols
+        (rear, first, second), came = (row.rear[0], *row.path[:2]), list[str]()
+        for left, into in ((None, rear), (rear, first), (first, second)):
+            bench.inputs |= occupied(y, into)
+            bench.scans(FEW)
+            bench.inputs |= dict.fromkeys(occupied(y, left), 1) if left is not None else {}
+            bench.scans(FEW)
+        bench.wait(max(x.delay_s for part in row.parts for x in part.locking.release) + SLACK_S)
+        came += [] if bench.locked(first) else [f"{first} is released"]
+        do = f"{before} set before it, a train in {other}: another drives over {row.name} into {second}"
+        return self._step(do, f"{first} stays locked behind it while {other} is occupied", "R9", came)
 
     def _ask(self, r: RouteRow) -> None:
         """Ask for a further route, and wait until its machines lie."""
