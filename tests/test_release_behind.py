@@ -70,7 +70,7 @@ def test_a_joint_that_fails_before_a_train_releases_nothing_until_it_must_stand(
     driven."""
     b = before_the_open_signal()
     b.go(lasts, CLR_III=0, CLR_IV=0)
-    b.go(50, CLR_III=1, CLR_IV=1)
+    b.go(50 - lasts, CLR_III=1, CLR_IV=1)
     assert b.outputs["YL_III"] and not b.outputs["YP_X3"]
     b.ask(X3_D)
     assert not b.outputs["YR_P1"]
@@ -206,6 +206,49 @@ def test_a_joint_that_fails_before_a_shunting_movement_releases_nothing_until_it
     assert not b.outputs["YR_P1"]
     b.go(200)
     assert not b.outputs["YL_p1"], "the delay of approach locking is over"
+
+
+@pytest.mark.parametrize(("first", "second"), [("l2", "p1"), ("p1", "l2")])
+@pytest.mark.parametrize("apart", [0.2, 1, 3])
+def test_a_joint_that_recovers_on_one_side_first_shows_no_movement(first: str, second: str, apart: float) -> None:
+    """It failed at once on both sides, as if the movement had come into both.  That p1 alone is occupied afterwards
+    tells nothing: what is alone must be so before it is read in the next section."""
+    b = before_the_white_light()
+    b.go(2, CLR_p1=0, CLR_l2=0)
+    b.go(apart, **{f"CLR_{first}": 1})
+    b.go(20, **{f"CLR_{second}": 1})
+    assert b.outputs["YL_p1"] and not b.outputs["YW_S1"]
+    b.ask("D2-E2")
+    assert not b.outputs["YR_P1"]
+
+
+def test_the_delay_counts_from_when_the_signal_has_closed() -> None:
+    """A train follows so closely that nobody sees the approach clear.  What the first one leaves is free when stop has
+    stood for the delay of approach locking, not that long after it was left."""
+    b = before_the_open_signal()
+    b.go(3, CLR_SB=0)
+    b.go(20, CLR_III=0)
+    b.go(20, CLR_IV=0)
+    b.go(0.2, CLR_III=1)
+    assert 19 <= b.seconds_until_free(300) <= 21, "60 s, of which 40 are over"
+
+
+def test_after_a_flicker_the_section_can_be_released_by_hand_when_the_delay_is_over() -> None:
+    """A train stands before the signal, and the section behind it reads occupied for a moment: as if it had come in and
+    gone back.  One press is enough; nobody has to keep pressing for as long as the delay."""
+    b = before_the_open_signal()
+    b.go(3, CLR_SB=0)
+    b.go(0.6, CLR_III=0)
+    b.go(5, CLR_III=1)
+    assert not b.outputs["YP_X3"] and b.outputs["YL_III"]
+    b.go(1, REL_III=1)
+    b.go(20, REL_III=0)
+    assert b.outputs["YL_III"], "whoever has seen the signal may still come"
+    b.go(200)
+    assert b.outputs["YL_III"], "not by itself"
+    b.go(1, REL_III=1)
+    b.go(1, REL_III=0)
+    assert not b.outputs["YL_III"]
 
 
 def test_behind_a_shunting_movement_that_leaves_wagons_it_is_released_as_soon_as_it_is_clear() -> None:

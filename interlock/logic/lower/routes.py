@@ -201,7 +201,8 @@ def approaches(d: Draft) -> None:
 
 
 def _release_waits(d: Draft, g: Signal) -> Expr:
-    """What is locked behind a signal is to be released, by hand or behind a train that has gone; another may come."""
+    """What is locked behind a signal is to be released, by hand or behind what has come in, while another train may be
+    on its way: stop stands since then, and so long the delay counts."""
     first = d.signals.first_section(g.id)
     leaving = disj(
         d.sections.lock(*t.key) if t.exit in d.layout.track.boundary_at else d.sections.into_berth(t)
@@ -210,20 +211,13 @@ def _release_waits(d: Draft, g: Signal) -> Expr:
     )
     begun = (*sections.from_signals(d, first), *sections.in_order(d, first))
     behind = disj(locked for h, locked in begun if h == g.id)
-    waits = (
-        conj((behind, var(names.PASSED(first)), neg(var(names.REAR_CLEARED(first))))) if behind is not FALSE else FALSE
-    )
+    waits = conj((behind, neg(var(names.REAR_CLEARED(first))))) if behind is not FALSE else FALSE
     return conj(
         (
             neg(d.signals.any_active(g.id)),
             neg(d.signals.passing_signal(g.id)),
             d.sections.locked_in(first, g.node),
-            disj(
-                (
-                    var(names.RELEASE_BY_HAND(first)),
-                    conj((disj((leaving, waits)), var(names.USED(first)), neg(d.sections.occupied(first)))),
-                )
-            ),
+            disj((var(names.RELEASE_BY_HAND(first)), conj((disj((leaving, waits)), var(names.USED(first)))))),
         )
     )
 

@@ -391,7 +391,13 @@ def seen_alone(d: Draft) -> None:
     for s in d.sections.all:
         if not in_order(d, s):
             continue
-        terms = [Term(var(names.USED(s)), "was used"), Term(d.sections.occupied(s), "occupied")]
+        terms = [
+            Term(var(names.USED(s)), "was used"),
+            Term(d.sections.occupied(s), "occupied"),
+            Term(
+                neg(var(names.PASSED(s))), "not gone on yet"
+            ),  # a joint that recovers on one side leaves the other alone
+        ]
         for t in d.sections.locks_of[s]:
             ahead = d.topo.beyond(s, t.exit)
             if ahead is not None:

@@ -158,7 +158,7 @@ def whole(f: Facts, s: SectionId) -> Expr:
 
 
 def _alone(f: Facts, s: SectionId) -> Iterator[tuple[str, str, Expr]]:
-    """A movement is in a section, and in none ahead of it that it is locked towards."""
+    """A movement is in a section, and neither is nor was in one ahead of it that it is locked towards."""
     ahead = []
     for n, lock in f.locking.of(s):
         b = f.topo.beyond(s, f.track.way(s, n)[1])
@@ -166,7 +166,7 @@ def _alone(f: Facts, s: SectionId) -> Iterator[tuple[str, str, Expr]]:
             ahead.append(implies(lock, conj((var(f.sym.valid), f.seen.clear(b)))))
     runs = var(f.timers[f.sym.cancellation.alone[s]].input)
     occupied = neg(conj((var(f.sym.valid), f.seen.clear(s))))
-    yield "L-REASON", f"{s} alone", implies(runs, conj((f.seen.used(s), occupied, *ahead)))
+    yield "L-REASON", f"{s} alone", implies(runs, conj((f.seen.used(s), neg(f.seen.passed(s)), occupied, *ahead)))
 
 
 def _cleared(f: Facts, s: SectionId) -> Iterator[tuple[str, str, Expr]]:

@@ -56,7 +56,7 @@ def delays(w: Words) -> Iterator[tuple[str, str, Expr]]:
 
 def _in_it_alone(w: Words, s: SectionId) -> Expr:
     """What came in is in a section, and not yet in the next one that it is locked towards."""
-    ahead = [neg(w.sections.occupied(s)), neg(w.f.seen.used(s))]
+    ahead = [neg(w.sections.occupied(s)), neg(w.f.seen.used(s)), w.f.seen.passed(s)]
     for n, lock in w.f.locking.of(s):
         b = w.topo.beyond(s, w.f.track.way(s, n)[1])
         ahead += [] if b is None else [conj((lock, w.sections.occupied(b)))]
@@ -65,22 +65,20 @@ def _in_it_alone(w: Words, s: SectionId) -> Expr:
 
 def _waiting(w: Words, g: SignalId) -> Expr:
     """Stop stands, and what is locked from the signal waits for a train that may still come: somebody wants it
-    released, or what came in has left it on a way that nobody releases behind it."""
+    released, or what came in goes on a way on which nobody releases it behind that alone."""
     first = w.signals.first(g)
     node = w.layout.signalling.signal[g].node
-    left = conj((w.sections.outward(first, node), w.f.seen.used(first), neg(w.sections.occupied(first))))
-    left = disj((left, *_not_left(w, g, first)))
+    left = conj((w.f.seen.used(first), disj((w.sections.outward(first, node), *_not_told(w, g, first)))))
     quiet = [neg(w.signals.active(g)), neg(w.signals.passing(g)), w.f.locking.locked_in(first, node)]
     return conj((*quiet, disj((var(w.sym.sections.release[first]), left))))
 
 
-def _not_left(w: Words, g: SignalId, first: SectionId) -> Iterator[Expr]:
-    """A train is said to have gone on from the first section, and what is in rear of its signal was not seen clear."""
-    used, cleared = w.f.seen.used(first), w.sym.cancellation.rear_cleared
+def _not_told(w: Words, g: SignalId, first: SectionId) -> Iterator[Expr]:
+    """What came into the first section was not seen to be all that may come."""
+    cleared = w.sym.cancellation.rear_cleared
     for h, locked in (*first_behind(w.f, first), *in_order(w.f, first)) if first in cleared else ():
         if h == g:
-            passed = conj((used, w.f.seen.passed(first), neg(w.sections.occupied(first))))
-            yield conj((locked, passed, neg(var(cleared[first]))))
+            yield conj((locked, neg(var(cleared[first]))))
 
 
 def start(w: Words) -> Expr:

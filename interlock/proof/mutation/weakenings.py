@@ -453,7 +453,11 @@ KINDS: tuple[Kind, ...] = (
     Kind("added-to-called-on-forgotten", "what is added to call-on routes alone is forgotten", forgotten.to_called_on),
     Kind("rear-not-asked", "what is in rear of a signal is not asked for", forgotten.rear_not_asked),
     Kind("approach-not-asked", "of the approach the section in rear alone is asked for", forgotten.rear_alone),
-    Kind("order-not-asked", "a movement counts although it was not alone", without("OAI", "alone", "occupied")),
+    Kind(
+        "order-not-asked",
+        "a movement counts although it was not alone",
+        without("OAI", "alone", "occupied", "not gone on yet"),
+    ),
     Kind("arrived-unseen", "arrived while another may come", without("AR OTI", "approach seen clear")),
     Kind("speed-not-shown", "a speed is not shown", forgotten.speeds_dark),
     Kind("route-not-indicated", "a route indicator is not lit", forgotten.indicator_dark),
