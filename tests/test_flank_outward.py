@@ -142,3 +142,35 @@ def test_the_flank_space_goes_on_past_a_signal_that_stands_too_near_to_protect()
     assert audit(made[0], made[1]) == ()
     assert protection(made[1], "X2-E", "P.reverse") == {"Z"}
     assert {c.name for c in made[1].route[RouteId("X2-E")].clear.space} == {"y2"}
+
+
+LANE_IN_A_SCISSORS = """
+interlock: 1
+name: lane_in_scissors
+boundaries: {A: {approach: aa 300}, B: {approach: ba 300}, C: {approach: ca 300}, D: {approach: da 300}}
+tracks: {lane: [k1 50, k2 250]}
+sections: {k2: {lane: inclined}}
+points:
+  1A: {machine: 1, section: T1, toe: A, normal: 2B.normal}
+  2B: {machine: 2, section: T1, toe: B}
+  2A: {machine: 2, section: T3, toe: C, normal: 1B.normal, reverse: lane.start}
+  1B: {machine: 1, section: T3, toe: D}
+crossings:
+  X: {arms: [{section: T1, ends: [1A.reverse, 1B.reverse]}, {section: T2, ends: [lane.end, 2B.reverse]}]}
+signals:
+  SA: {from: A, into: T1}
+  SB: {from: B, into: T1}
+  SC: {from: C, into: T3}
+  SD: {from: D, into: T3}
+  SK: {from: k2, into: T2}
+  SL: {from: k2, into: k1}
+"""
+
+
+def test_what_stands_on_a_lane_within_the_crossover_of_a_scissors_is_kept_off_by_its_signal() -> None:
+    """That the crossover lies normal keeps nobody off who stands between it and the diamond."""
+    made = grown(LANE_IN_A_SCISSORS)
+    assert made is not None and not made[2].has_errors
+    assert audit(made[0], made[1]) == ()
+    assert protection(made[1], "SA-D", "X.2a") == {"2 N", "SK"}
+    assert protection(made[1], "SA-D", "X.2b") == {"2 N"}

@@ -16,6 +16,7 @@ taken is settled for all routes together (`derivation/settle.py`).
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from itertools import islice
 from math import inf
 from typing import NamedTuple
 
@@ -131,10 +132,24 @@ class Options:
         """Every set that demands nothing but what is allowed, preferred ones first."""
         found = _outward(self._layout, r, allowed, r.edge, r.node, _Past())
         if r.partner is not None:
-            if allowed(r.partner, Position.NORMAL) and next(found, None) is not None:  # no inclined lane lies between
-                yield (Provider(ProviderKind.POINT, r.partner, Position.NORMAL),)
+            lane, turned = _lane_before(self._layout, r), Provider(ProviderKind.POINT, r.partner, Position.NORMAL)
+            if allowed(r.partner, Position.NORMAL):
+                for option in found if lane else islice(found, 1):
+                    yield (turned, *(p for p in option if lane and p.kind is ProviderKind.SIGNAL))
             return
         yield from (option for option in found if point_demands(option) is not None)
+
+
+def _lane_before(layout: Layout, r: Requester) -> bool:
+    """Whether an inclined lane lies between a diamond and the partner of a scissors, which keeps nothing off that
+    stands there."""
+    node, edge = r.node, r.edge
+    while node not in layout.pointwork.point_at:
+        if over_lane(layout, r, edge):
+            return True
+        node = layout.track.far(edge, node)
+        edge = next((e.id for e in layout.track.edges_at[node] if e.id != edge), edge)
+    return False
 
 
 def over_lane(layout: Layout, r: Requester, edge: EdgeId) -> bool:
