@@ -22,7 +22,7 @@ from interlock.derivation import derive
 from interlock.diag import Sink
 from interlock.frontend import load_text
 from interlock.frontend.scalars import item_parts
-from interlock.model.elements import NodeId, SectionId
+from interlock.model.elements import EdgeId, NodeId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.overlap import overlap_paths
 from interlock.model.places import Approach
@@ -83,20 +83,21 @@ class Made:
         """How often each diagnostic is given."""
         return Counter(d.code for d in self.sink.diagnostics)
 
-    def form(self, back: Back = lambda name: name) -> Form:
-        """What can be compared, under the names of before."""
+    def form(self, back: Back = str, turned: bool = False) -> Form:
+        """What can be compared, under the names of before, points `turned` back."""
         assert self.layout is not None and self.table is not None, self.errors
-        return Form(self.layout, self.table, back)
+        return Form(self.layout, self.table, back, turned)
 
 
 Value = Any
 
 
 class Form:
-    """A table in values that depend on no order; `back` gives each name its name of before."""
+    """A table in values that depend on no order; `back` gives each name its name of before, and with `turned` normal is
+    reverse of all points, and reverse normal."""
 
-    def __init__(self, layout: Layout, table: InterlockingTable, back: Back) -> None:
-        self._layout, self._table, self._back = layout, table, back
+    def __init__(self, layout: Layout, table: InterlockingTable, back: Back, turned: bool) -> None:
+        self._layout, self._table, self._back, self._turned = layout, table, back, turned
         self._topo: Topology = topology(layout)
         self.key = {r.id: self._key(r) for r in table.routes}
         """What a route is, by its id: where it begins, what it is for, over which ways it leads, and those beyond."""
@@ -138,7 +139,7 @@ class Form:
     def way(self, key: TraversalKey) -> Value:
         """A way through a section: from what to what, and how points lie on it."""
         t = self._topo.traversals[key[0]][key[1] - 1]
-        points = tuple((self._back(p), str(x)) for p, x in t.points)
+        points = tuple((self._back(p), self._lies(self._layout.pointwork.point[p].machine, x)) for p, x in t.points)
         crossings = tuple((self._back(c), arm) for c, arm in t.crossings)
         return self._back(t.section), self._end(t.section, t.entry), self._end(t.section, t.exit), points, crossings
 
@@ -158,22 +159,36 @@ class Form:
         beyond = () if r.path.onward is None else self._key(self._table.route[r.path.onward])
         return self._back(r.entry), str(r.kind), self.ways(r.path.traversals), overlap, beyond
 
+    def _lies(self, machine: str, x: Position) -> str:
+        turned = self._turned and machine in self._layout.machines.ends
+        return str(x.other if turned else x)
+
+    def _requester(self, name: str) -> str:
+        point, _, leg = name.rpartition(".")
+        turned = {"normal": "reverse", "reverse": "normal"}.get(leg) if self._turned else None
+        return self._back(f"{point}.{turned}" if turned else name)
+
     def _demands(self, demands: Iterable[PointDemand]) -> Value:
-        return frozenset((self._back(d.machine), str(d.position), str(d.role), d.hold) for d in demands)
+        return frozenset(
+            (self._back(d.machine), self._lies(d.machine, d.position), str(d.role), d.hold) for d in demands
+        )
 
     def _flank(self, cells: Iterable[FlankCell]) -> Value:
         return frozenset(
             (
-                self._back(c.requester),
+                self._requester(c.requester),
                 self._back(c.section),
-                frozenset((str(p.kind), self._back(p.name), str(p.position)) for p in c.providers),
+                frozenset(
+                    (str(p.kind), self._back(p.name), p.position and self._lies(p.name, p.position))
+                    for p in c.providers
+                ),
             )
             for c in cells
         )
 
     def _foul(self, cells: Iterable[FoulCell]) -> Value:
         def when(c: FoulCell) -> Value:
-            return None if c.when is None else (self._back(c.when[0]), str(c.when[1]))
+            return None if c.when is None else (self._back(c.when[0]), self._lies(*c.when))
 
         def beside(c: FoulCell) -> Value:
             return None if c.crossing is None else self._back(c.crossing)
@@ -243,19 +258,18 @@ class Form:
 
 
 def differences(was: Form, now: Form, but: Sequence[str] = ()) -> list[str]:
-    """What two tables differ in, but for some columns; in words, the first of each kind."""
+    """What two tables differ in, but for some columns, in words."""
     out = []
     for what in ("routes", "locks"):
         before, after = getattr(was, what), getattr(now, what)
-        gone, come = before.keys() - after.keys(), after.keys() - before.keys()
-        out += [f"{what}: gone {sorted(gone, key=str)[:2]}"] if gone else []
-        out += [f"{what}: new {sorted(come, key=str)[:2]}"] if come else []
+        out += [f"{what}: {way} is gone" for way in before.keys() - after.keys()]
+        out += [f"{what}: {way} is new" for way in after.keys() - before.keys()]
         for k in before.keys() & after.keys():
             for column, cell in before[k].items():
                 if column not in but and cell != after[k][column]:
                     out.append(f"{what}: {column} of {k}: {cell} is {after[k][column]}")
-    if was.hostile != now.hostile and "hostile" not in but:
-        out.append(f"hostile: {sorted(map(str, was.hostile ^ now.hostile))[:2]}")
+    if "hostile" not in but:
+        out += [f"hostile: {pair}" for pair in was.hostile ^ now.hostile]
     out += [f"voyages: {was.voyages} are {now.voyages}"] if was.voyages != now.voyages else []
     out += ["automatic"] if was.automatic != now.automatic else []
     return sorted(out)
@@ -317,7 +331,9 @@ def renamed(t: Tree, to: Mapping[str, str]) -> Tree:
 NEW = re.compile(r"[QЖ]\d{4}[xя]")
 
 
-def under_other_names(t: Tree, order: Callable[[list[str]], list[str]], form: str = "Q{:04d}x") -> tuple[Tree, Back]:
+def under_other_names(
+    t: Tree, order: Callable[[list[str]], Sequence[str]] = tuple, form: str = "Q{:04d}x"
+) -> tuple[Tree, Back]:
     """A layout under names that sort as `order` puts the old ones."""
     to = {n: form.format(i) for i, n in enumerate(order(sorted(names(t))))}
     old = {v: k for k, v in to.items()}
@@ -326,26 +342,29 @@ def under_other_names(t: Tree, order: Callable[[list[str]], list[str]], form: st
 
 SETS = frozenset(("buffers", "traps", "over", "signals", "exits", "not_over", "sections", "at"))
 """Lists whose order means nothing."""
-LISTS = frozenset(("exclude", "hostile", "demand", "waive", "allow"))
+LISTS = frozenset(("exclude", "hostile", "demand", "waive", "allow", "substations"))
+"""What is told in the order in which it is written."""
 
 
-def shuffled(t: Tree, seed: int) -> Tree:
-    """A layout whose mappings, and lists whose order means nothing, are in another order."""
+def shuffled(t: Tree, seed: int, lists: bool) -> Tree:
+    """A layout whose mappings, and lists whose order means nothing, are in another order; with `lists` what is told in
+    order, too."""
     rng = random.Random(seed)
 
     def value(x: Any, key: str = "") -> Any:
         if isinstance(x, dict):
             items = [(k, value(v, k)) for k, v in x.items()]
-            rng.shuffle(items)
+            if lists or key not in LISTS:
+                rng.shuffle(items)
             return dict(items)
         if isinstance(x, list):
-            items = [value(y) for y in x]
-            if key in SETS | LISTS:
-                rng.shuffle(items)
-            return items
+            every = [value(y) for y in x]
+            if key in SETS or (lists and key in LISTS):
+                rng.shuffle(every)
+            return every
         return x
 
-    found: Tree = value({k: v for k, v in t.items() if k != "addresses"})
+    found: Tree = value(t)
     return found
 
 
@@ -399,14 +418,81 @@ def in_two_pieces(t: Tree) -> Tree:
     return t
 
 
+def turned(t: Tree) -> Tree:
+    """A layout whose points are called reverse where they were normal."""
+    legs = (("normal", "reverse"), ("reverse", "normal"))
+    swap = {f"{p}.{a}": f"{p}.{b}" for p in t.get("points") or {} for a, b in legs}
+
+    def value(x: Any) -> Any:
+        if isinstance(x, dict):
+            return {k: x[k] if k in WORDS else value(v) for k, v in x.items()}
+        return [value(y) for y in x] if isinstance(x, list) else swap.get(x, x)
+
+    out = {k: v if k in PLAIN else value(v) for k, v in t.items()}
+    for name, p in (out.get("points") or {}).items():
+        out["points"][name] = {{"normal": "reverse", "reverse": "normal"}.get(k, k): v for k, v in p.items()}
+    return out
+
+
 def beside(t: Tree, other: Tree) -> Tree:
     """Two layouts of one profile in one, which have no name in common."""
     out = deepcopy(t)
     for k, v in other.items():
-        if k in PLAIN:
-            continue
-        if isinstance(v, dict):
-            out[k] = {**(out.get(k) or {}), **v}
-        else:
-            out[k] = [*(out.get(k) or []), *v]
+        if k not in PLAIN:
+            out[k] = {**(out.get(k) or {}), **v} if isinstance(v, dict) else [*(out.get(k) or []), *v]
     return out
+
+
+def ruled(t: Tree, **principles: str) -> Tree:
+    """A layout with some principles of its own."""
+    return {**t, "principles": {**(t.get("principles") or {}), **principles}}
+
+
+HALF = "_b"
+"""What the second half of a section is called after the first."""
+
+
+def divided(made: Made, section: SectionId) -> Tree | None:
+    """A layout in which a plain section is two of half its length, without a signal between; None where it is written
+    in pieces, or something other than track, signals and what lies over it speaks of it."""
+    assert made.layout is not None
+    t = deepcopy(made.tree)
+    there = [(n, i) for n, items in t["tracks"].items() for i, x in enumerate(items) if item_parts(x)[0] == section]
+    if len(there) != 1 or " " in section:
+        return None
+    (track, at), second = there[0], section + HALF
+    items = t["tracks"][track]
+    edge = made.layout.track.edge[EdgeId(f"{track}.{sum(bool(item_parts(x)[1]) for x in items[:at])}")]
+    items[at : at + 1] = [f"{name} {edge.length / 2!r}" for name in (section, second)]
+    for g, spec in t["signals"].items():
+        if made.layout.signalling.signal[SignalId(g)].node == edge.b:
+            t["signals"][g] = {k: second if v == section and k in ("from", "into") else v for k, v in spec.items()}
+    for room in ("level_crossings", "interlocks", "conditions", "zones"):
+        for spec in (t.get(room) or {}).values():
+            for k in ("over", "sections"):
+                if section in spec.get(k, ()):
+                    spec[k].append(second)
+    if section in (t.get("sections") or {}):
+        t["sections"][second] = dict(t["sections"][section])
+    return t
+
+
+def whole(x: Value) -> Value:
+    """A value of a form in which both halves of sections are one, and ways through both are one way."""
+    if isinstance(x, str):
+        return x.removesuffix(HALF)
+    if isinstance(x, frozenset):
+        return frozenset(map(whole, x))
+    if not isinstance(x, tuple):
+        return x
+    out: list[Value] = []
+    for y in map(whole, x):
+        if _way(y) and out and _way(out[-1]) and out[-1][0] == y[0]:
+            out[-1] = (*out[-1][:2], *y[2:])
+        else:
+            out.append(y)
+    return tuple(out)
+
+
+def _way(x: Value) -> bool:
+    return isinstance(x, tuple) and len(x) == 5 and isinstance(x[3], tuple) and isinstance(x[1], str)

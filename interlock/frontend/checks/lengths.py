@@ -57,7 +57,7 @@ def _thousands(ctx: Context) -> Iterator[tuple[str, float, str, Span, Element]]:
 
 
 def _stated(ctx: Context) -> Iterator[tuple[str, float, tuple[float, float], Span, Element]]:
-    """Every stated length but those of sections along tracks: what it is of, metres, the usual range, place and element."""
+    """Every stated length but those along tracks: what it is of, metres, the usual range, place and element."""
     f = ctx.file
     for name, b in f.boundaries.items():
         if b.approach is not None:
