@@ -90,6 +90,24 @@ def test_a_length_is_doubted_beyond_what_is_usual_or_where_a_point_may_divide_th
     assert [why in d.message for d in found] == [True] * bool(why), found
 
 
+FAST = ("profile: mine", "profile: generic")
+
+
+@pytest.mark.parametrize(
+    ("written", "codes"),
+    [
+        *(("q1 3, q1 3", ["IL3037"]), ("q1 2, q1 2", ["IL7005"]), ("q1 20, q1 20", [])),
+        *(("q1 20000, q1 20000", ["IL7005"]), ("0+000, q1, 0+003, q1 3", ["IL3037"])),
+    ],
+)
+def test_a_section_that_is_written_in_pieces_is_as_long_as_all_of_them(
+    tmp_path: Path, written: str, codes: list[str]
+) -> None:
+    """A piece of 3 m was told to be the section, and that a train may run through the 6 m unseen was not told."""
+    found = [d for d in told(tmp_path, "IL3021", ("[W, q1 400]", f"[W, {written}]"), FAST) if "q1" in d.message]
+    assert [d.code for d in found if d.code in ("IL7005", "IL3037")] == codes, found
+
+
 def test_each_kind_of_pointwork_has_its_legs_looked_at(tmp_path: Path) -> None:
     """Each leg of a point, a derailer and a slip."""
     derailer = ("outer: t.end}", "outer: t.end, legs: 301}")

@@ -282,13 +282,7 @@ def reasons(
         if path_b.get(m, x) is not x:
             yield HostileClass.POINTS, f"machine {m} lies {x} for {{one}} and {path_b[m]} for {{other}}", "R6.1"
     yield from _shared(a, needs[b.id].ways)
-    for t in a.ways:
-        for ex in locks[t.key].exclusions:
-            for o in b.ways:
-                if o.section == ex.section and (ex.whole or o.number in ex.numbers):
-                    kind = HostileClass.CROSSING if ex.because.rule == "R6" else HostileClass.FOUL
-                    rule = "R6.4" if kind is HostileClass.CROSSING else "R6.10"
-                    yield kind, f"{t.section} and {o.section}: {ex.because.text}", rule
+    yield from sorted(_excluding(a, b, locks), key=lambda x: x[0] is HostileClass.FOUL)
     overlap = _overlap(layout, a, b, locks, "{one}") or _overlap(layout, b, a, locks, "{other}")
     if overlap is not None:
         yield overlap
@@ -300,6 +294,17 @@ def reasons(
                 yield HostileClass.ADDED, _written(f"{m} {demand.position} is {demand.because.text}"), "R6"
                 continue
             yield HostileClass.FLANK, f"machine {m} must lie {x} for {{one}} and {all_b[m]} for {{other}}", "R6.9"
+
+
+def _excluding(a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow]) -> Iterator[Reason]:
+    """The ways of b that those of a exclude: on a diamond, or at a foul joint."""
+    for t in a.ways:
+        for ex in locks[t.key].exclusions:
+            for o in b.ways:
+                if o.section == ex.section and (ex.whole or o.number in ex.numbers):
+                    kind = HostileClass.CROSSING if ex.because.rule == "R6" else HostileClass.FOUL
+                    rule = "R6.4" if kind is HostileClass.CROSSING else "R6.10"
+                    yield kind, f"{t.section} and {o.section}: {ex.because.text}", rule
 
 
 def _written(text: str) -> str:

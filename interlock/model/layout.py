@@ -1,6 +1,7 @@
 """The layout: every element, resolved and checked, in a fixed order.
 
-Built by the front end; read by everything else.  The digest ignores source order and spans.
+Built by the front end; read by everything else.  The digest ignores spans, and the source order of named elements; that
+of lists (what is excluded, hostile, demanded) and of substations counts.
 """
 
 from __future__ import annotations
@@ -95,7 +96,7 @@ class Printed(Facts):
 
 @dataclass(frozen=True, eq=False)
 class Layout(Facts):
-    """A railway as resolved facts.  Every tuple is ordered by id."""
+    """A railway as resolved facts.  Every tuple is ordered by id, where its entries have one."""
 
     name: str
     profile: str
@@ -154,7 +155,7 @@ class Layout(Facts):
 
     @cached_property
     def digest(self) -> str:
-        """SHA-256 of the facts (labels and titles included), independent of source order."""
+        """SHA-256 of the facts (labels and titles included), independent of the source order of named elements."""
         return hashlib.sha256(self.to_text().encode()).hexdigest()
 
     def to_text(self) -> str:

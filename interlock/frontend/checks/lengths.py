@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import groupby
 
 from interlock.diag import Element, Span
 from interlock.diag.called import called
@@ -29,7 +30,7 @@ def check_lengths(ctx: Context, layout: Layout) -> None:
         said = f"{text} is {_distance(metres)} long: no point divides thousands"
         fix = f"write {written.replace('.', '')}, or {metres:g} if that is meant"
         ctx.add("IL7005", said, at, fix, about=about)
-    for text, metres, (least, most), at, about in (*_stated(ctx), *_computed(ctx, layout)):
+    for text, metres, (least, most), at, about in (*_stated(ctx), *_sections(ctx, layout)):
         if not least <= metres <= most and at not in said_of:
             what = f"shorter than {least:g} m" if metres < least else f"longer than {_distance(most)}"
             ctx.add(
@@ -56,15 +57,8 @@ def _thousands(ctx: Context) -> Iterator[tuple[str, float, str, Span, Element]]:
 
 
 def _stated(ctx: Context) -> Iterator[tuple[str, float, tuple[float, float], Span, Element]]:
-    """Every stated length: what it is of, metres, the usual range, place and element."""
+    """Every stated length but those along tracks: what it is of, metres, the usual range, place and element."""
     f = ctx.file
-    ends = {*f.boundaries, *f.buffers, *f.traps}
-    for track, items in f.tracks.items():
-        for i, item in enumerate(items):
-            section, metres = item_parts(item)
-            if metres and section and item.strip() not in ends:
-                of = Element("sections", section)
-                yield called("section", section), float(metres), (SHORT_M, LONG_M), ctx.at("tracks", track, i), of
     for name, b in f.boundaries.items():
         if b.approach is not None:
             section, metres = item_parts(b.approach)
@@ -81,21 +75,21 @@ def _stated(ctx: Context) -> Iterator[tuple[str, float, tuple[float, float], Spa
                     yield text, stated, LEG_M, ctx.at(room, name, key), Element(room, name)
 
 
-def _computed(ctx: Context, layout: Layout) -> Iterator[tuple[str, float, tuple[float, float], Span, Element]]:
-    """Lengths that follow from positions."""
+def _sections(ctx: Context, layout: Layout) -> Iterator[tuple[str, float, tuple[float, float], Span, Element]]:
+    """Sections along each track, whether their lengths are stated or follow from positions; what is written in pieces
+    that follow one another is as long as all of them."""
     f = ctx.file
     ends = {*f.boundaries, *f.buffers, *f.traps}
     for track, items in f.tracks.items():
-        count = 0
+        pieces: list[tuple[str, float, int]] = []
         for i, item in enumerate(items):
-            section, stated = item_parts(item)
-            if item.strip() in ends or not NAME.fullmatch(section):
-                continue
-            if not stated:
-                metres = layout.track.edge[EdgeId(f"{track}.{count}")].length
-                at, about = ctx.at("tracks", track, i), Element("sections", section)
-                yield called("section", section), metres, (SHORT_M, LONG_M), at, about
-            count += 1
+            section, _ = item_parts(item)
+            if item.strip() not in ends and NAME.fullmatch(section):
+                pieces.append((section, layout.track.edge[EdgeId(f"{track}.{len(pieces)}")].length, i))
+        for section, group in groupby(pieces, key=lambda piece: piece[0]):
+            those = list(group)
+            at, about = ctx.at("tracks", track, those[0][2]), Element("sections", section)
+            yield called("section", section), sum(metres for _, metres, _ in those), (SHORT_M, LONG_M), at, about
 
 
 def _distance(metres: float) -> str:
