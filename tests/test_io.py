@@ -350,6 +350,7 @@ def test_what_has_to_be_bought_is_counted_once_and_no_more() -> None:
     aspects = controller.symbols.aspects
     assert (counted["second yellow lamp"], counted["route indicator"]) == (len(aspects.second), len(aspects.indicator))
     assert (len(aspects.second), len(aspects.indicator)) == (2, 4), "each is wired, and was on no list"
+    assert "speed indicator" not in counted, "no speed is stated"
     outside = {b.approach for b in layout.track.boundaries} - {None}
     assert counted["approach section with detection"] == len(outside)
     assert counted["section with detection"] == len(layout.track.sections) - len(outside)
@@ -358,6 +359,11 @@ def test_what_has_to_be_bought_is_counted_once_and_no_more() -> None:
     layout, _, controller = built("depot")
     approaches = sum(b.approach is not None for b in layout.track.boundaries)
     assert _equipment(layout, controller)["section with detection"] == len(layout.track.sections) - approaches - 1
+    layout, _, controller = built("flank_lab")
+    shown = {g for g, _ in controller.symbols.aspects.speed}
+    assert _equipment(layout, controller)["speed indicator"] == len(shown) < len(controller.symbols.aspects.speed), (
+        "one at each signal, for all of its speeds"
+    )
 
 
 def test_a_wire_at_a_stated_address_beyond_all_cards_is_in_the_wiring_list() -> None:

@@ -342,8 +342,8 @@ def _signals(d: Drawing) -> list[str]:
 def _signal(layout: Layout, g: Signal, x: float, y: float, ahead: bool, leftward: bool) -> str:
     """A foot at the joint, a mast along the track in the direction of travel, and its lamps: full for main signals,
     open for shunt signals, both for combined ones; with a slash the second of two yellows (UU); one more, open, for an
-    identifier light; a box for a route indicator (B).  A board has none, but a plate on its mast: full where trains
-    end, open for a limit of shunt."""
+    identifier light; a box for a route indicator (B), a triangle for a speed indicator.  A board has none, but a plate
+    on its mast: full where trains end, open for a limit of shunt."""
     side, way = (-1 if ahead is leftward else 1), (1 if ahead else -1)
     my = y + side * 14
     mast = f"M{_n(x)} {_n(y + side * 4)} L{_n(x)} {_n(my + side * 4)} M{_n(x)} {_n(my)} L{_n(x + way * 12)} {_n(my)}"

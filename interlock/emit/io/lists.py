@@ -115,6 +115,7 @@ def equipment_csv(layout: Layout, a: Allocation) -> str:
     kinds["call-on lamp"] = sum(g.call_on for g in layout.signalling.signals)
     units = Counter(unit for each in beside_main(layout).values() for unit in each)
     kinds["second yellow lamp"], kinds["route indicator"] = units[Beside.SECOND], units[Beside.INDICATOR]
+    kinds["speed indicator"] = units[Beside.SPEED]
     kinds["identifier light"] = len(layout.signalling.identifiers)
     kinds["distant signal"] = len(layout.signalling.distants)
     kinds["section with detection"] = sum(s.detected and not s.approach for s in layout.track.sections)
