@@ -31,7 +31,7 @@ from interlock.st.meaning import Execution, Numbers
 from interlock.st.printer import print_unit
 from interlock.st.program import CYCLE_MAX_MS, HEARTBEAT_MS, cycle, io_program, watch
 from interlock.st.structures import structured
-from tests.layouts import SHIPPED, built
+from tests.layouts import SHIPPED, SLIPS, built
 
 MINE = open("layouts/mine11.yaml", encoding="utf-8").read()  # noqa: SIM115
 
@@ -364,6 +364,22 @@ def test_what_has_to_be_bought_is_counted_once_and_no_more() -> None:
     assert _equipment(layout, controller)["speed indicator"] == len(shown) < len(controller.symbols.aspects.speed), (
         "one at each signal, for all of its speeds"
     )
+
+
+@pytest.mark.parametrize(("said", "machines"), [("", 2), (", machines: [7]", 1), (", machines: [7L, 7R]", 2)])
+def test_a_double_slip_has_four_ends_however_many_machines_lay_them(said: str, machines: int) -> None:
+    """With a machine on either side it counted two ends, with one machine four: the blades are the same."""
+    layout, _ = load_text("slips.yaml", SLIPS % said, sink := Sink())
+    assert layout is not None
+    counted = _equipment(layout, lower(layout, derive(layout, sink)))
+    assert (counted["point machine"], counted["point end"]) == (machines, 4)
+
+
+def test_of_double_acting_points_the_machine_counts_once_and_each_end_is_told() -> None:
+    """1/3 is commanded and detected as one; whoever mounts a drive at each end reads how many ends there are."""
+    layout, _, controller = built("cn6502")
+    counted = _equipment(layout, controller)
+    assert counted["point machine"] == len(layout.machines) < counted["point end"] == len(layout.pointwork.points)
 
 
 def test_a_wire_at_a_stated_address_beyond_all_cards_is_in_the_wiring_list() -> None:

@@ -9,17 +9,21 @@ import re
 import xml.etree.ElementTree as ElementTree
 from itertools import pairwise
 from math import dist
+from pathlib import Path
 
 import pytest
 
 from interlock.app.check import check_file
+from interlock.derivation.lamps import beside_main
 from interlock.diag import Sink
 from interlock.emit.drawing import place, plan_svg
 from interlock.emit.drawing.slips import blades, double_slips
+from interlock.emit.drawing.turns import unrolled
 from interlock.frontend import load_text
 from interlock.model.elements import BufferKind, EdgeId, NodeId, Point, Work
 from interlock.model.foul import foul_joints
 from interlock.model.layout import Layout
+from tests.grow_all import grow_all
 from tests.layouts import SHIPPED, SLIPS, built
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -126,10 +130,10 @@ def test_a_ring_is_around_the_joints_that_are_foul_and_around_no_other() -> None
     assert sections == {("3DG", "5DG"), ("21DG", "25DG")}
 
 
-@PICTURES
+@pytest.mark.parametrize("name", [*SHIPPED, "profile: generic", "profile: de"])
 def test_a_signal_points_the_way_of_the_movements_to_which_it_applies(name: str) -> None:
     """Its mast and its lamps lie ahead of its joint, over the track into which it leads; a distant signal in rear."""
-    layout = built(name)[0]
+    layout = built(name)[0] if name in SHIPPED else _ways(f"name: ways\n{name}\n")
     picture = Picture(layout)
     ahead = {}
     for g in layout.signalling.signals:
@@ -169,9 +173,14 @@ distants: {VA: {of: A}, VC: {of: C}}
 """
 
 
-def test_an_arrow_on_a_track_points_the_one_way_and_the_ends_of_tracks_are_told_apart() -> None:
-    layout, _ = load_text("ways.yaml", WAYS, sink := Sink())
+def _ways(said: str = "name: ways\n") -> Layout:
+    layout, _ = load_text("ways.yaml", WAYS.replace("name: ways\n", said), sink := Sink())
     assert layout is not None, sink.diagnostics
+    return layout
+
+
+def test_an_arrow_on_a_track_points_the_one_way_and_the_ends_of_tracks_are_told_apart() -> None:
+    layout = _ways()
     picture = Picture(layout)
     for edge, way in (("main.0", 1), ("side.0", -1)):  # from left to right, and against
         (a, tip, b), (path,) = spots(picture.strokes("section-m1" if way > 0 else "section-s2", "mark")[0]), [edge]
@@ -207,15 +216,16 @@ def test_the_blades_of_a_double_slip_are_told_as_they_lie(said: str) -> None:
 
 
 def test_a_title_and_names_with_signs_of_markup_are_read_as_they_are_written() -> None:
-    text = WAYS.replace("name: ways", 'name: ways\ntitle: "A < B & C"').replace("W: {", 'W: {label: "a<b>&c", ')
-    layout, _ = load_text("ways.yaml", text, sink := Sink())
-    assert layout is not None, sink.diagnostics
+    said = 'name: ways\ntitle: "A < B & C"\n'
+    text = WAYS.replace("name: ways\n", said).replace("W: {", 'W: {label: "a<b>&c", ')
+    layout, _ = load_text("ways.yaml", text, Sink())
+    assert layout is not None
     root = ElementTree.fromstring(plan_svg(layout))
     told = [t.text for t in root.iter(f"{SVG}text")]
     assert root.findtext(f"{SVG}title") == "A < B & C" == told[0] and "a<b>&c (W)" in told
 
 
-def test_a_plan_is_read_alike_with_speeds() -> None:
+def test_a_speed_indicator_is_a_triangle_beyond_the_lamp() -> None:
     layout = check_file("tests/layouts_for_tests/speeds.yaml").layout
     assert layout is not None
     picture = Picture(layout)
@@ -223,3 +233,23 @@ def test_a_plan_is_read_alike_with_speeds() -> None:
     (x, top), (corner, base) = spots(path)
     mast = spots(picture.strokes("signal-X2", "mast")[0])
     assert top < base and corner > x > mast[3][0], "a triangle on its base, beyond the lamp"
+
+
+def test_a_shunt_signal_has_no_speed_indicator() -> None:
+    """A speed is shown to trains alone, though the shunt route runs over the same points."""
+    text = Path("tests/layouts_for_tests/speeds.yaml").read_text("utf-8")
+    layout, _ = load_text(
+        "x.yaml", text.replace("X2: {from: q1, into: q2}", "X2: {from: q1, into: q2, kind: shunt}"), Sink()
+    )
+    assert layout is not None
+    picture = Picture(layout)
+    triangles = {name for name in picture.by if name.startswith("signal-") and picture.strokes(name, "speed")}
+    assert "signal-X1" in triangles and "signal-X2" not in triangles
+
+
+def test_where_a_track_is_cut_to_turn_back_signals_keep_their_lamps() -> None:
+    """Routes are not found through the cut, and room was left for fewer lamps than are drawn."""
+    layout, _ = load_text("grown.yaml", grow_all(115), Sink())
+    assert layout is not None
+    cut = unrolled(layout)
+    assert cut.turns and beside_main(cut.layout) == beside_main(layout) != {}
