@@ -570,7 +570,7 @@ def test_the_second_of_two_yellows_and_the_indicators_of_route_and_speed_have_sy
 
 @pytest.mark.parametrize("seed", [86, 88])
 def test_nothing_is_drawn_over_the_lamps_of_a_signal(seed: int) -> None:
-    """Where tracks turn back, and beside a double slip, a plan left room for two lamps, whatever a signal has."""
+    """In a plan with a double slip there was room for two lamps of a signal, and too little before a diamond."""
     layout, _ = load_text("grown.yaml", grow_all(seed), Sink())
     assert layout is not None
     d = place(layout)

@@ -7,10 +7,12 @@ import io
 import random
 import re
 from collections.abc import Mapping
+from pathlib import Path
 
 import openpyxl
 import pytest
 
+from interlock.app.check import check_file
 from interlock.derivation import derive
 from interlock.diag import Sink
 from interlock.emit.io import channels_csv, equipment_csv, tags_xlsx
@@ -380,6 +382,46 @@ def test_of_double_acting_points_the_machine_counts_once_and_each_end_is_told() 
     layout, _, controller = built("cn6502")
     counted = _equipment(layout, controller)
     assert counted["point machine"] == len(layout.machines) < counted["point end"] == len(layout.pointwork.points)
+
+
+def test_the_list_of_a_depot_is_what_its_layout_states() -> None:
+    """Sheds behind derailers with machines of their own, a key, a bridge; all on one substation."""
+    layout, _, controller = built("depot")
+    assert _equipment(layout, controller) == {
+        "signal, main": 1,  # E
+        "signal, combined": 2,  # A1, A2
+        "signal, shunt": 5,  # W, K1 to K3, B1
+        "section with detection": 10,
+        "approach section with detection": 1,
+        "point machine": 3,  # P1 to P3
+        "point worked by hand, with key": 1,  # PH
+        "point end": 4,
+        "derailer machine": 3,  # D1 to D3
+        "derailer": 3,
+        "interlock": 1,  # the bridge
+        "substation": 1,
+        "card, 16 digital inputs": 2,
+        "card, 16 digital outputs": 3,
+        "channel": 80,
+        "channel in use": 66,
+    }
+
+
+def test_boards_lights_distant_signals_and_conditions_are_counted_each_by_its_kind() -> None:
+    more = """conditions: {gate: {text: gate shut}, key: {text: key in}}
+distants: {VA: {of: A}}
+"""
+    text = Path("tests/layouts_for_tests/boards.yaml").read_text("utf-8")
+    text = text.replace("kind: shunt, stops_trains: yes", "kind: board") + more
+    layout, _ = load_text("boards.yaml", text, sink := Sink())
+    assert layout is not None, sink.diagnostics
+    counted = _equipment(layout, lower(layout, derive(layout, sink)))
+    assert (counted["stop board"], counted["limit-of-shunt board"]) == (2, 1), "H and D2, LS"
+    assert (counted["external condition"], counted["distant signal"]) == (2, 1)
+    checked = check_file("tests/layouts_for_tests/identifiers.yaml")
+    assert checked.layout is not None and checked.table is not None
+    counted = _equipment(checked.layout, lower(checked.layout, checked.table))
+    assert counted["identifier light"] == len(checked.layout.signalling.identifiers) > 0
 
 
 def test_a_wire_at_a_stated_address_beyond_all_cards_is_in_the_wiring_list() -> None:

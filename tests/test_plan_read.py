@@ -14,16 +14,13 @@ from pathlib import Path
 import pytest
 
 from interlock.app.check import check_file
-from interlock.derivation.lamps import beside_main
 from interlock.diag import Sink
 from interlock.emit.drawing import place, plan_svg
 from interlock.emit.drawing.slips import blades, double_slips
-from interlock.emit.drawing.turns import unrolled
 from interlock.frontend import load_text
 from interlock.model.elements import BufferKind, EdgeId, NodeId, Point, Work
 from interlock.model.foul import foul_joints
 from interlock.model.layout import Layout
-from tests.grow_all import grow_all
 from tests.layouts import SHIPPED, SLIPS, built
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -245,11 +242,3 @@ def test_a_shunt_signal_has_no_speed_indicator() -> None:
     picture = Picture(layout)
     triangles = {name for name in picture.by if name.startswith("signal-") and picture.strokes(name, "speed")}
     assert "signal-X1" in triangles and "signal-X2" not in triangles
-
-
-def test_where_a_track_is_cut_to_turn_back_signals_keep_their_lamps() -> None:
-    """Routes are not found through the cut, and room was left for fewer lamps than are drawn."""
-    layout, _ = load_text("grown.yaml", grow_all(115), Sink())
-    assert layout is not None
-    cut = unrolled(layout)
-    assert cut.turns and beside_main(cut.layout) == beside_main(layout) != {}

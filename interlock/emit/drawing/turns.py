@@ -13,10 +13,9 @@ from dataclasses import replace
 import networkx as nx
 
 from interlock.dataclass import dataclass
-from interlock.derivation.lamps import beside_main
 from interlock.emit.drawing.strands import Plan, Strand
 from interlock.model.elements import EdgeId, NodeId
-from interlock.model.layout import Layout, carried
+from interlock.model.layout import Layout
 
 
 @dataclass(frozen=True)
@@ -144,5 +143,4 @@ def cut_at_turns(before: Unrolled, edge: EdgeId, times: int) -> Unrolled:
             layout.signalling, signals=tuple(replace(g, into=at(g.node, g.into)) for g in layout.signalling.signals)
         ),
     )
-    carried(beside_main, layout, cut)  # routes are not found through nodes at which nothing is but a turn
     return Unrolled(cut, before.turns | frozenset(turns), {**before.pieces, edge: names})
