@@ -15,12 +15,16 @@ from interlock.app.check import check_file
 from interlock.cli.main import cli
 from interlock.diag import Sink
 from interlock.emit.drawing import Drawing, place, plan_svg
-from interlock.emit.drawing.canvas import arrow, device_spots
+from interlock.emit.drawing.canvas import arrow, device_spots, enters
 from interlock.emit.drawing.slips import CHORDS, blades, double_slips
 from interlock.frontend import load_text
+from interlock.logic.controller import Controller
+from interlock.logic.lower import lower
 from interlock.model.elements import BufferKind, EdgeId, SectionId
 from interlock.model.layout import Layout
+from interlock.table.rows import InterlockingTable
 from tests.grow import grow
+from tests.grow_all import grow_all
 from tests.layouts import SHIPPED, SLIPS, built
 from tests.plans import examine
 
@@ -513,6 +517,8 @@ def test_the_page_of_the_plans_explains_what_is_drawn() -> None:
         "beyond a boundary",
         "stop board",
         "limit-of-shunt board",
+        "route indicator",
+        "speed indicator",
     ):
         assert re.search(rf"^\| .* \|.*{word}", page, re.MULTILINE), word
 
@@ -532,10 +538,20 @@ def test_no_length_stands_so_near_to_a_name_that_they_are_read_as_one(path: str)
         assert all(t.box[0] - right >= 5.9 or left - t.box[2] >= 5.9 for t in row)
 
 
-def test_the_second_of_two_yellows_and_the_route_indicator_have_symbols() -> None:
-    """The forms said UU and B of signals that were drawn as any other; where nothing lights them, there are none."""
-    for name in SHIPPED:
-        layout, _, controller = built(name)
+WITH_SPEEDS = ("speeds", "entry_speeds", "overlap_inside")
+
+
+def _with_speeds(name: str) -> tuple[Layout, InterlockingTable, Controller]:
+    """A layout that states speeds: of sections and reverse legs, of overlaps."""
+    checked = check_file(f"tests/layouts_for_tests/{name}.yaml")
+    assert checked.layout is not None and checked.table is not None, checked.diagnostics
+    return checked.layout, checked.table, lower(checked.layout, checked.table)
+
+
+def test_the_second_of_two_yellows_and_the_indicators_of_route_and_speed_have_symbols() -> None:
+    """The forms said UU, B and km/h of signals drawn as any other; where nothing lights them, there are none."""
+    for name in (*SHIPPED, *WITH_SPEEDS):
+        layout, _, controller = built(name) if name in SHIPPED else _with_speeds(name)
         svg, units = plan_svg(layout), {}
         for g in layout.signalling.signals:
             drawn = re.search(rf'<g id="signal-{re.escape(g.id)}".*?</g>', svg)
@@ -544,6 +560,28 @@ def test_the_second_of_two_yellows_and_the_route_indicator_have_symbols() -> Non
         aspects = controller.symbols.aspects
         assert {g for g, kinds in units.items() if "second" in kinds} == set(aspects.second)
         assert {g for g, kinds in units.items() if "indicator" in kinds} == set(aspects.indicator)
+        assert {g for g, kinds in units.items() if "speed" in kinds} == {g for g, _ in aspects.speed}
+        if name == "speeds":
+            assert units["X2"] == ["main", "speed"]
         if name == "cn6502":
             assert units["X"] == ["main", "second"] and units["S5"] == ["main", "shunt", "indicator"]
             assert units["D1"] == ["shunt"]
+
+
+@pytest.mark.parametrize("seed", [86, 88])
+def test_nothing_is_drawn_over_the_lamps_of_a_signal(seed: int) -> None:
+    """In a plan with a double slip there was room for two lamps of a signal, and too little before a diamond."""
+    layout, _ = load_text("grown.yaml", grow_all(seed), Sink())
+    assert layout is not None
+    d = place(layout)
+    lines = [(e, a, b) for e, line in d.edges.items() for a, b in pairwise(line)]
+    units = re.findall(r'class="lamp \w+" (?:cx="(\S+)" cy="(\S+)"|d="M(\S+) (\S+) )', plan_svg(layout, d))
+    assert any(path for _, _, path, _ in units), "an indicator is among them"
+    for cx, cy, left, top in units:  # a box is told by its corner
+        x, y = (float(cx), float(cy)) if cx else (float(left) + 4.2, float(top) + 4.2)
+        box = (x - 4.2, y - 4.2, x + 4.2, y + 4.2)
+        assert [e for e, a, b in lines if enters(a, b, box)] == []
+        names = [(t.text, t.box) for t in d.labels]
+        assert [
+            n for n, b in names if b[0] < box[2] and box[0] < b[2] and b[1] + 1 < box[3] and box[1] < b[3] - 1
+        ] == []

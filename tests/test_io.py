@@ -7,10 +7,12 @@ import io
 import random
 import re
 from collections.abc import Mapping
+from pathlib import Path
 
 import openpyxl
 import pytest
 
+from interlock.app.check import check_file
 from interlock.derivation import derive
 from interlock.diag import Sink
 from interlock.emit.io import channels_csv, equipment_csv, tags_xlsx
@@ -31,7 +33,7 @@ from interlock.st.meaning import Execution, Numbers
 from interlock.st.printer import print_unit
 from interlock.st.program import CYCLE_MAX_MS, HEARTBEAT_MS, cycle, io_program, watch
 from interlock.st.structures import structured
-from tests.layouts import SHIPPED, built
+from tests.layouts import SHIPPED, SLIPS, built
 
 MINE = open("layouts/mine11.yaml", encoding="utf-8").read()  # noqa: SIM115
 
@@ -350,6 +352,7 @@ def test_what_has_to_be_bought_is_counted_once_and_no_more() -> None:
     aspects = controller.symbols.aspects
     assert (counted["second yellow lamp"], counted["route indicator"]) == (len(aspects.second), len(aspects.indicator))
     assert (len(aspects.second), len(aspects.indicator)) == (2, 4), "each is wired, and was on no list"
+    assert "speed indicator" not in counted, "no speed is stated"
     outside = {b.approach for b in layout.track.boundaries} - {None}
     assert counted["approach section with detection"] == len(outside)
     assert counted["section with detection"] == len(layout.track.sections) - len(outside)
@@ -358,6 +361,67 @@ def test_what_has_to_be_bought_is_counted_once_and_no_more() -> None:
     layout, _, controller = built("depot")
     approaches = sum(b.approach is not None for b in layout.track.boundaries)
     assert _equipment(layout, controller)["section with detection"] == len(layout.track.sections) - approaches - 1
+    layout, _, controller = built("flank_lab")
+    shown = {g for g, _ in controller.symbols.aspects.speed}
+    assert _equipment(layout, controller)["speed indicator"] == len(shown) < len(controller.symbols.aspects.speed), (
+        "one at each signal, for all of its speeds"
+    )
+
+
+@pytest.mark.parametrize(("said", "machines"), [("", 2), (", machines: [7]", 1), (", machines: [7L, 7R]", 2)])
+def test_a_double_slip_has_four_ends_however_many_machines_lay_them(said: str, machines: int) -> None:
+    """With a machine on either side it counted two ends, with one machine four: the blades are the same."""
+    layout, _ = load_text("slips.yaml", SLIPS % said, sink := Sink())
+    assert layout is not None
+    counted = _equipment(layout, lower(layout, derive(layout, sink)))
+    assert (counted["point machine"], counted["point end"]) == (machines, 4)
+
+
+def test_of_double_acting_points_the_machine_counts_once_and_each_end_is_told() -> None:
+    """1/3 is commanded and detected as one; whoever mounts a drive at each end reads how many ends there are."""
+    layout, _, controller = built("cn6502")
+    counted = _equipment(layout, controller)
+    assert counted["point machine"] == len(layout.machines) < counted["point end"] == len(layout.pointwork.points)
+
+
+def test_the_list_of_a_depot_is_what_its_layout_states() -> None:
+    """Sheds behind derailers with machines of their own, a key, a bridge; all on one substation."""
+    layout, _, controller = built("depot")
+    assert _equipment(layout, controller) == {
+        "signal, main": 1,  # E
+        "signal, combined": 2,  # A1, A2
+        "signal, shunt": 5,  # W, K1 to K3, B1
+        "section with detection": 10,
+        "approach section with detection": 1,
+        "point machine": 3,  # P1 to P3
+        "point worked by hand, with key": 1,  # PH
+        "point end": 4,
+        "derailer machine": 3,  # D1 to D3
+        "derailer": 3,
+        "interlock": 1,  # the bridge
+        "substation": 1,
+        "card, 16 digital inputs": 2,
+        "card, 16 digital outputs": 3,
+        "channel": 80,
+        "channel in use": 66,
+    }
+
+
+def test_boards_lights_distant_signals_and_conditions_are_counted_each_by_its_kind() -> None:
+    more = """conditions: {gate: {text: gate shut}, key: {text: key in}}
+distants: {VA: {of: A}}
+"""
+    text = Path("tests/layouts_for_tests/boards.yaml").read_text("utf-8")
+    text = text.replace("kind: shunt, stops_trains: yes", "kind: board") + more
+    layout, _ = load_text("boards.yaml", text, sink := Sink())
+    assert layout is not None, sink.diagnostics
+    counted = _equipment(layout, lower(layout, derive(layout, sink)))
+    assert (counted["stop board"], counted["limit-of-shunt board"]) == (2, 1), "H and D2, LS"
+    assert (counted["external condition"], counted["distant signal"]) == (2, 1)
+    checked = check_file("tests/layouts_for_tests/identifiers.yaml")
+    assert checked.layout is not None and checked.table is not None
+    counted = _equipment(checked.layout, lower(checked.layout, checked.table))
+    assert counted["identifier light"] == len(checked.layout.signalling.identifiers) > 0
 
 
 def test_a_wire_at_a_stated_address_beyond_all_cards_is_in_the_wiring_list() -> None:

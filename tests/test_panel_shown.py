@@ -208,20 +208,22 @@ def test_a_speed_indicator_stands_at_its_signal(chromium: Any) -> None:
         page, wrong = opened(b, url)
         release_all(page)
         page.wait_for_selector("#restart", state="hidden")
-        assert page.locator("#plan .speed").count() == 0
+        assert page.locator("#plan text.speed").count() == 0
         set_route(page, "signal-X2", "signal-X4")
-        page.wait_for_selector("#plan .speed:text-is('40')", state="attached")
-        assert page.get_attribute("#plan .speed", "id") == "speed-g:X2"
+        page.wait_for_selector("#plan text.speed:text-is('40')", state="attached")
+        assert page.get_attribute("#plan text.speed", "id") == "speed-g:X2"
         near = page.evaluate("""() => {
-            const [a, b] = ["#plan .speed", "#signal-X2"].map(s => document.querySelector(s).getBBox());
+            const [a, b] = ["#plan text.speed", "#signal-X2"].map(s => document.querySelector(s).getBBox());
             return Math.hypot(a.x + a.width / 2 - b.x - b.width / 2, a.y - b.y); }""")
         assert near < 60 and page.evaluate(OVERLAPPING.replace(".note'", ".note, .speed'")) == []
+        lit = [style(page, f"#signal-{g} .lamp.speed", "fill") for g in ("X2", "X1")]
+        assert lit[0] == "rgb(255, 255, 255)" != lit[1], "the triangle of the indicator that is lit, and of no other"
         page.locator("#signal-X2").focus()
         page.keyboard.press("Enter")
         page.wait_for_selector("#acts .lines:has-text(' at 40 km/h')")
         press(page, "Cancel X2-X4")
         is_(page, "#signal-X2", "stop")
-        page.wait_for_selector("#plan .speed", state="detached")
+        page.wait_for_selector("#plan text.speed", state="detached")
         assert desk.broken == "" and wrong == []
 
 

@@ -7,6 +7,7 @@ of lists (what is excluded, hostile, demanded) and of substations counts.
 from __future__ import annotations
 
 import hashlib
+import inspect
 import json
 from collections.abc import Callable, Hashable, Mapping
 from dataclasses import asdict, field, replace
@@ -199,3 +200,8 @@ def of_layout(f: Callable[[Layout, *Ts], V]) -> Callable[[Layout, *Ts], V]:
         return value
 
     return known
+
+
+def carried(f: Callable[[Layout], V], layout: Layout, made: Layout) -> None:
+    """What a function `of_layout` finds about a layout holds of one that is made of it, too: there it is not asked."""
+    made._found[inspect.unwrap(f), ()] = f(layout)

@@ -130,8 +130,12 @@ APART = 36.0
 def bend(d: Drawing, point: str) -> Spot:
     """The next spot on the turned leg of a point."""
     p = d.layout.pointwork.point[point]  # type: ignore[index]
-    line = d.edges[d.plan.turned_leg(p)]
-    return line[1] if line[0] == d.at[p.node] else line[-2]
+    return next_spot(d.edges[d.plan.turned_leg(p)], d.at[p.node])
+
+
+def next_spot(line: list[Spot], end: Spot) -> Spot:
+    """Where a line goes from one of its ends."""
+    return line[1] if line[0] == end else line[-2]
 
 
 def fouling_mark(d: Drawing, point: str) -> Spot | None:

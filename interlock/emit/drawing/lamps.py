@@ -12,7 +12,8 @@ FIRST, NEXT = 16, 9
 
 
 def lamps(layout: Layout, g: Signal) -> list[str]:
-    """The units of a signal by kind: main, the second of two yellows, shunt, identifier light, route indicator."""
+    """The units of a signal by kind: main, the second of two yellows, shunt, identifier light, route indicator, speed
+    indicator."""
     beside = beside_main(layout).get(g.id, ())
     units = {
         "main": g.main and layout.signalling.opens(g.id, False),
@@ -20,6 +21,7 @@ def lamps(layout: Layout, g: Signal) -> list[str]:
         "shunt": g.shunt and layout.signalling.opens(g.id, True),
         "identifier": g.id in layout.signalling.identifiers,
         "indicator": "indicator" in beside,
+        "speed": "speed" in beside,
     }
     return [kind for kind, there in units.items() if there]
 
@@ -29,8 +31,14 @@ def symbol_width(layout: Layout, g: Signal) -> float:
     return SIGNAL + NEXT * max(0, len(lamps(layout, g)) - 2)
 
 
+def long_symbol(layout: Layout, g: Signal) -> bool:
+    """Whether a signal has more units than the main and shunt lamps of a combined one."""
+    return len(lamps(layout, g)) > 2
+
+
 def unit(kind: str, x: float, y: float) -> str:
-    """The stroke of a unit: a slash makes a lamp a yellow one, an indicator is a box with three dots."""
+    """The stroke of a unit: a slash makes a lamp a yellow one; a route indicator is a box with three dots, a speed
+    indicator a triangle on its base."""
 
     def n(v: float) -> str:
         return f"{v:.1f}".rstrip("0").rstrip(".")
@@ -42,4 +50,6 @@ def unit(kind: str, x: float, y: float) -> str:
         dots = " ".join(f"M{n(x + k)} {n(y - 0.6)} v1.2" for k in (-2.2, 0, 2.2))
         box = f"M{n(x - 4.2)} {n(y - 4.2)} h8.4 v8.4 h-8.4 Z"
         return f'<path class="lamp {kind}" d="{box}"/><path class="foul" d="{dots}"/>'
+    if kind == "speed":
+        return f'<path class="lamp {kind}" d="M{n(x)} {n(y - 5)} L{n(x + 4.6)} {n(y + 4.2)} h-9.2 Z"/>'
     return circle

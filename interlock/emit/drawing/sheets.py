@@ -15,7 +15,8 @@ from math import ceil, dist
 from xml.sax.saxutils import escape
 
 from interlock.dataclass import dataclass
-from interlock.emit.drawing.canvas import Box, Drawing, Spot, width
+from interlock.emit.drawing.canvas import SIGNAL, Box, Drawing, Spot, width
+from interlock.emit.drawing.lamps import symbol_width
 from interlock.emit.drawing.svg import STYLE, plan_body
 from interlock.emit.tables.paper import title_block
 
@@ -80,8 +81,10 @@ def _lines(d: Drawing) -> Iterator[list[Spot]]:
 def _boxes(d: Drawing) -> Iterator[Box]:
     """What shall not be cut: names, signals, points, joints."""
     yield from (t.box for t in d.labels)
-    for x, y, ahead in (*d.signals.values(), *d.distants.values()):
-        yield (x - (4 if ahead else 38), y - 22, x + (38 if ahead else 4), y + 22)
+    longest: dict[str, float] = {g.id: symbol_width(d.layout, g) + 4 for g in d.layout.signalling.signals}
+    for name, (x, y, ahead) in (*d.signals.items(), *d.distants.items()):
+        far = longest.get(name, SIGNAL + 4)
+        yield (x - (4 if ahead else far), y - 22, x + (far if ahead else 4), y + 22)
     yield from ((x - 9, y - 9, x + 9, y + 9) for p in d.layout.pointwork.points for x, y in (d.at[p.node],))
     yield from ((x - 8, y - 8, x + 8, y + 8) for _, x, y, _ in d.joints)
 

@@ -11,9 +11,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from interlock.dataclass import dataclass
+from interlock.derivation.lamps import beside_main
 from interlock.emit.drawing.canvas import BLADES, Drawing, Spot, cut_at
 from interlock.model.elements import Blades, Crossing, CrossingId, Edge, EdgeId, NodeId, PointId
-from interlock.model.layout import Layout
+from interlock.model.layout import Layout, carried
 
 CHORDS = {"1a": "2b", "2b": "1a", "2a": "1b", "1b": "2a"}
 """The ends that slip rails join."""
@@ -70,7 +71,7 @@ def with_diamonds(layout: Layout) -> Layout:
         Crossing(CrossingId(s.nodes[0]), s.nodes[0], ((s.legs["1a"], s.legs["1b"]), (s.legs["2a"], s.legs["2b"])))
         for s in slips
     ]
-    return replace(
+    made = replace(
         layout,
         track=replace(layout.track, edges=tuple(joined(e) for e in layout.track.edges if e.id not in middles)),
         pointwork=replace(
@@ -85,6 +86,8 @@ def with_diamonds(layout: Layout) -> Layout:
             ),
         ),
     )
+    carried(beside_main, layout, made)  # its routes are not those of the layout
+    return made
 
 
 def restore(d: Drawing, layout: Layout) -> None:

@@ -29,7 +29,7 @@ from interlock.emit.drawing.canvas import (
     reach,
     width,
 )
-from interlock.emit.drawing.lamps import symbol_width
+from interlock.emit.drawing.lamps import long_symbol, symbol_width
 from interlock.emit.drawing.names import put_names
 from interlock.emit.drawing.narrowest import narrowest
 from interlock.emit.drawing.slips import double_slips
@@ -52,6 +52,10 @@ def named_edges(plan: Plan) -> dict[EdgeId, SectionId]:
     return {e: s for s, e in best.items()}
 
 
+CORNER = 8
+"""Pixels between a symbol with more than two units and the arm that crosses its track beyond it."""
+
+
 def _content(plan: Plan, s: Strand, k: int, named: dict[EdgeId, SectionId]) -> float:
     """Pixels that an edge of a strand needs for names and signals."""
     layout, edge = plan.layout, s.edges[k]
@@ -60,6 +64,11 @@ def _content(plan: Plan, s: Strand, k: int, named: dict[EdgeId, SectionId]) -> f
         signal = layout.signalling.facing.get((node, edge))
         if signal is not None:
             need += max(symbol_width(layout, signal), width(signal.id)) + 8
+            need += (
+                CORNER
+                if long_symbol(layout, signal) and layout.pointwork.crossing_at.keys() & s.nodes[k : k + 2]
+                else 0
+            )
         elif node in layout.pointwork.point_at:
             turned = edge == plan.turned_leg(layout.pointwork.point_at[node])
             toe = edge == layout.pointwork.point_at[node].toe

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from xml.sax.saxutils import escape, quoteattr
 
-from interlock.emit.drawing.canvas import Drawing, Label, Spot, arrow, bend, device_spots, fouling_mark
+from interlock.emit.drawing.canvas import Drawing, Label, Spot, arrow, bend, device_spots, fouling_mark, next_spot
 from interlock.emit.drawing.lamps import FIRST, NEXT, lamps, unit
 from interlock.emit.drawing.place import place
 from interlock.emit.drawing.slips import CHORDS, DoubleSlip, blades, double_slips
@@ -187,7 +187,10 @@ def _points(d: Drawing) -> list[str]:
         if p.id in shared:
             continue
         x, y = d.at[p.node]
-        gap, uy = _gap((x, y), bend(d, p.id), 14 if p.reverse in d.plan.rails else 5)
+        onward, near = bend(d, p.id), 14 if p.reverse in d.plan.rails else 5
+        if p.derailer:  # in normal it leads off the rails: what is not set is the track
+            onward, near = next_spot(d.edges[p.reverse], (x, y)), 9
+        gap, uy = _gap((x, y), onward, near)
         words = _words(told[p.id]) if p.id in told else ""
         inner = f"{words}{gap}{_machine(p, x, y, uy)}{_fouling(d, p)}"
         parts[p.id] = f'<g id={_id(f"point-{p.id}")} class="point">{inner}</g>'
@@ -267,7 +270,7 @@ def _ends(d: Drawing) -> list[str]:
         out.append(f'<g id={_id(f"boundary-{n}")} class="boundary">{tip}</g>')
     for b in d.layout.track.buffers:
         x, y = d.at[b.node]
-        left = all(_beside(d.edges[e.id], (x, y)) > x for e in d.layout.track.edges_at[b.node])
+        left = all(next_spot(d.edges[e.id], (x, y))[0] > x for e in d.layout.track.edges_at[b.node])
         way = 5 if left else -5
         if b.kind is BufferKind.STOP:
             mark = f"M{_n(x + way)} {_n(y - 7)} L{_n(x)} {_n(y - 7)} L{_n(x)} {_n(y + 7)} L{_n(x + way)} {_n(y + 7)}"
@@ -289,11 +292,6 @@ def _arrows(kind: BoundaryKind, x: float, y: float, right: bool) -> Iterator[str
     if kind is not BoundaryKind.OUT:
         near = x if kind is BoundaryKind.IN else x - 1.6 * way
         yield f"M{_n(near)} {_n(y - 5)} L{_n(near - way)} {_n(y)} L{_n(near)} {_n(y + 5)}"
-
-
-def _beside(line: list[Spot], end: Spot) -> float:
-    """Where a line goes from one of its ends: the x of its next spot."""
-    return line[1][0] if line[0] == end else line[-2][0]
 
 
 def _devices(d: Drawing) -> list[str]:
@@ -342,8 +340,8 @@ def _signals(d: Drawing) -> list[str]:
 def _signal(layout: Layout, g: Signal, x: float, y: float, ahead: bool, leftward: bool) -> str:
     """A foot at the joint, a mast along the track in the direction of travel, and its lamps: full for main signals,
     open for shunt signals, both for combined ones; with a slash the second of two yellows (UU); one more, open, for an
-    identifier light; a box for a route indicator (B).  A board has none, but a plate on its mast: full where trains
-    end, open for a limit of shunt."""
+    identifier light; a box for a route indicator (B), a triangle for a speed indicator.  A board has none, but a plate
+    on its mast: full where trains end, open for a limit of shunt."""
     side, way = (-1 if ahead is leftward else 1), (1 if ahead else -1)
     my = y + side * 14
     mast = f"M{_n(x)} {_n(y + side * 4)} L{_n(x)} {_n(my + side * 4)} M{_n(x)} {_n(my)} L{_n(x + way * 12)} {_n(my)}"

@@ -107,7 +107,9 @@ def _blades(layout: Layout, controller: Controller) -> dict[str, str]:
 def equipment_csv(layout: Layout, a: Allocation) -> str:
     """What has to be bought and mounted, counted from the layout (document B 2.2).
 
-    A machine counts once, whatever it works; ends of points and derailers are counted beside machines and keys."""
+    A machine counts once, whatever it works; ends of points and derailers are counted beside machines and keys, so that
+    whoever mounts a drive at each end of double-acting points reads their number there.  A double slip has four ends,
+    whether one machine lays them or two."""
     lit = [g for g in layout.signalling.signals if g.id not in layout.signalling.boards]
     kinds = Counter(f"signal, {'shunt' if g.id in layout.signalling.stops else g.kind}" for g in lit)
     kinds["stop board"] = sum(g in layout.signalling.stops for g in layout.signalling.boards)
@@ -115,6 +117,7 @@ def equipment_csv(layout: Layout, a: Allocation) -> str:
     kinds["call-on lamp"] = sum(g.call_on for g in layout.signalling.signals)
     units = Counter(unit for each in beside_main(layout).values() for unit in each)
     kinds["second yellow lamp"], kinds["route indicator"] = units[Beside.SECOND], units[Beside.INDICATOR]
+    kinds["speed indicator"] = units[Beside.SPEED]
     kinds["identifier light"] = len(layout.signalling.identifiers)
     kinds["distant signal"] = len(layout.signalling.distants)
     kinds["section with detection"] = sum(s.detected and not s.approach for s in layout.track.sections)
@@ -122,8 +125,9 @@ def equipment_csv(layout: Layout, a: Allocation) -> str:
     for m in layout.machines.ends:
         what = "derailer" if layout.machines.is_derailer(m) else "point"
         kinds[f"{what} worked by hand, with key" if m in layout.machines.by_hand else f"{what} machine"] += 1
+    ends = {b.point: len(b.at) for b in layout.pointwork.blades}
     for p in layout.pointwork.points:
-        kinds["derailer" if p.derailer else "point end"] += 1
+        kinds["derailer" if p.derailer else "point end"] += ends.get(p.id, 1)
     for d in layout.signalling.devices:
         kinds[str(d.kind)] += 1
     kinds["external condition"] = len(layout.signalling.conditions)

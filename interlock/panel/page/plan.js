@@ -216,7 +216,7 @@ export class Plan {
     const group = by(`signal-${name}`);
     if (!group) return;
     for (const a of ["stop", "clear", "caution", "call", "identifier", "shunt", "dark"]) toggle(group, a, a === aspect);
-    toggle(group, "yellows", marks.includes("UU")); toggle(group, "branching", marks.includes("B"));
+    toggle(group, "yellows", marks.includes("UU")); toggle(group, "branching", marks.includes("B")); toggle(group, "limited", kmh !== null);
     toggle(group, "set", active); toggle(group, "cancelling", cancelling); toggle(group, "out", out);
     this.showSpeed(name, [marks, kmh].filter(x => x).join(" ") || null);
     const shown = `${marks.includes("UU") ? "two yellows" : aspect}${marks.includes("B") ? " with the route indicator" : ""}${kmh ? ` at ${kmh} km/h` : ""}`;
@@ -406,7 +406,7 @@ export class Plan {
     const kinds = [["free", ".track:not(.arm)"], ["locked", ".track:not(.arm)"], ["occupied", ".track:not(.arm)"], ["stop", ".signal"], ["caution", ".signal"],
       ["clear", ".signal"], ["shunt", ".signal"], ["normal", ".point"], ["reverse", ".point"]];
     if (this.svg.querySelector(".caller")) kinds.push(["call", ".caller"]);
-    for (const kind of ["identifier", "second", "indicator"]) if (this.svg.querySelector(`.lamp.${kind}`)) kinds.push([kind, `.lamp.${kind}`]);
+    for (const kind of ["identifier", "second", "indicator", "speed"]) if (this.svg.querySelector(`.lamp.${kind}`)) kinds.push([kind, `.lamp.${kind}`]);
     let count = 0;
     for (const [kind, what] of kinds) {
       const those = this.svg.querySelectorAll(what).length;
