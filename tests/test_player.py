@@ -215,6 +215,6 @@ def test_a_trace_brings_a_drawing_along_and_nothing_else(what: str) -> None:
     assert before in plan
     body = {"#meta": {"plan": plan, "views": {}}, "vars": [], "states": [{"#meta": {"text": "1"}}]}
     assert "<svg" in player_html(json.dumps(body))
-    body["#meta"]["plan"] = plan.replace(before, after, 1)  # type: ignore[call-overload,index]
+    body["#meta"]["plan"] = plan.replace(before, after, 1)  # type: ignore[index]
     with pytest.raises(BadTrace, match="its plan is no drawing"):
         player_html(json.dumps(body))

@@ -13,7 +13,7 @@ from typing import Annotated
 from pydantic import AfterValidator, BeforeValidator, Field, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
-from interlock.frontend.signs import parted
+from interlock.frontend.signs import DIRECTIONS, parted
 
 _UNSEEN = "\u115f\u1160\u3164\uffa0"  # letters to Unicode, and drawn as nothing
 _NO_XML = "\ufffe\uffff"  # beside control characters
@@ -331,13 +331,16 @@ def _text(value: object) -> object:
     if found:
         said = f"the text has the character U+{ord(found):04X} in it, which not every output can hold"
         fix = "leave it out; a text may have tabs and several lines"
+        if found in DIRECTIONS:
+            said = f"the text has the character U+{ord(found):04X} in it: what follows is shown in another direction"
+            fix = "leave it out; letters that are written from right to left need none"
         raise PydanticCustomError("sign", "{said}", {"said": said, "fix": fix})
     return value
 
 
 def _not_held(sign: str) -> bool:
-    """Whether plans, tables or PLC texts lose a character, or are broken by it."""
-    return sign in _NO_XML or (sign not in "\n\t" and unicodedata.category(sign) in ("Cc", "Cs"))
+    """Whether plans, tables or PLC texts lose a character, are broken by it, or show others than they have."""
+    return sign in _NO_XML or sign in DIRECTIONS or (sign not in "\n\t" and unicodedata.category(sign) in ("Cc", "Cs"))
 
 
 def _some_text(value: str) -> str:
