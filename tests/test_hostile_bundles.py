@@ -18,6 +18,9 @@ from interlock.checker.language import FORMS
 from interlock.checker.railway import Railway
 from interlock.checker.reading import loaded
 from interlock.checker.specification import shipped as specified
+from interlock.diag import Sink
+from interlock.frontend import load, load_text
+from interlock.frontend.encoding import decode
 from interlock.frontend.published import json_schema
 from interlock.verify import Rejected, judge
 from tests.certified import certified, signed
@@ -128,6 +131,47 @@ def test_a_text_that_says_other_than_it_shows_is_read_by_nobody(made: Path, text
     layout_of(made).write_text(text + "\n" + FIG.read_text("utf-8"), "utf-8")
     with pytest.raises(Rejected, match="no YAML"):
         check(layout_of(made), made)
+
+
+SHOWN_OTHERWISE = {
+    "an override in a comment": "# \u202e the road is closed\n",
+    "an isolate in a comment": "# \u2066 the road is closed\n",
+    "one in a text": 'title: "closed \u202e road"\n',
+    "a line that ends for no editor": "# the road is closed\u2028",
+    "a carriage return alone": "# the road is closed\rtitle: x\n",
+}
+
+
+@pytest.mark.parametrize("what", SHOWN_OTHERWISE)
+def test_a_layout_that_reads_otherwise_than_it_is_shown_is_read_by_nobody(made: Path, what: str) -> None:
+    """What an editor shows as a comment would be a line of the layout, or a line would be shown as another one."""
+    text = SHOWN_OTHERWISE[what] + FIG.read_text("utf-8").replace("title:", "#title:")
+    layout_of(made).write_bytes(text.encode())
+    with pytest.raises(Rejected, match="no YAML"):
+        check(layout_of(made), made)
+    sink = Sink()
+    assert load(str(layout_of(made)), sink)[0] is None
+    (found,) = sink.diagnostics
+    assert found.code == "IL1004" and found.span is not None and found.span.line == 1 and found.fix
+
+
+@pytest.mark.parametrize("sign", ["\u202a", "\u202e", "\u2069"])
+def test_what_turns_the_direction_of_a_text_is_refused_as_an_escape_too(sign: str) -> None:
+    text = FIG.read_text("utf-8").replace("title: ", f'title: "a\\u{ord(sign):04x}b" # ')
+    sink = Sink()
+    assert load_text("a.yaml", text, sink)[0] is None
+    (found,) = sink.diagnostics
+    assert found.code == "IL1012" and f"U+{ord(sign):04X}" in found.message and found.span is not None
+    with pytest.raises(Rejected, match="direction"):
+        Railway(loaded(text))
+
+
+def test_ends_of_lines_of_any_system_are_read() -> None:
+    for end in ("\n", "\r\n", "\r"):
+        text, sink = FIG.read_text("utf-8").replace("\n", end), Sink()
+        decoded, _ = decode("a.yaml", text.encode(), sink)
+        assert decoded is not None and load_text("a.yaml", decoded, sink)[0] is not None
+        assert Railway(loaded(text)).body["name"] == "fig2_2"
 
 
 EDITS = {

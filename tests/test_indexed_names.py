@@ -50,7 +50,7 @@ READ = {
     "st/lint.py": "names as a PLC tool takes them",
     "st/meaning.py": "paths of instances in a text",
     "st/parser.py": "Structured Text",
-    "emit/report/player.py": "pictures",
+    "emit/report/drawn.py": "pictures",
     "emit/bundle.py": "names of files",
     "emit/python/runtime.py": "how names of a family are written",
     "st/printer.py": "lines that end with a comment",

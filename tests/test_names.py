@@ -190,6 +190,15 @@ signals:
         ("22 T", "22T"),
         ("2 2T", "22 T"),
         ("Gleis Nord 10 A", "Gleis_Nord 1O A"),
+        ("p1", "\u03c11"),
+        ("U1", "\u054d1"),
+        ("W1", "\u13b31"),
+        ("d1", "\u05011"),
+        ("i1", "\u01311"),
+        ("X1", "X\u0661"),
+        ("22\u30ed", "22\u53e3"),
+        ("22\uff8a", "22\u516b"),
+        ("3\u30fc", "3\u4e00"),
     ],
 )
 def test_names_of_one_kind_that_look_alike_are_told(one: str, other: str) -> None:
@@ -215,6 +224,15 @@ def test_names_that_differ_otherwise_are_not_told(one: str, other: str) -> None:
     sink = Sink()
     load_text("t", ALIKE.replace("q1", "q10").format(one, other, "Z"), sink)
     assert sink.diagnostics == ()
+
+
+@pytest.mark.parametrize("name", ["CON", "con", "Nul", "aux", "PRN", "COM1", "lpt9", "COM\u00b2"])
+def test_a_layout_is_not_called_as_a_device(name: str) -> None:
+    """Its outputs could not be copied to a computer with Windows, where the tools of PLCs run."""
+    sink = Sink()
+    assert load_text("t", ALIKE.replace("name: demo", f"name: {name}").format("S1", "S2", "Z"), sink)[0] is None
+    (found,) = sink.diagnostics
+    assert found.code == "IL1016" and "a device" in found.message and f"`{name}_1`" in found.fix
 
 
 def test_two_of_three_names_that_look_alike_are_told() -> None:

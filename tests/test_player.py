@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from interlock.emit.drawing import plan_svg
-from interlock.emit.report import player_html, report_html
+from interlock.emit.report import BadTrace, player_html, report_html
 from interlock.model.elements import Position
 from interlock.model.layout import Layout
 from interlock.model.machines import shown_by
@@ -185,3 +185,36 @@ def test_a_door_is_open_only_where_it_is_detected_so(chromium: Any, tmp_path: Pa
         assert not page.locator("#device-D1 .leaf").is_visible() and "D1 open" in page.inner_text("#why")
         page.keyboard.press("Escape")
         assert page.locator("#device-D1 .leaf").is_visible()
+
+
+BROUGHT = {
+    "what runs when it is loaded": ("<svg ", '<svg onload="alert(1)" '),
+    "what runs when it is clicked": ('role="img"', 'role="img" OnClick="alert(1)"'),
+    "a picture from elsewhere": ("</svg>", '<image href="https://example.org/x.png"/></svg>'),
+    "a page in the plan": ("</svg>", "<foreignObject><iframe srcdoc='x'/></foreignObject></svg>"),
+    "what changes an attribute": ("</svg>", '<set attributeName="href" to="javascript:alert(1)"/></svg>'),
+    "a link": ("</svg>", '<a href="javascript:alert(1)"><text>A</text></a></svg>'),
+    "a script of another name space": ("</svg>", '<x:script xmlns:x="http://www.w3.org/1999/xhtml">1</x:script></svg>'),
+    "what follows the plan": ("</svg>", "</svg><img src=x onerror=alert(1)>"),
+    "what follows it within its element": ("</svg>", "</svg></div><p>VERIFIED</p>"),
+    "a comment that ends sooner than it seems": ("</svg>", "<!--><img src=x onerror=alert(1)>--></svg>"),
+    "text that is none to a page": ("</svg>", "<title><![CDATA[<img src=x onerror=alert(1)>]]></title></svg>"),
+    "a style sheet from elsewhere": ("</style>", "@import 'https://example.org/x.css';</style>"),
+    "a picture from elsewhere in a style": ("</style>", ".plan { background: url(https://example.org/x.png) }</style>"),
+    "the same, disguised": ("</style>", ".plan { background: u\\72l(https://example.org/x.png) }</style>"),
+    "a colour from elsewhere": ('fill="#fff"/>', 'fill="url(https://example.org/x.svg#a)"/>'),
+}
+
+
+@pytest.mark.parametrize("what", BROUGHT)
+def test_a_trace_brings_a_drawing_along_and_nothing_else(what: str) -> None:
+    """Traces and records come by mail: what stands in their plan must not run, nor load, in the reader's browser."""
+    layout, _, _ = built("fig2_2")
+    before, after = BROUGHT[what]
+    plan = plan_svg(layout)
+    assert before in plan
+    body = {"#meta": {"plan": plan, "views": {}}, "vars": [], "states": [{"#meta": {"text": "1"}}]}
+    assert "<svg" in player_html(json.dumps(body))
+    body["#meta"]["plan"] = plan.replace(before, after, 1)  # type: ignore[index]
+    with pytest.raises(BadTrace, match="its plan is no drawing"):
+        player_html(json.dumps(body))

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from interlock.checker.kilometres import item_parts
-from interlock.checker.reading import loaded
+from interlock.checker.reading import TURNING, loaded
 from interlock.verify import need
 
 FORMS = Path(__file__).parent.parent / "spec" / "language.yaml"
@@ -89,7 +89,9 @@ class _Reader:
             need(not dot or end in ENDS, f"{where} is {x!r}, no end")
         elif word in ("item", "approach"):
             _stretch(x, where, word == "item")
-        elif word != "text":
+        elif word == "text":
+            need(not {*TURNING} & {*x}, f"{where} turns the direction of what is shown")
+        else:
             _name(x, where)
             if word != "name":
                 self.used.append((word, x, where))

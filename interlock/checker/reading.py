@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import yaml
+
+TURNING = "\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069"
+"""What turns the direction of the text after it."""
+_UNSHOWN = re.compile(rf"[\x85\u2028\u2029{TURNING}]|\r(?![\r\n])")
+"""What ends a line to YAML alone, or lets a line be shown otherwise than it is read."""
 
 
 class _Plain(yaml.BaseLoader):
@@ -38,4 +44,6 @@ def loaded(text: str) -> Any:
 
     Raises yaml.YAMLError where it is none, a key stands twice, or something else stands for what it says.
     """
+    if _UNSHOWN.search(text if "\n" in text else text.replace("\r", "\n")) is not None:
+        raise yaml.YAMLError("a line of it is shown otherwise than it is read")
     return yaml.load(text, _Plain)

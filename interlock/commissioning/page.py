@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections import Counter
 from collections.abc import Sequence
 from itertools import groupby
@@ -12,6 +10,7 @@ from jinja2 import Environment, PackageLoader, select_autoescape
 
 from interlock.commissioning.step import Sheet, Step
 from interlock.model.layout import Layout
+from interlock.spreadsheet import csv_text
 
 HEADINGS = ("No.", "Sheet", "About", "Do", "What has to come", "Rule", "On the bench", "Seen", "By", "Date")
 
@@ -37,11 +36,8 @@ WITHOUT = (
 
 def book_csv(steps: Sequence[Step]) -> str:
     """One row for each test, with room for what was seen, by whom and when."""
-    out = io.StringIO()
-    write = csv.writer(out, lineterminator="\n")
-    write.writerow(HEADINGS)
-    write.writerows((s.number, s.sheet, s.of, s.do, s.expect, s.rule, s.bench, "", "", "") for s in steps)
-    return out.getvalue()
+    rows = ((s.number, s.sheet, s.of, s.do, s.expect, s.rule, s.bench, "", "", "") for s in steps)
+    return csv_text([HEADINGS, *rows])
 
 
 def book_html(layout: Layout, steps: Sequence[Step], version: str, of: str = "", gone: str = "") -> str:

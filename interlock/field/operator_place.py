@@ -13,8 +13,6 @@ Needs the extra `field`.
 from __future__ import annotations
 
 import asyncio
-import csv
-import io
 import socket
 import threading
 import time
@@ -29,6 +27,7 @@ from interlock.field.frames import Caller, caller
 from interlock.field.plc import Cycle
 from interlock.logic.controller import Controller
 from interlock.logic.words import UNKNOWN
+from interlock.spreadsheet import csv_text
 
 FORM = 2
 """The form of these registers: what they mean, and what is done with a request."""
@@ -137,9 +136,7 @@ class Registers:
 
     def csv(self) -> str:
         """The same as a file."""
-        out = io.StringIO()
-        csv.writer(out, lineterminator="\n").writerows([HEADINGS, *self.table()])
-        return out.getvalue()
+        return csv_text([HEADINGS, *self.table()])
 
 
 def registers(controller: Controller, alarms: Sequence[tuple[str, str, str]]) -> Registers:

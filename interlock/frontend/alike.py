@@ -28,7 +28,28 @@ _GREEK = dict(
         strict=True,
     )
 )
-_LATIN = str.maketrans(_CYRILLIC | _GREEK)
+_OTHERS = dict(
+    zip(
+        "\u03b1\u03b9\u03c1\u03c3\u03c5\u03f2\u03f3"  # Greek
+        "\u051a\u051b\u051c\u051d\u0501\u04bb\u04cf\u04ae\u0474\u0475"  # Cyrillic
+        "\u0555\u054f\u054d\u0585\u057d\u0578\u0570\u0566\u0581\u0575"  # Armenian
+        "\u13a0\u13a1\u13a2\u13aa\u13ab\u13ac\u13b3\u13b7\u13bb\u13c0"  # Cherokee
+        "\u13c3\u13ce\u13d2\u13d9\u13da\u13de\u13df\u13e2\u13e6\u13f4"
+        "\u0131\u0251\u0261\ua7b3"  # Latin
+        "\u0661\u06f1\u0665\u06f5\u0966\u09e6",  # digits
+        "aipoucjQqWwdhlYVvOSUounhqgjDRTAJEWMHGZ4RVSLCPKBiagX11oooo",
+        strict=True,
+    )
+)
+_KANA = dict(
+    zip(
+        "\u30a8\u30ab\u30bf\u30c1\u30c8\u30cb\u30cf\u30ed\u3078\u308a\u30fc",
+        "\u5de5\u529b\u5915\u5343\u535c\u4e8c\u516b\u53e3\u30d8\u30ea\u4e00",
+        strict=True,
+    )
+)
+"""Letters of Japanese drawings, and the ones of Chinese ones that look like them."""
+_LATIN = str.maketrans(_OTHERS | _KANA | _CYRILLIC | _GREEK)
 _DRAWN = str.maketrans("OIl", "011")
 
 

@@ -12,14 +12,22 @@ from collections.abc import Iterable, Iterator, Sequence
 import yaml
 
 from interlock.diag import Sink, Span
-from interlock.frontend.signs import CLOSING, OPENING, WIDE, odd_indent, spelled
+from interlock.frontend.signs import CLOSING, DIRECTIONS, OPENING, WIDE, odd_indent, spelled
 
 LINE_ENDS = "\x85\u2028\u2029"
 """Characters that end a line for YAML, and for no editor: whoever reads the file would not see where a line begins."""
 _KEY = r"([\w/-]+#?)"
 _NO_SPACE = re.compile(rf"(?:^|[{{,\[]\s*|-\s+)\s*{_KEY}:(?=[^\s,}}\]/])")
 
+_UNFIT = re.compile(r"[^\t\x20-\x7e\xa0-\u2027\u202a-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+_SHOWN_OTHERWISE = re.compile(rf"[{LINE_ENDS}{DIRECTIONS}]|\r(?![\r\n])")
+
 Found = tuple[str, Span, str]
+
+
+def shown_otherwise(text: str) -> bool:
+    """Whether a text has characters for which an editor shows other lines than YAML reads."""
+    return _SHOWN_OTHERWISE.search(text) is not None
 
 
 def report_broken(
@@ -68,10 +76,15 @@ def report_indent(file: str, lines: Sequence[str], which: Iterable[int], sink: S
 def report_control(file: str, lines: Sequence[str], what: str, sink: Sink) -> None:
     """Report the first character that no text has."""
     for i, line in enumerate(lines):
-        found = re.search(r"[^\t\x20-\x7e\xa0-\u2027\u202a-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", line)
+        found = _SHOWN_OTHERWISE.search(line.removesuffix("\r")) or _UNFIT.search(line.removesuffix("\r"))
         if found is not None:
             said = f"broken YAML: the character U+{ord(found[0]):04X} cannot stand in a text"
-            fix = "begin a new line in its place" if found[0] in LINE_ENDS else "remove it; is this a text file?"
+            fix = "remove it; is this a text file?"
+            if found[0] in DIRECTIONS:
+                said += ": it turns the direction of what follows, so that the line reads otherwise than it is shown"
+                fix = "remove it, and look at what the line says without it"
+            elif found[0] in f"{LINE_ENDS}\r":
+                fix = "begin a new line in its place"
             sink.add("IL1004", said, Span(file, i + 1, found.start() + 1), fix)
             return
     sink.add("IL1004", f"broken YAML: {what}", Span(file, 1, 1), "save the file as plain UTF-8 text")

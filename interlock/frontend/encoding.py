@@ -86,7 +86,10 @@ def _report(sink: Sink, said: str, span: Span, fix: str) -> None:
 
 
 def _lines(text: str) -> str:
-    return text.replace("\r\n", "\n").replace("\r", "\n")
+    """With ends of lines of one kind.  A carriage return alone ends a line where all lines end so; among others it is
+    kept, as editors and terminals disagree about it."""
+    text = text.replace("\r\n", "\n")
+    return text if "\n" in text else text.replace("\r", "\n")
 
 
 def _coding(data: bytes) -> str | None:

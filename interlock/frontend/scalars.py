@@ -13,7 +13,7 @@ from typing import Annotated
 from pydantic import AfterValidator, BeforeValidator, Field, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
-from interlock.frontend.signs import parted
+from interlock.frontend.signs import DIRECTIONS, parted
 
 _UNSEEN = "\u115f\u1160\u3164\uffa0"  # letters to Unicode, and drawn as nothing
 _NO_XML = "\ufffe\uffff"  # beside control characters
@@ -22,6 +22,16 @@ NAME = re.compile(rf"{_WORD}([ _/-]{_WORD})*")
 """Letters and digits of any script, a `#` after them, and single signs or spaces between."""
 LONGEST_FOLDER = 60
 """Signs of a layout's own name: a file system takes 255 bytes, of which a sign may need four."""
+NO_FOLDER = frozenset(
+    (
+        "CON",
+        "PRN",
+        "AUX",
+        "NUL",
+        *(f"{port}{sign}" for port in ("COM", "LPT") for sign in "123456789\u00b9\u00b2\u00b3"),
+    )
+)
+"""Names of devices of Windows, which has no folder or file of such a name."""
 MAX_LENGTH_M = 100_000.0
 STEEPEST = 1000  # permille: no track is steeper than 1 in 1
 FASTEST = 400  # km/h
@@ -45,6 +55,13 @@ def _folder_name(value: object) -> object:
     if isinstance(value, str) and NAME.fullmatch(value) and "/" in value:
         said = f"'{value}' cannot be the layout's name: its outputs lie in a folder of that name, so it has no /"
         fix = f"write `{value.replace('/', '-')}`; `title` takes any text"
+        raise PydanticCustomError("name", "{said}", {"v": value, "said": said, "fix": fix})
+    if isinstance(value, str) and value.upper() in NO_FOLDER:
+        said = (
+            f"'{value}' cannot be the layout's name: its outputs lie in a folder of that name, and to Windows it is "
+            "a device"
+        )
+        fix = f"write another one, as `{value}_1`; `title` takes any text"
         raise PydanticCustomError("name", "{said}", {"v": value, "said": said, "fix": fix})
     if isinstance(value, str) and len(value) > LONGEST_FOLDER and NAME.fullmatch(value):
         said = (
@@ -331,13 +348,16 @@ def _text(value: object) -> object:
     if found:
         said = f"the text has the character U+{ord(found):04X} in it, which not every output can hold"
         fix = "leave it out; a text may have tabs and several lines"
+        if found in DIRECTIONS:
+            said = f"the text has the character U+{ord(found):04X} in it: what follows is shown in another direction"
+            fix = "leave it out; letters that are written from right to left need none"
         raise PydanticCustomError("sign", "{said}", {"said": said, "fix": fix})
     return value
 
 
 def _not_held(sign: str) -> bool:
-    """Whether plans, tables or PLC texts lose a character, or are broken by it."""
-    return sign in _NO_XML or (sign not in "\n\t" and unicodedata.category(sign) in ("Cc", "Cs"))
+    """Whether plans, tables or PLC texts lose a character, are broken by it, or show others than they have."""
+    return sign in _NO_XML or sign in DIRECTIONS or (sign not in "\n\t" and unicodedata.category(sign) in ("Cc", "Cs"))
 
 
 def _some_text(value: str) -> str:

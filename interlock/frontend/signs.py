@@ -9,6 +9,8 @@ import re
 
 WIDE = dict(zip("：，、；｛｝［］（）【】＂＇“”‘’　", ":,,;{}[](){}\"'\"\"'' ", strict=True))
 """Full-width signs, and the ASCII one that each looks like or stands for."""
+DIRECTIONS = "\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069"
+"""What turns the direction of the text after it, so that a line is shown otherwise than it is read."""
 OPENING, CLOSING = "([{（［｛【", ")]}）］｝】"
 _ODD = "\u00a0\u1680\u2000-\u200a\u202f\u205f\u3000"
 _INDENTED = re.compile(rf" *([{_ODD}][{_ODD} ]*)(?=-\s|[^\s:]+:(?:\s|[\[{{]|$))")

@@ -14,7 +14,7 @@ import yaml
 
 from interlock.dataclass import dataclass
 from interlock.diag import Sink, Span
-from interlock.frontend.broken import LINE_ENDS, report_broken, report_control, report_indent
+from interlock.frontend.broken import report_broken, report_control, report_indent, shown_otherwise
 
 MAX_DEPTH = 12
 _WRITE_OUT = "write the value out; a layout is read by people from top to bottom"
@@ -87,8 +87,8 @@ def _node(event: yaml.ScalarEvent | yaml.CollectionStartEvent, span: Span) -> No
 def parse(file: str, text: str, sink: Sink) -> Node | None:
     """The tree of the only document in the text, or None when there is none to go on with."""
     lines = text.split("\n")
-    if any(sign in text for sign in LINE_ENDS):
-        report_control(file, lines, "a line ends in the middle", sink)
+    if shown_otherwise(text):
+        report_control(file, lines, "a line reads otherwise than it is shown", sink)
         return None
     root: Node | None = None
     stack: list[tuple[Node, Scalar | None]] = []  # container, pending key

@@ -6,14 +6,13 @@ or is outside.  Nothing but the record is read.
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import field
 
 from interlock.dataclass import dataclass
 from interlock.record.log import Event
+from interlock.spreadsheet import csv_text
 
 RUNS, STANDS, LOADS, TIPS, OUTSIDE = "runs", "stands", "is loaded", "is tipped", "outside"
 
@@ -170,27 +169,26 @@ def clock(seconds: float) -> str:
 @as_written()
 def to_csv(f: Figures) -> str:
     """All figures, one a line: what, of which, value, unit."""
-    out = io.StringIO()
-    w = csv.writer(out, lineterminator="\n")
-    w.writerow(("figure", "of", "value", "unit"))
-    w.writerow(("shift", f.heading["layout"], round(f.seconds, 1), "s"))
-    w.writerow(("seed", f.heading["layout"], f.heading["seed"], ""))
+    rows = list[tuple[object, ...]]()
+    rows.append(("figure", "of", "value", "unit"))
+    rows.append(("shift", f.heading["layout"], round(f.seconds, 1), "s"))
+    rows.append(("seed", f.heading["layout"], f.heading["seed"], ""))
     for order, given in f.heading["orders"].items():
-        w.writerow(("trains ordered", order, given["trains"], "trains"))
-        w.writerow(("trains tipped", order, f.trains.get(order, 0), "trains"))
+        rows.append(("trains ordered", order, given["trains"], "trains"))
+        rows.append(("trains tipped", order, f.trains.get(order, 0), "trains"))
     for ore, tonnes in sorted(f.tonnes.items()):
-        w.writerow(("tonnes", ore, round(tonnes, 3), "t"))
+        rows.append(("tonnes", ore, round(tonnes, 3), "t"))
     for cause, seconds in f.waiting.items():
-        w.writerow(("waiting", cause, round(seconds, 1), "s"))
+        rows.append(("waiting", cause, round(seconds, 1), "s"))
     for train, of in f.states.items():
-        w.writerow(("trains tipped by", train, f.tipped_by.get(train, 0), "trains"))
+        rows.append(("trains tipped by", train, f.tipped_by.get(train, 0), "trains"))
         for state, seconds in sorted(of.items()):
-            w.writerow((state, train, round(seconds, 1), "s"))
+            rows.append((state, train, round(seconds, 1), "s"))
     for place in f.heading["places"]:
         if f.heading["places"][place]["kind"] in ("loading", "tipping"):
-            w.writerow(("utilisation", place, round(f.utilisation(place), 4), "part of the shift"))
+            rows.append(("utilisation", place, round(f.utilisation(place), 4), "part of the shift"))
     for name, value in (("requests granted", f.requests.granted), ("requests held back", f.requests.held_back),
                         ("requests refused", f.requests.refused), ("alarms", len(f.alarms)), ("faults", len(f.faults)),
                         ("hazards", len(f.hazards)), ("standstills", int(bool(f.standstill)))):  # fmt: skip
-        w.writerow((name, "", value, ""))
-    return out.getvalue()
+        rows.append((name, "", value, ""))
+    return csv_text(rows)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import re
 from collections import Counter
@@ -17,16 +16,11 @@ from interlock.logic.words import SAID
 from interlock.model.elements import Position
 from interlock.model.layout import Layout
 from interlock.model.portable import beside, portable
+from interlock.spreadsheet import csv_text
 
 CROSS_REFERENCE = "io/xref_"
 """What the names of files begin with that tell where each variable is written and read."""
 HEADINGS = ("Substation", "Slot", "Card", "Byte", "Bit", "Address", "Variable", "Element", "When 1", "At restart")
-
-
-def _csv(rows: list[tuple[object, ...]]) -> str:
-    out = io.StringIO()
-    csv.writer(out, lineterminator="\n").writerows(rows)
-    return out.getvalue()
 
 
 def channels_csv(layout: Layout, controller: Controller, a: Allocation) -> str:
@@ -54,7 +48,7 @@ def channels_csv(layout: Layout, controller: Controller, a: Allocation) -> str:
         if key not in seen:
             kind = "DI" if c.direction == "I" else "DO"
             rows.append((c.substation, "as stated", kind, c.byte, c.bit, c.address, *told(c)))
-    return _csv(rows)
+    return csv_text(rows)
 
 
 def names_csv(layout: Layout) -> str:
@@ -72,12 +66,12 @@ def names_csv(layout: Layout) -> str:
     rows = [(kind, name, portable(name)) for kind, names in kinds for name in names]
     if all(re.sub("[-/ ]", "_", name) == written for _, name, written in rows):
         return ""
-    return _csv([("Kind", "Name", "Name in PLC text"), *rows])
+    return csv_text([("Kind", "Name", "Name in PLC text"), *rows])
 
 
 def cross_reference_csv(headings: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     """Where each variable of a text is written and read."""
-    return _csv([tuple(headings), *map(tuple, rows)])
+    return csv_text([tuple(headings), *map(tuple, rows)])
 
 
 def words_csv(controller: Controller) -> str:
@@ -88,7 +82,7 @@ def words_csv(controller: Controller) -> str:
     rows += [("", code, text, "", "") for code, text in SAID.items()]
     for r in controller.words.reasons.values():
         rows.append(("", r.code, r.text, r.rule, beside(x.partition(":")[2] for x in r.at)))
-    return _csv(rows)
+    return csv_text(rows)
 
 
 def _blades(layout: Layout, controller: Controller) -> dict[str, str]:
@@ -137,7 +131,7 @@ def equipment_csv(layout: Layout, a: Allocation) -> str:
     kinds["channel in use"] = len(a.wires)
     kinds["channel"] = sum(card.size for card in a.cards)
     kinds["channel, reserved"] = len(a.reserved)
-    return _csv([("Item", "Count"), *sorted((k, n) for k, n in kinds.items() if n)])
+    return csv_text([("Item", "Count"), *sorted((k, n) for k, n in kinds.items() if n)])
 
 
 _TIA = (

@@ -12,6 +12,7 @@ from typing import Any
 
 from markupsafe import Markup
 
+from interlock.emit.report.drawn import is_drawing
 from interlock.emit.report.page import asset, environment, script_json
 
 
@@ -29,7 +30,7 @@ def player_html(itf: str) -> str:
         plan, views = str(meta["plan"]), dict(meta["views"])
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         raise BadTrace("not an ITF trace with a plan, as `prove` and `compile` write them, nor a record") from None
-    if not states or not plan.startswith("<svg") or "<script" in plan.lower():
+    if not states or not is_drawing(plan):
         raise BadTrace("the trace has no states, or its plan is no drawing")
     used = {n: views[n] for n in sorted({*views} & {*trace["vars"]})}
     return (

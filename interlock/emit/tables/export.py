@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Iterator, Sequence
 
+from interlock.spreadsheet import csv_text
 from interlock.table.columns import COLUMNS, VOYAGE_COLUMNS
 from interlock.table.matrix import Matrix, beyond_matrix, matrix
 from interlock.table.national import Sheet
@@ -16,11 +15,7 @@ from interlock.table.runs import MEANING, in_runs
 
 def table_csv(table: InterlockingTable) -> str:
     """One line for each way from entry to exit, with its overlaps; English headings."""
-    out = io.StringIO()
-    writer = csv.writer(out, lineterminator="\n")
-    writer.writerow([c.en for c in COLUMNS])
-    writer.writerows(printed_rows(table))
-    return out.getvalue()
+    return csv_text([[c.en for c in COLUMNS], *printed_rows(table)])
 
 
 def printed_rows(table: InterlockingTable) -> list[list[str]]:
@@ -36,11 +31,7 @@ def voyages_csv(table: InterlockingTable) -> str:
     """One line per voyage; empty without voyages."""
     if not table.voyages:
         return ""
-    out = io.StringIO()
-    writer = csv.writer(out, lineterminator="\n")
-    writer.writerow([c.en for c in VOYAGE_COLUMNS])
-    writer.writerows([c.text(v) for c in VOYAGE_COLUMNS] for v in table.voyages)
-    return out.getvalue()
+    return csv_text([[c.en for c in VOYAGE_COLUMNS], *([c.text(v) for c in VOYAGE_COLUMNS] for v in table.voyages)])
 
 
 def sheet_csv(sheet: Sheet) -> str:
@@ -48,11 +39,8 @@ def sheet_csv(sheet: Sheet) -> str:
 
     A Chinese one begins with a byte order mark, without which spreadsheets there misread it.
     """
-    out = io.StringIO()
-    writer = csv.writer(out, lineterminator="\n")
-    writer.writerow([h.native(sheet.language) for h in sheet.headings])
-    writer.writerows(sheet.rows)
-    return ("\ufeff" if sheet.language == "zh" else "") + out.getvalue()
+    text = csv_text([[h.native(sheet.language) for h in sheet.headings], *sheet.rows])
+    return f"\ufeff{text}" if sheet.language == "zh" else text
 
 
 def _matrix_rows(
@@ -127,9 +115,7 @@ def matrix_rows(table: InterlockingTable) -> list[list[str]]:
 
 def matrix_csv(table: InterlockingTable) -> str:
     """M, M.M^T and M^T.M of document A, and the hostile pairs that they miss."""
-    out = io.StringIO()
-    csv.writer(out, lineterminator="\n").writerows(matrix_rows(table))
-    return out.getvalue()
+    return csv_text(matrix_rows(table))
 
 
 def reason_rows(table: InterlockingTable, pairs: bool = True) -> Iterator[tuple[str, ...]]:
