@@ -434,6 +434,30 @@ def turned(t: Tree) -> Tree:
     return out
 
 
+def with_points_for_slips(t: Tree) -> Tree | None:
+    """A layout with two points, toe to toe, for each double slip with two machines; None where there is none."""
+    t, swap = deepcopy(t), dict[str, str]()
+    for name, s in [*(t.get("slips") or {}).items()]:
+        machines = s.get("machines", [f"{name}a", f"{name}b"])
+        if "single" in s or s.get("blades") == "near" or len(set(machines)) == 1:
+            continue
+        common = {k: v for k, v in s.items() if k in ("section", "legs", "fouling", "supervision")}
+        points = t.setdefault("points", {})
+        for i, side in enumerate("ab"):
+            legs = {"normal": s["arms"][0][i], "reverse": s["arms"][1][i]}
+            points[f"{name}{side}"] = {**common, **legs, "machine": machines[i]}
+            swap |= {f"{name}.1{side}": f"{name}{side}.normal", f"{name}.2{side}": f"{name}{side}.reverse"}
+        points[f"{name}a"]["toe"] = f"{name}b.toe"
+        del t["slips"][name]
+
+    def value(x: Any) -> Any:
+        if isinstance(x, dict):
+            return {k: x[k] if k in WORDS else value(v) for k, v in x.items()}
+        return [value(y) for y in x] if isinstance(x, list) else swap.get(x, x)
+
+    return {k: v if k in PLAIN else value(v) for k, v in t.items()} if swap else None
+
+
 def beside(t: Tree, other: Tree) -> Tree:
     """Two layouts of one profile in one, which have no name in common."""
     out = deepcopy(t)

@@ -37,6 +37,7 @@ from tests.relations import (
     turned,
     under_other_names,
     whole,
+    with_points_for_slips,
     written,
 )
 
@@ -196,6 +197,32 @@ def test_a_section_in_two_halves_keeps_what_is_hostile_and_what_protects() -> No
                 assert clear == r["clear"], (what, section, k)
             tried += 1
     assert tried > 60 and HALF
+
+
+def test_a_double_slip_is_two_points_toe_to_toe() -> None:
+    """But for the metres between the two, and so for how far overlaps and approaches reach."""
+    tried = 0
+    for what, made, _ in every((*SHIPPED, *SMALL, "88")):
+        t = {k: v for k, v in ruled(made.tree, overlap_m="0").items() if k != "overlaps"}
+        points = with_points_for_slips(t)
+        if points is None:
+            continue
+        slip, now = Made(t), Made(points)
+        assert slip.layout is not None and now.layout is not None, (what, now.errors)
+        assert differences(slip.form(), now.form(), ("length", "foul", "approach")) == [], what
+        assert len(slip.errors) == len(now.errors), (what, now.errors)
+        tried += 1
+    assert tried >= 4
+
+
+def test_no_signal_protects_nearer_than_its_clearance() -> None:
+    """Where a signal must stand farther away than any does, what protects is a point, or that nothing comes."""
+    for what, made, was in every((*SHIPPED, *SMALL)):
+        now = Made(ruled(made.tree, clearance_m="80000"))
+        assert now.layout is not None and now.table is not None, (what, now.errors)
+        kinds = {str(p.kind) for lock in now.table.locks for c in lock.flank for p in c.providers}
+        assert "signal" not in kinds, what
+        assert now.form().locks.keys() == was.locks.keys(), what
 
 
 STRICTER = ({"clearance_m": "9"}, {"fouling_m": "25"}, {"flank_space": "yes"}, {"overlap_m": "90"})
