@@ -22,7 +22,7 @@ import sys
 import unicodedata
 from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
-from pathlib import Path
+from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Any
 
 Node = tuple[Any, ...]
@@ -331,6 +331,10 @@ def _missing(folder: Path, missing: list[str], of: int) -> tuple[bool, str]:
     return False, f"{looked}{more if missing[1:] else ''}: {fix}, or run `interlock certify` anew"
 
 
+LARGEST = 1_000_000_000
+"""Bytes of a file of a certificate at most (our choice)."""
+
+
 def check_files(folder: Path) -> dict[str, bytes]:
     """The manifest's digests agree with the files; returns what was read, so that nothing is read twice."""
     need((folder / "manifest.json").is_file(), "no certificate: there is no manifest.json in this folder")
@@ -345,8 +349,13 @@ def check_files(folder: Path) -> dict[str, bytes]:
     need({"system.txt", "proof.txt.xz"} <= set(files), "the manifest names no proof")
     alike = {unicodedata.normalize("NFC", path).casefold() for path in files}
     need(len(alike) == len(files), "two names of the manifest are one name on some computers")
+    away = [path for path in files if PurePosixPath(path).is_absolute() or PureWindowsPath(path).anchor]
+    need(not away, f"the manifest names {away[:1]}, which lies in no place of its own")
     need(*_missing(folder, [path for path in files if not (folder / path).exists()], len(files)))
-    found = {path: (folder / path).read_bytes() for path in files if (folder / path).is_file()}  # no pipe, no device
+    there = {path: folder / path for path in files if (folder / path).is_file()}  # no pipe, no device
+    large = [path for path, file in there.items() if file.stat().st_size > LARGEST]
+    need(not large, f"{large[:1]} has more bytes than any file of a certificate")
+    found = {path: file.read_bytes() for path, file in there.items()}
     for path, digest in files.items():
         need(
             path in found and hashlib.sha256(found[path]).hexdigest() == digest,

@@ -187,6 +187,13 @@ EDITS = {
         "is not known here",
     ),
     "one with a blank before": ("D.RSTI := D.PWR;", "D.RSTI := D.PWR; (* @END_DECLARATION *)", "is not known here"),
+    "a comment that an editor shows as something else": (
+        "D.RSTI := D.PWR;",
+        "D.RSTI := D.PWR; (* \u202e *)",
+        "is not known here",
+    ),
+    "one with a letter that no text of ours has": ("D.RSTI := D.PWR;", "D.RSTI := D.PWR; (* é *)", "is not known here"),
+    "one with a form feed": ("D.RSTI := D.PWR;", "D.RSTI := D.PWR; (* \f *)", "is not known here"),
     "a comment within a comment": ("D.RSTI := D.PWR;", "D.RSTI := D.PWR; (* (* *)", "is not known here"),
     "a line that only some compilers end": ("D.RSTI := D.PWR;", "D.RSTI :=\u2028D.PWR;", "is not known here"),
     "a number that C takes for octal": ("(INP.REQ = 0)", "(INP.REQ = 00)", "is not known here"),

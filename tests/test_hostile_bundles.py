@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import lzma
 import os
@@ -22,7 +23,7 @@ from interlock.diag import Sink
 from interlock.frontend import load, load_text
 from interlock.frontend.encoding import decode
 from interlock.frontend.published import json_schema
-from interlock.verify import Rejected, judge
+from interlock.verify import LARGEST, Rejected, judge
 from tests.certified import certified, signed
 
 FIG, MINE = Path("layouts/fig2_2.yaml"), Path("layouts/mine11.yaml").read_text("utf-8")
@@ -78,6 +79,25 @@ def _twins(folder: Path) -> None:
     manifest(folder, lambda m: m["files"].update({"NEEDED.txt": ""}))
 
 
+def _absolute(name: str) -> Callable[[Path], object]:
+    return lambda folder: manifest_as_it_is(folder, name)
+
+
+def manifest_as_it_is(folder: Path, name: str) -> None:
+    """Name a file, which need not be there, and sign the manifest."""
+    file = folder / "manifest.json"
+    body = json.loads(file.read_text("utf-8"))
+    body.pop("own")
+    body["files"][name] = ""
+    own = hashlib.sha256(json.dumps(body, sort_keys=True).encode()).hexdigest()
+    file.write_text(json.dumps({**body, "own": own}, indent=1, ensure_ascii=False) + "\n", "utf-8")
+
+
+def _endless(folder: Path) -> None:
+    with (folder / "needed.txt").open("wb") as file:
+        file.truncate(LARGEST + 1)
+
+
 BUNDLES: dict[str, tuple[Callable[[Path], object], str]] = {
     "a manifest that is a text": (lambda f: (f / "manifest.json").write_text('"abc"'), "of another kind"),
     "one that is a list": (lambda f: (f / "manifest.json").write_text("[1]"), "of another kind"),
@@ -85,6 +105,9 @@ BUNDLES: dict[str, tuple[Callable[[Path], object], str]] = {
     "a pipe among the files": (_pipe, "needed.txt is not the file proved"),
     "a proof that grows when it is unpacked": (_bomb, "larger than its system can need"),
     "an input of half a million values": (_values, "more values than anything"),
+    "a file that lies somewhere on the reader's computer": (_absolute("/etc/hostname"), "in no place of its own"),
+    "the same on Windows": (_absolute("C:x.txt"), "in no place of its own"),
+    "a file that never ends": (_endless, "has more bytes than any file of a certificate"),
     "names that differ in capitals alone": (_twins, "one name on some computers"),
 }
 
@@ -107,6 +130,13 @@ def test_a_controller_that_offers_what_the_author_excludes_is_refused(made: Path
     signed(made)
     with pytest.raises(Rejected, match="the claim S-EXCLUDED lacks what the specification asks"):
         check(layout, made)
+
+
+def test_a_folder_that_is_a_link_is_told(made: Path, tmp_path: Path) -> None:
+    """A tool that takes in all sources of a folder follows it."""
+    (tmp_path / "elsewhere").mkdir()
+    (made.parents[1] / "generated/fig2_2/st/more").symlink_to(tmp_path / "elsewhere")
+    assert check(layout_of(made), made).compared[-1].endswith("; certified by nobody: st/more")
 
 
 def test_no_file_is_read_twice(made: Path, monkeypatch: pytest.MonkeyPatch) -> None:

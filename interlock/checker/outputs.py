@@ -16,7 +16,7 @@ import os
 import re
 import zipfile
 import zlib
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from itertools import islice
@@ -82,10 +82,17 @@ def bundle(folder: Path, files: Mapping[str, bytes], text: str, layout: Iterable
             why = f"{name} is not the file that the manifest of outputs names"
             need(name in map(str, below.values()), why)
             torn = torn or why
-    here = islice((Path(at) / n for at, _, names in os.walk(folder / top) for n in names), MANY)
+    here = islice(
+        (Path(at) / n for at, below_, names in os.walk(folder / top) for n in (*names, *_links(at, below_))), MANY
+    )
     stray = {str(x.relative_to(folder / top)) for x in here} - {*found, *(str(x) for x in below.values())}
     mine = ("manifest.json", *own)
     return Bundle(top, str(PurePosixPath(text).relative_to(top)), mine, found, tuple(sorted(stray)), torn)
+
+
+def _links(at: str, folders: Iterable[str]) -> Iterator[str]:
+    """Those of some folders that are links, which tools follow and nobody else here does."""
+    return (n for n in folders if (Path(at) / n).is_symlink())
 
 
 def _digest(name: str, raw: bytes) -> str:

@@ -13,7 +13,8 @@ from interlock.verify import Rejected, need
 
 TOKEN = re.compile(
     r"""[ \t\r\n]+ | \(\*(?![ \t\r\n]*[@$\#~{%&])  # what begins so is obeyed by some tool
-    (?:[^*(] | \*(?!\)) | \((?!\*))*\*\)             # compilers differ on what begins a comment within one
+    (?:[\t\r\n\x20-\x27\x29\x2b-\x7e]              # what an editor shows otherwise than it is, is ASCII never
+    | \*(?!\)) | \((?!\*))*\*\)                     # compilers differ on what begins a comment within one
     | (?P<time>T\#[0-9a-z_]+) | (?P<number>(?:0|[1-9][0-9]*)(?![0-9A-Za-z_]))
     | (?P<name>[A-Za-z_][A-Za-z0-9_]*) | (?P<sign>:=|[;:,().=])""",
     re.VERBOSE,
