@@ -118,7 +118,7 @@ def test_compile_tells_the_estimate_with_its_rule(target: str, code: str, tmp_pa
     done = compile_file(str(path), tmp_path / "out")
     (told,) = [d for d in done.notes if d.code in ("IL5009", "IL5010")]
     assert done.green and told.code == code
-    assert "not measured on hardware" in told.message and "12090 bytes of memory" in told.message
+    assert "not measured on hardware" in told.message and "12054 bytes of memory" in told.message
     assert "4 bytes for each bit" in told.fix and told.span is not None
     assert (tmp_path / "out" / "fig2_2" / "st" / "iec" / "fig2_2.st").is_file()
 

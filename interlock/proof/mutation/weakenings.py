@@ -1,8 +1,7 @@
 """Mutants: a proof that cannot fail proves nothing.
 
 Each kind weakens the table or the controller in one place.  A mutant is *killed* when a claim no longer follows; the
-bounded search then looks for a real train movement from the restart.  It is *redundant* when every claim is still
-proved: the rest of the controller protects without that condition.
+search then looks for a real train movement.  It is *redundant* when the rest of the controller protects without it.
 """
 
 from __future__ import annotations
