@@ -1,7 +1,7 @@
 """Mutants: a proof that cannot fail proves nothing.
 
 Each kind weakens the table or the controller in one place.  A mutant is *killed* when a claim no longer follows; the
-search then looks for a real train movement.  It is *redundant* when the rest of the controller protects without it.
+search then looks for a real train movement.  It is *redundant* when all are still proved: other conditions protect.
 """
 
 from __future__ import annotations
