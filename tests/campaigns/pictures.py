@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from tests.browsers import browser
-from tests.pages import Server, click, opened, press
+from tests.pages import Server, click, opened, press, release_all
 
 SHORT = "\nprinciples: {restart_delay_s: 228}\n"
 
@@ -53,7 +53,7 @@ def main() -> None:
                 page.select_option("#speed select", "10")
                 page.wait_for_selector("#restart button:enabled")
                 taken(page, given, "restart")
-                press(page, "Release all clear sections")
+                release_all(page)
                 page.wait_for_selector("#restart", state="hidden")
                 click(page, "#boundary-W .reach")
                 press(page, "A train comes in here")
