@@ -8,7 +8,7 @@ from random import Random
 import pytest
 
 from interlock.dispatch.plan.explore import explore
-from interlock.dispatch.plan.problem import Built, Draft, GoesRound, Problem, build
+from interlock.dispatch.plan.problem import Built, Draft, Followed, GoesRound, Problem, build
 from interlock.dispatch.plan.search import ORDERS, Planner, Verdict
 
 
@@ -51,8 +51,8 @@ def replay(p: Problem, state: int, plan: tuple[object, ...]) -> int:
     return state
 
 
-def scattered(seed: int) -> Built:
-    """A few trains with random ways over few sections, some with a zone."""
+def scattered(seed: int, keeps: bool = False) -> Built:
+    """A few trains with random ways over few sections, some with a zone; keeps: some keep more while followed."""
     rng = Random(seed)
     sections = [f"s{k}" for k in range(rng.randrange(4, 9))]
     drafts = []
@@ -69,6 +69,8 @@ def scattered(seed: int) -> Built:
         for node in (n for x in layers for n in x):
             d.holds[node] = frozenset({node[1]})
             d.inside[node] = {"Z": rng.choice((1, 1, 2))} if node[1] in zone else {}
+            if keeps and rng.random() < 0.4:
+                d.followed[node] = Followed(frozenset(rng.sample(sections, 2)), frozenset(rng.sample(sections, 2)))
         for node in layers[-1]:
             if rng.random() < 0.6:
                 d.moves[node] = [("out", "gone", frozenset(), {})]
@@ -79,12 +81,15 @@ def scattered(seed: int) -> Built:
     return build(drafts, [("Z", rng.randrange(1, 5))])
 
 
+@pytest.mark.parametrize("keeps", [False, True])
 @pytest.mark.parametrize("order", ORDERS)
-def test_every_verdict_is_that_of_a_search_of_all_states(order: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_every_verdict_is_that_of_a_search_of_all_states(
+    order: str, keeps: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr("interlock.dispatch.plan.search.ORDERS", (order,))
     verdicts = []
     for seed in range(400):
-        built = scattered(seed)
+        built = scattered(seed, keeps)
         p = built.problem
         planner = Planner(p)
         answer = planner.solve(built.start)
@@ -101,9 +106,10 @@ def test_every_verdict_is_that_of_a_search_of_all_states(order: str, monkeypatch
     assert 50 < verdicts.count(Verdict.NONE) < 350
 
 
-def test_what_was_learnt_holds_for_other_states() -> None:
+@pytest.mark.parametrize("keeps", [False, True])
+def test_what_was_learnt_holds_for_other_states(keeps: bool) -> None:
     for seed in range(150):
-        built = scattered(seed)
+        built = scattered(seed, keeps)
         p = built.problem
         planner = Planner(p)
         for pick in range(12):
@@ -127,6 +133,23 @@ def test_a_loop_lets_them_pass() -> None:
     built = build([line("a", "x", "y"), b])
     plan = Planner(built.problem).solve(built.start).plan
     assert built.problem.done(replay(built.problem, built.start, plan)) and plan[0].label == "aside"
+
+
+@pytest.mark.parametrize("behind", ["third", "itself", "nobody"])
+def test_what_is_kept_while_followed_is_free_when_nobody_is_behind(behind: str) -> None:
+    """a stands in x and keeps y while another train is in w; b wants to go over y."""
+    a, b, c = line("a", "x", out=False), line("b", "w" if behind == "itself" else "v", "y"), line("c", "u", out=False)
+    a.followed["x"] = Followed(frozenset({"y"}), frozenset({"w"}))
+    if behind == "third":
+        c.holds["u"] = frozenset({"w"})
+    built = build([a, b, c])
+    answer = Planner(built.problem).solve(built.start)
+    assert (answer.verdict is Verdict.PLAN) == (behind == "nobody")
+    assert [built.problem.trains[t] for t, bits in enumerate(built.problem.nodes) if answer.caught & sum(bits)] == {
+        "third": ["a", "b", "c"],
+        "itself": ["a", "b"],
+        "nobody": [],
+    }[behind]
 
 
 def test_a_full_zone_keeps_trains_out() -> None:

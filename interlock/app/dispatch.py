@@ -179,7 +179,10 @@ class Setting:
             if here & p.home:
                 continue
             for m in p.moves[here]:
-                who = [names[u] for u, bits in enumerate(p.nodes) if u != k and sum(bits) & state & m.blocked]
+                block = m.blocked
+                for there, behind in m.followed:
+                    block |= there | behind if state & there and state & behind else 0
+                who = [names[u] for u, bits in enumerate(p.nodes) if u != k and sum(bits) & state & block]
                 route = self.routes((m,))[0][1]
                 what = f"is blocked by {' and '.join(who)}" if who else "leads into a full zone"
                 said.append(f"{p.trains[k]} in {p.label[here]} cannot go on: {route} {what}.")

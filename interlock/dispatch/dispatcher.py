@@ -198,9 +198,20 @@ class Dispatcher:
             elif not run.way.cancelling and (why := self._shut(run, stage, seen, dt_ms)):
                 self.journal.said.append(f"{run.name}: {stage.route} is taken back, since {why}")
                 run.way.cancelling = True
+        self._stands(run, seen)
         if run.through(seen):
             self.journal.said.append(f"{run.name} is done")
             self._remove(run)
+
+    def _stands(self, run: Run, seen: Indications) -> None:
+        """Plans count on an overlap that was given up, whoever comes behind the train now."""
+        if run.way.ahead or run.given_up == run.place:
+            return
+        kept = self.railway.held.overlap_sections(run.place)
+        locked = self._symbols.indication
+        if kept and not any(seen.get(locked.get(f"locked {s}", ""), 1) for s in kept):
+            run.given_up = run.place
+            self.holding.forget()
 
     def _shut(self, run: Run, stage: Stage, seen: Indications, dt_ms: int) -> str:
         """Why a route that is set will not take its train on, if it is to be taken back: so that another may come out

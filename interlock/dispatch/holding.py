@@ -58,6 +58,9 @@ class Holding:
         for other in self.runs:
             if other is not run and not other.coming and self._certain(other) & move.blocked:
                 return f"{other.name} is in the way"
+        state = self.state() & ~move.source
+        if any(state & there and state & behind for there, behind in move.followed):
+            return "an overlap is kept while another train is behind the one that stands before it"
         inside = self.state({r.name for r in self.runs if r.coming}) & ~move.source
         for z, room in move.zones:
             if p.limits[z].count(inside) > room:
@@ -177,10 +180,10 @@ class Holding:
         for k, run in enumerate(self.runs):
             if run.caught:
                 back = run.way.places[run.way.at].under if run.way.ahead and run.way.cancelling else ()
-                drafts.append(self._railway.still(run.name, run.place, run.coming, back))
+                drafts.append(self._railway.still(run.name, run.place, run.coming, back, run.given_up))
             else:
                 same = [r.name for r in self.runs[:k] if r.coming and r.journey.start.under == run.journey.start.under]
-                drafts.append(run.journey.nodes(same))
+                drafts.append(run.journey.nodes(same, run.given_up))
         if self.obstacles:
             drafts.append(in_the_way(self.obstacles))
         self.built = build(drafts, self._railway.held.zones)

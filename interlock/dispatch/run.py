@@ -93,6 +93,8 @@ class Run:
     place: Place = field(init=False)
     way: SetRoutes = field(default_factory=SetRoutes)
     asking: Asking = field(default_factory=Asking)
+    given_up: Place | None = None
+    """Where its train stands and was seen to have given up its overlap, which who comes behind it does not undo."""
     reason: str = ""
     caught: str = ""
     """That no plan exists with it, and why, as long as it is so."""

@@ -2,8 +2,8 @@
 
 From the table alone.  The overlap of a route is held until its train stands wholly before the signal (R4).  So a train
 that is longer than the last section of its route keeps it, one that came in where nothing reports whether more of it
-is to come keeps it, and one behind which another may come over the boundary may keep it: these go on only by routes
-that go with the overlap.
+is to come keeps it, and one behind which another stands keeps it as well: these go on only by routes that go with the
+overlap, and no other train is sent over it.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from itertools import pairwise
 
 from interlock.dispatch.plan.errands import OUTSIDE, Place
+from interlock.dispatch.plan.problem import Followed
 from interlock.model.elements import MachineId, Position, RouteId, SectionId
 from interlock.model.layout import Layout
 from interlock.model.overlap import may_be_short
@@ -71,12 +72,31 @@ class Held:
     def kept(self, place: Place) -> frozenset[object]:
         """What a train keeps of the routes by which it came, beyond what it stands on: what the author has added, and
         the overlap of the last one while it does not stand wholly before the signal."""
-        things: set[object] = set()
+        overlap = self._own_overlap(place)
+        never = bool(overlap) and (len(place.under) > 1 or self.unseen(place))
+        return (overlap if never else frozenset()) | self.under_way(place) | self.inside_of(place)
+
+    def followed(self, place: Place) -> Followed | None:
+        """What a train keeps besides while another is behind it: the overlap before which it stands, since nothing then
+        reports that all of it is in the last section (R4)."""
+        overlap = self._own_overlap(place)
+        if not overlap or len(place.under) > 1 or self.unseen(place):
+            return None
+        return Followed(overlap, self._behind(place))
+
+    def overlap_sections(self, place: Place) -> frozenset[SectionId]:
+        """The sections of the overlap before which a train stands, without those under it."""
         overlap = None if place.route is None else self._table.route[place.route].locking.overlap
-        if overlap is not None and len(place.under) > 1:
-            for key in overlap.ways:
+        under = {s for s, _ in place.under}
+        return frozenset(s for s, _ in overlap.ways if s not in under) if overlap is not None else frozenset()
+
+    def _own_overlap(self, place: Place) -> frozenset[object]:
+        """What the overlap keeps from others before which a train stands."""
+        things: set[object] = set()
+        if place.route is not None and place.under:
+            for key in self._overlap(self._table.route[place.route]):
                 self._locks(key, things)
-        return frozenset(things) | self.under_way(place) | self.inside_of(place)
+        return frozenset(things)
 
     def inside_of(self, place: Place) -> frozenset[object]:
         """What a train keeps by standing in overlaps of signals that it has passed (R4)."""
@@ -177,10 +197,12 @@ class Held:
             return frozenset()
         if len(place.under) > 1:
             return None
+        return None if self.unseen(place) else self._behind(place)
+
+    def _behind(self, place: Place) -> frozenset[object]:
+        """What another train would hold that is right behind one in a section."""
         section, number = place.under[0]
         entry = self._entry[section, number]
-        if self.unseen(place):
-            return None
         if entry in self._layout.track.boundary_at:
             approach = self._approach.get(str(entry))
             return frozenset({("outside", str(entry))} | ({("section", approach)} if approach else set()))

@@ -12,7 +12,7 @@ Every node of every train has a bit, so that a state is one number, and so is wh
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 
 from interlock.dataclass import dataclass
@@ -25,7 +25,9 @@ class GoesRound(Exception):
 @dataclass(frozen=True)
 class Move:
     """A move: its label, the train, source and target bit, the nodes of others that block it, zones it leads into, each
-    with how often others may count there; what it costs: of several ways a train is given the cheapest that is free."""
+    with how often others may count there; what it costs: of several ways a train is given the cheapest that is free.
+
+    followed: nodes of one train that block it while one of the other nodes, of third trains, is taken, too."""
 
     label: str
     train: int
@@ -34,6 +36,7 @@ class Move:
     blocked: int
     zones: tuple[tuple[int, int], ...] = ()
     cost: float = 1.0
+    followed: tuple[tuple[int, int], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -69,8 +72,10 @@ class Problem:
 
     def possible(self, state: int, move: Move) -> bool:
         """Whether a move is possible in a state."""
+        if state & move.blocked or any(state & there and state & behind for there, behind in move.followed):
+            return False
         others = state & ~move.source
-        return not state & move.blocked and all(self.limits[z].count(others) <= room for z, room in move.zones)
+        return all(self.limits[z].count(others) <= room for z, room in move.zones)
 
     def done(self, state: int) -> bool:
         """Every train is where it may stay."""
@@ -81,6 +86,14 @@ class Problem:
         return [next(b for b in bits if b & state) for bits in self.nodes]
 
 
+@dataclass(frozen=True)
+class Followed:
+    """What a train keeps from others (`things`) while one of the things `behind` it is held by another train."""
+
+    things: frozenset[object]
+    behind: frozenset[object]
+
+
 @dataclass
 class Draft:
     """One train while a problem is built: nodes by key, moves between them, and what each holds and needs."""
@@ -89,6 +102,8 @@ class Draft:
     start: object
     holds: dict[object, frozenset[object]] = field(default_factory=dict)
     """What a train in a node keeps from others."""
+    followed: dict[object, Followed] = field(default_factory=dict)
+    """What it keeps there besides while another train is behind it."""
     moves: dict[object, list[tuple[str, object, frozenset[object], Mapping[str, int]]]] = field(default_factory=dict)
     """By node: label, target, the things that nobody else may hold, the room that it asks for in zones."""
     costs: dict[tuple[object, str], float] = field(default_factory=dict)
@@ -162,7 +177,15 @@ def build(drafts: Sequence[Draft], limits: Sequence[tuple[str, int]] = ()) -> Bu
         bits.append(of)
         holders.append(held)
         problem.nodes.append(list(of.values()))
-    number = {name: i for i, (name, _) in enumerate(limits)}
+    _limit(problem, drafts, bits, limits)
+    _lead(problem, drafts, bits, holders, limits)
+    return Built(problem, tuple(bits), sum(of[d.start] for d, of in zip(drafts, bits, strict=True)))
+
+
+def _limit(
+    problem: Problem, drafts: Sequence[Draft], bits: Sequence[Mapping[object, int]], limits: Sequence[tuple[str, int]]
+) -> None:
+    """The nodes in which trains count in each zone."""
     for name, _ in limits:
         often = [
             (d.inside.get(node, {}).get(name, 0), b)
@@ -171,7 +194,21 @@ def build(drafts: Sequence[Draft], limits: Sequence[tuple[str, int]] = ()) -> Bu
         ]
         most = max((n for n, _ in often), default=0)
         problem.limits.append(Limit(name, tuple(sum(b for n, b in often if n > k) for k in range(most))))
+
+
+def _lead(
+    problem: Problem,
+    drafts: Sequence[Draft],
+    bits: Sequence[dict[object, int]],
+    holders: Sequence[Mapping[object, int]],
+    limits: Sequence[tuple[str, int]],
+) -> None:
+    """The moves of each train, with the nodes of others that block them."""
+    number = {name: i for i, (name, _) in enumerate(limits)}
+    keeps = [list(_followed(u, d, bits[u], holders)) for u, d in enumerate(drafts)]
     for t, (d, of) in enumerate(zip(drafts, bits, strict=True)):
+        others = [u for u in range(len(drafts)) if u != t]
+        mine = sum(of.values())
         for node, b in of.items():
             out = problem.moves[b] = []
             for label, target, needs, zones in d.moves.get(node, []):
@@ -180,10 +217,26 @@ def build(drafts: Sequence[Draft], limits: Sequence[tuple[str, int]] = ()) -> Bu
                 if any(left < 0 for _, left in room):
                     continue
                 blocked = 0
-                for u, held in enumerate(holders):
-                    if u != t:
-                        for thing in needs:
-                            blocked |= held.get(thing, 0)
+                for u in others:
+                    for thing in needs:
+                        blocked |= holders[u].get(thing, 0)
+                more = [k for u in others for k in keeps[u] if not needs.isdisjoint(k[1])]
+                for there, _, behind in more:
+                    blocked |= there if behind & b else 0  # it is itself behind that train
+                followed = tuple((there, behind & ~mine) for there, _, behind in more if not there & blocked)
                 cost = d.costs.get((node, label), 1.0)
-                out.append(Move(label, t, b, of[target], blocked, room, cost))
-    return Built(problem, tuple(bits), sum(of[d.start] for d, of in zip(drafts, bits, strict=True)))
+                out.append(Move(label, t, b, of[target], blocked, room, cost, tuple(x for x in followed if x[1])))
+
+
+def _followed(
+    train: int, d: Draft, of: Mapping[object, int], holders: Sequence[Mapping[object, int]]
+) -> Iterator[tuple[int, frozenset[object], int]]:
+    """The nodes of a train in which it keeps more while it is followed: what, and the nodes of others behind it."""
+    for node, more in d.followed.items():
+        behind = 0
+        for u, held in enumerate(holders):
+            if u != train and node in of:
+                for thing in more.behind:
+                    behind |= held.get(thing, 0)
+        if behind:
+            yield of[node], more.things, behind

@@ -22,7 +22,7 @@ from math import inf
 from interlock.dataclass import dataclass
 from interlock.dispatch.plan.errands import OUTSIDE, Errand, Leg, NoVoyage, Place, Step, TooManyPlaces
 from interlock.dispatch.plan.held import Held
-from interlock.dispatch.plan.problem import Draft
+from interlock.dispatch.plan.problem import Draft, Followed
 from interlock.model.elements import NodeId, Position, RouteId, SectionId
 from interlock.model.layout import Layout
 from interlock.model.stopping import MARGIN_M, stands_on
@@ -133,15 +133,29 @@ class Railway:
         ahead = self.topo.beyond(section, joint)
         return [] if ahead is None else self._from.get((joint, ahead), [])
 
-    def still(self, name: str, place: Place, coming: bool, back: Iterable[TraversalKey] = ()) -> Draft:
+    def still(
+        self,
+        name: str,
+        place: Place,
+        coming: bool,
+        back: Iterable[TraversalKey] = (),
+        given_up: Place | None = None,
+    ) -> Draft:
         """A train that goes nowhere.  coming: it is outside yet; back: where it stands besides, until its route is
-        taken back."""
+        taken back; given_up: as in `Journey.nodes`."""
         found = Draft(name, place)
         queue = {("queue", name)} if coming else set[object]()
         found.holds[place] = self.held.holds(place.under) | self.held.kept(place) | self.held.holds(back) | queue
         found.home.add(place)
         found.inside[place] = self.held.inside(place.under)
+        if place != given_up:
+            found.followed.update(self.followed(place))
         return found
+
+    def followed(self, place: Place) -> dict[object, Followed]:
+        """What a train keeps in a place while another is behind it, by the place."""
+        more = self.held.followed(place)
+        return {place: more} if more is not None else {}
 
     def draft(self, errand: Errand) -> Journey:
         """Where an errand can lead.  Raises `NoVoyage`, `TooManyPlaces`."""
@@ -357,10 +371,11 @@ class Journey:
         found = {p: [s for s in out if s.after in kept] for p, out in free.items()}
         return {p: found[p] or out for p, out in self.steps.items()}
 
-    def nodes(self, before: Sequence[str] = ()) -> Draft:
+    def nodes(self, before: Sequence[str] = (), given_up: Place | None = None) -> Draft:
         """The same as nodes and moves; a move's label is the number of its step.
 
-        before: the trains that come in over the same boundary before this one.
+        before: the trains that come in over the same boundary before this one.  given_up: where it is known to have
+        given up the overlap before which it stands, whoever comes behind it now.
         """
         d = Draft(self.errand.train, self.start)
         for place, steps in self.steps.items():
@@ -369,10 +384,13 @@ class Journey:
             behind = {("queue", t) for t in before} if outside else set()
             d.holds[place] = self.railway.held.holds(place.under) | self.railway.held.kept(place) | own
             d.inside[place] = self.railway.held.inside(place.under)
+            if place != given_up:
+                d.followed.update(self.railway.followed(place))
             if not steps:
                 (d.home if place.under else d.gone).add(place)
             for k, s in enumerate(steps):
-                needs = behind.union(s.besides, *(self.railway.held.needs(r) for r in s.routes))
+                besides = s.besides if place != given_up else ()
+                needs = behind.union(besides, *(self.railway.held.needs(r) for r in s.routes))
                 d.moves.setdefault(place, []).append(
                     (str(k), s.after, frozenset(needs), self.railway.held.entering(s.routes))
                 )

@@ -338,6 +338,10 @@ class Planner:
             shown = others & blocked
             if shown:
                 return 0 if shown & reason else shown & -shown
+        for there, behind in m.followed:
+            if others & there and others & behind:
+                shown = others & behind
+                return others & there | (0 if shown & reason else shown & -shown)
         for z, room in m.zones:
             if p.limits[z].count(others) > room:
                 return others & p.limits[z].nodes[0]
