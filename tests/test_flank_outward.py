@@ -297,3 +297,104 @@ def test_a_route_that_lays_the_partner_of_its_scissors_reverse_is_refused() -> N
     told = [d.message for d in made[2].diagnostics if d.code == "IL4002" and d.message.startswith("X.2a")]
     assert len(told) == 1 and "route SA2-D: M would have to lie N, and lies R on the path" in told[0]
     assert protection(made[1], "SA2-D", "X.2a") == set()
+
+
+BEYOND_ONE_WAY = """
+interlock: 1
+name: beyond
+boundaries: {W: {approach: wa 600, trains: in}, E: {trains: out}, S: {trains: out}}
+tracks: {west: [W, m1 300], east: [m2 300, E], side: [g1 200, g2 300, S]}
+points: {P: {section: p, toe: west.end, normal: east.start, reverse: side.start}}
+sections: {g1: {one_way: forward}, g2: {lane: inclined}}
+conditions: {HOIST: {text: hoist stopped, over: [g2]}}
+signals: {X1: {from: W, into: m1}, X2: {from: m1, into: p}}
+"""
+
+
+def test_a_one_way_track_does_not_protect_from_an_inclined_lane_beyond_it() -> None:
+    """What runs away on g2 comes over g1, against the one way that trains keep; on level track it does not."""
+    made = grown(BEYOND_ONE_WAY)
+    assert made is not None and protection(made[1], "X2-E", "P.reverse") == set()
+    assert "nothing keeps vehicles away from P.reverse" in {
+        d.message.split(";")[0] for d in made[2].diagnostics if d.code == "IL4001"
+    }
+    level = grown(BEYOND_ONE_WAY.replace(", g2: {lane: inclined}", ""))
+    assert level is not None and not level[2].has_errors and audit(level[0], level[1]) == ()
+    assert protection(level[1], "X2-E", "P.reverse") == {"g1"}
+
+
+LANE_BEFORE_POINTS = """
+interlock: 1
+name: before_points
+boundaries: {W: {approach: wa 600, trains: in}, E: {trains: out}, S: {trains: out}, T: {trains: out}}
+tracks: {west: [W, m1 300], east: [m2 300, E], side: [g1 200, S], spare: [h1 200, T]}
+points:
+  P: {section: p, toe: west.end, normal: east.start, reverse: Q.reverse}
+  Q: {section: q, toe: side.start, normal: spare.start}
+sections: {p: {lane: inclined}}
+conditions: {HOIST: {text: hoist stopped, over: [p]}}
+signals: {X1: {from: W, into: m1}, X2: {from: m1, into: p}}
+exclude: [{from: X2, to: S, reason: out of use}]
+"""
+
+
+def test_past_an_inclined_lane_and_points_an_exit_still_does_not_protect() -> None:
+    """No train comes in at S, but what stands before it may run over the lane in p; Q turns it away."""
+    made = grown(LANE_BEFORE_POINTS)
+    assert made is not None and protection(made[1], "X2-E", "P.reverse") == {"Q N"}
+    level = grown(LANE_BEFORE_POINTS.replace("sections: {p: {lane: inclined}}\n", ""))
+    assert level is not None and protection(level[1], "X2-E", "P.reverse") == {"S"}
+
+
+@pytest.mark.parametrize(("leg", "protected"), [("normal", {"Y2"}), ("reverse", {"Q N"})])
+def test_points_worked_by_hand_protect_as_their_key_locks_them_and_not_in_reverse(
+    leg: str, protected: set[str]
+) -> None:
+    """The key is locked in while they lie normal: nobody holds them in reverse."""
+    other = "reverse" if leg == "normal" else "normal"
+    text = f"""
+interlock: 1
+name: by_hand
+boundaries: {{W: {{approach: wa 600, trains: in}}, E: {{trains: out}}, V: {{approach: va 600, trains: in}}}}
+buffers: [B]
+tracks: {{west: [W, m1 300], east: [m2 300, E], side: [V, y1 300], spare: [h1 200, B]}}
+points:
+  P: {{section: p, toe: east.start, normal: west.end, reverse: Q.{leg}}}
+  Q: {{section: q, work: hand, toe: side.end, {other}: spare.start}}
+signals:
+  X1: {{from: W, into: m1}}
+  X2: {{from: m1, into: p}}
+  Y1: {{from: V, into: y1}}
+  Y2: {{from: y1, into: q}}
+"""
+    made = grown(text)
+    assert made is not None and protection(made[1], "X2-E", "P.reverse") == protected
+
+
+ONE_LEG_ONE_WAY = """
+interlock: 1
+name: one_leg
+principles: {flank_space: yes}
+boundaries: {W: {approach: wa 600, trains: in}, E: {trains: out}, V: {approach: va 600, trains: in}, S: {trains: out}}
+tracks: {west: [W, m1 300], east: [m2 300, E], side: [V, y1 300, y2 300], out: [g1 300, S]}
+points:
+  P: {section: p, toe: east.start, normal: west.end, reverse: T.toe}
+  T: {section: t, normal: side.end, reverse: out.start}
+sections: {g1: {one_way: forward}}
+signals:
+  X1: {from: W, into: m1}
+  X2: {from: m1, into: p}
+  Y1: {from: V, into: y1}
+  Y2: {from: y1, into: y2}
+"""
+
+
+@pytest.mark.parametrize("exchanged", [False, True])
+def test_the_flank_space_lies_behind_one_leg_where_nothing_comes_over_the_other(exchanged: bool) -> None:
+    """Whichever leg of T it is over which trains leave one way: what lies before Y2 has to be clear."""
+    text = ONE_LEG_ONE_WAY
+    if exchanged:
+        text = text.replace("normal: side.end, reverse: out.start", "reverse: side.end, normal: out.start")
+    made = grown(text)
+    assert made is not None and protection(made[1], "X2-E", "P.reverse") == {"g1", "Y2"}
+    assert {c.name for c in made[1].route[RouteId("X2-E")].clear.space} == {"t", "y2"}
