@@ -64,22 +64,23 @@ M = [MachineId(x) for x in "ABCD"]
 N, R = Position.NORMAL, Position.REVERSE
 
 
-@pytest.mark.parametrize("seed", range(300))
+@pytest.mark.parametrize("seed", range(600))
 def test_a_route_wants_no_machine_both_ways_and_no_place_is_given_up_that_could_be_protected(seed: int) -> None:
-    """Up to four places of up to three routes: what is chosen agrees with each path over it and with whatever else is
-    chosen over one of its routes.  And where all places can be protected so that nothing contradicts, of any two routes
-    that can be set together either, they are: then no two routes become hostile for a flank."""
+    """Up to five places of up to three routes: what is chosen agrees with each path over it and with whatever else is
+    chosen over one of its routes.  With up to four places (the search is bounded: with more, one may be given up that
+    need not be) it finds what there is: where all can be protected without a contradiction, they are; and where that
+    holds of any two routes that can be set together, too, none become hostile for a flank."""
     dice = random.Random(seed)
-    routes = dice.randint(1, 3)
+    routes, machines = dice.randint(1, 3), M[: dice.randint(2, 4)]
     hostile = [1 << i for i in range(routes)]
     for i, j in product(range(routes), repeat=2):
-        if i < j and dice.random() < 0.3:
+        if i < j and dice.random() < 0.5:
             hostile[i] |= 1 << j
             hostile[j] |= 1 << i
-    paths = [{m: dice.choice((N, R)) for m in M if dice.random() < 0.25} for _ in range(routes)]
+    paths = [{m: dice.choice((N, R)) for m in machines if dice.random() < 0.2} for _ in range(routes)]
     sets = [
-        [{m: dice.choice((N, R)) for m in dice.sample(M, dice.randint(1, 2))} for _ in range(dice.randint(1, 3))]
-        for _ in range(dice.randint(1, 4))
+        [{m: dice.choice((N, R)) for m in dice.sample(machines, dice.randint(1, 2))} for _ in range(dice.randint(1, 3))]
+        for _ in range(dice.randint(1, 5))
     ]
     over = [dice.randint(1, (1 << routes) - 1) for _ in sets]
     found = settled(sets, over, paths, hostile)
@@ -99,10 +100,11 @@ def test_a_route_wants_no_machine_both_ways_and_no_place_is_given_up_that_could_
             for at, one in enumerate(those)
         )
 
-    if any(fits(those, over) for those in product(*sets)):
+    few = len(sets) <= 4
+    if few and any(fits(those, over) for those in product(*sets)):
         assert not found.impossible
     aside = [beside(bits, hostile, (1 << routes) - 1) for bits in over]
-    if any(fits(those, aside) for those in product(*sets)):
+    if few and any(fits(those, aside) for those in product(*sets)):
         assert len(chosen) == len(sets) and fits([chosen[at] for at in range(len(sets))], aside)
 
 
