@@ -8,6 +8,7 @@ from random import Random
 import pytest
 
 from interlock.simulate.faults import Faults
+from interlock.simulate.local_rules import power_cut
 from interlock.simulate.run import load
 from interlock.simulate.track import Track
 from interlock.simulate.train import Driver, Train
@@ -79,6 +80,18 @@ def test_many_power_cuts_harm_nobody() -> None:
         assert outcome.hazards == []
         cuts += outcome.power_cuts
     assert cuts > 5
+
+
+def test_points_that_were_trailed_before_a_power_cut_are_looked_at_before_sections_are_released() -> None:
+    """The controller has forgotten them: their contacts met again, a train was called over them, and derailed (R10)."""
+    case = Case.of("layouts/terminus.yaml")
+    track, names = Track.of(case.layout), load(case.runtime)
+    world = World(case.layout, track, names["INPUTS"], names["OUTPUTS"], Random(1), Faults())
+    machines = world.machines
+    machines.damage(0, 9.0)
+    assert machines.lies[0] not in (0, 1)
+    power_cut(world)
+    assert not machines.damaged and machines.lies[0] == machines.position[0]
 
 
 def test_every_class_has_its_run() -> None:

@@ -11,13 +11,16 @@ if TYPE_CHECKING:
 
 
 def power_cut(world: World) -> None:
-    """The controller has gone dark: whoever stands needs a new call; points may be cranked, devices open."""
+    """The controller has gone dark: whoever stands needs a new call; points may be cranked, devices open.  It forgets
+    which were trailed: whoever releases sections afterwards has looked at their points first (R10, R16)."""
     for t in world.trains:
         if t.speed == 0.0:
             t.driver.called = t.driver.accepted = t.driver.expects = False
             world.traffic.waits_on(t)
     world.machines.contacts.lost.clear()
     world.machines.driven.clear()
+    for m in tuple(world.machines.damaged):
+        world.machines.put_right(m)
 
 
 def run_through(world: World, m: int) -> None:

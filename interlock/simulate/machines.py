@@ -110,5 +110,9 @@ class Machines:
         """Whoever is told of trailed points, and confirms that they were looked at, has put them right."""
         for m in tuple(self.damaged):
             if inputs.get(self._confirms[m]) and shown.get(self._alarms[m]):
-                del self.damaged[m]
-                self.lay(m, self.position[m])
+                self.put_right(m)
+
+    def put_right(self, m: int) -> None:
+        """Somebody has looked at trailed points, and laid their rails as their machine has them."""
+        del self.damaged[m]
+        self.lay(m, self.position[m])
