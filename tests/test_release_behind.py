@@ -222,6 +222,35 @@ def test_a_joint_that_recovers_on_one_side_first_shows_no_movement(first: str, s
     assert not b.outputs["YR_P1"]
 
 
+@pytest.mark.parametrize("both", [0.2, 0.4, 2.0])
+@pytest.mark.parametrize("apart", [1.0, 10.0])
+def test_a_joint_that_bounces_shows_no_movement(both: float, apart: float) -> None:
+    """It failed at once on both sides, be it for a single scan; on the far side it was whole again for a while, and
+    failed once more.  What is read occupied at once with what is ahead of it is never taken for a movement that was
+    alone in it."""
+    b = before_the_white_light()
+    b.go(both, CLR_p1=0, CLR_l2=0)
+    b.go(apart, CLR_l2=1)
+    b.go(2, CLR_l2=0)
+    b.go(20, CLR_p1=1)
+    assert b.outputs["YL_p1"] and not b.outputs["YW_S1"]
+    b.go(0.2, CLR_l2=1)
+    b.ask("D2-E2")
+    assert not b.outputs["YR_P1"]
+
+
+@pytest.mark.parametrize("both", [0.2, 2.0])
+def test_a_joint_that_fails_twice_shows_no_movement(both: float) -> None:
+    """It is whole again on both sides before it fails once more."""
+    b = before_the_white_light()
+    b.go(both, CLR_p1=0, CLR_l2=0)
+    b.go(10, CLR_l2=1)
+    b.go(2, CLR_p1=1)
+    b.go(2, CLR_p1=0, CLR_l2=0)
+    b.go(20, CLR_p1=1, CLR_l2=1)
+    assert b.outputs["YL_p1"] and not b.outputs["YW_S1"]
+
+
 def test_the_delay_counts_from_when_the_signal_has_closed() -> None:
     """A train follows so closely that nobody sees the approach clear.  What the first one leaves is free when stop has
     stood for the delay of approach locking, not that long after it was left."""

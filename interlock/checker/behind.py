@@ -32,6 +32,10 @@ class Behind(Terminals):
         """The controller remembers that it was used, and seen that it was by a movement."""
         return self.known(f"RC_{safe(s)}")
 
+    def w_at_once(self, s: str) -> Formula:
+        """The controller remembers that it was read occupied in one scan with what is ahead of it."""
+        return self.known(f"AO_{safe(s)}")
+
     def w_with_rear_detected(self) -> list[Signal]:
         """The signals that trains obey, where what comes to them is seen in the section in rear."""
         undetected = {None, *self.r.track.undetected}

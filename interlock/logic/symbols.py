@@ -148,7 +148,8 @@ def lamps(a: AspectSymbols) -> Iterator[Name]:
 class CancelSymbols:
     """Names of cancellation and approach locking (R8), by the signal at which routes begin; `approach_of`: the section
     in rear of it; `rear_cleared`: by the first section behind a signal, that a movement was seen to have come
-    in, and `alone`: the timer that tells by its order (R9)."""
+    in, `alone`: the timer that tells by its order, and `at_once`: that it was read occupied in the scan in which
+    what is ahead was, too (R9)."""
 
     cancel: Mapping[SignalId, Name]
     cancelling: Mapping[SignalId, Name]
@@ -156,6 +157,7 @@ class CancelSymbols:
     approach_of: Mapping[SignalId, SectionId | None]
     rear_cleared: Mapping[SectionId, Name]
     alone: Mapping[SectionId, Name]
+    at_once: Mapping[SectionId, Name]
 
 
 @dataclass(frozen=True)

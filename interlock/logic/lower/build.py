@@ -248,6 +248,7 @@ def _symbols(d: Draft) -> Symbols:
                 if sections.from_signals(d, s) or sections.in_order(d, s)
             },
             {s: names.SEEN_ALONE(s) for s in d.sections.all if sections.in_order(d, s)},
+            {s: names.AT_ONCE(s) for s in d.sections.all if sections.in_order(d, s)},
         ),
         overlaps=_overlaps(d),
         token=block.tokens(d),

@@ -397,17 +397,24 @@ def seen_alone(d: Draft) -> None:
             Term(
                 neg(var(names.PASSED(s))), "not gone on yet"
             ),  # a joint that recovers on one side leaves the other alone
+            Term(neg(var(names.AT_ONCE(s))), "not at once", "nothing ahead occupied when it came in"),
+            *(Term(neg(on), "alone", f"{ahead} ahead not occupied") for ahead, on in _ahead(d, s)),
         ]
-        for t in d.sections.locks_of[s]:
-            ahead = d.topo.beyond(s, t.exit)
-            if ahead is not None:
-                on = neg(conj((d.sections.lock(*t.key), d.sections.occupied(ahead))))
-                terms.append(Term(on, "alone", f"{ahead} ahead not occupied"))
         note = f"{s}: a movement is in it, and not yet ahead ({rules.SECTIONAL_RELEASE})"
         d.wire(names.ALONE_RUNS(s), Join.ALL, terms, f"section {s}", note)
         seconds = d.layout.principles.detection_delay_s
         note = f"{s}: a movement was in it alone for longer than detectors take ({rules.SECTIONAL_RELEASE})"
         d.timer(names.SEEN_ALONE(s), names.ALONE_RUNS(s), seconds, note)
+
+
+def _ahead(d: Draft, s: SectionId) -> list[tuple[SectionId, Expr]]:
+    """The sections ahead of one, each with that it is occupied and the lock leads to it."""
+    found = []
+    for t in d.sections.locks_of[s]:
+        ahead = d.topo.beyond(s, t.exit)
+        if ahead is not None:
+            found.append((ahead, conj((d.sections.lock(*t.key), d.sections.occupied(ahead)))))
+    return found
 
 
 def _whole(d: Draft, s: SectionId) -> Expr:
@@ -487,6 +494,11 @@ def _keep_passage(d: Draft, s: SectionId, stays: Term) -> None:
     ]
     held = Term(disj((var(names.USED(s)), *uses)), "held or new")
     d.kept(names.USED(s), True, f"{s} used by a train ({rules.SECTIONAL_RELEASE})", Join.ALL, (held, stays), group)
+    if in_order(d, s):
+        new = conj((disj(uses), disj(on for _, on in _ahead(d, s))))
+        held = Term(disj((var(names.AT_ONCE(s)), new)), "held or new")
+        note = f"{s}: occupied in the scan in which what is ahead of it was, too ({rules.SECTIONAL_RELEASE})"
+        d.kept(names.AT_ONCE(s), False, note, Join.ALL, (held, stays), group)
     seen = _whole(d, s)
     if seen is not FALSE:
         held = Term(disj((var(names.REAR_CLEARED(s)), conj((var(names.USED(s)), seen)))), "held or new")

@@ -158,7 +158,8 @@ def whole(f: Facts, s: SectionId) -> Expr:
 
 
 def _alone(f: Facts, s: SectionId) -> Iterator[tuple[str, str, Expr]]:
-    """A movement is in a section, and neither is nor was in one ahead of it that it is locked towards."""
+    """A movement is in a section, and neither is nor was in one ahead of it that it is locked towards; what was read
+    in both at once is remembered with the lock."""
     ahead = []
     for n, lock in f.locking.of(s):
         b = f.topo.beyond(s, f.track.way(s, n)[1])
@@ -166,7 +167,13 @@ def _alone(f: Facts, s: SectionId) -> Iterator[tuple[str, str, Expr]]:
             ahead.append(implies(lock, conj((var(f.sym.valid), f.seen.clear(b)))))
     runs = var(f.timers[f.sym.cancellation.alone[s]].input)
     occupied = neg(conj((var(f.sym.valid), f.seen.clear(s))))
-    yield "L-REASON", f"{s} alone", implies(runs, conj((f.seen.used(s), neg(f.seen.passed(s)), occupied, *ahead)))
+    at_once = var(f.sym.cancellation.at_once[s])
+    came = conj((f.seen.used(s), neg(f.seen.passed(s)), neg(at_once)))
+    yield "L-REASON", f"{s} alone", implies(runs, conj((came, occupied, *ahead)))
+    comes = conj((neg(f.seen.used(s)), f.after(f.seen.used(s)), neg(conj(ahead))))
+    yield "L-REASON", f"{s} at once", implies(comes, f.after(at_once))
+    stays = conj((f.after(f.locking.any_lock(s)), at_once))
+    yield "L-REASON", f"{s} at once remembered", implies(stays, f.after(at_once))
 
 
 def _cleared(f: Facts, s: SectionId) -> Iterator[tuple[str, str, Expr]]:

@@ -56,11 +56,10 @@ def delays(w: Words) -> Iterator[tuple[str, str, Expr]]:
 
 def _in_it_alone(w: Words, s: SectionId) -> Expr:
     """What came in is in a section, and not yet in the next one that it is locked towards."""
-    ahead = [neg(w.sections.occupied(s)), neg(w.f.seen.used(s)), w.f.seen.passed(s)]
-    for n, lock in w.f.locking.of(s):
-        b = w.topo.beyond(s, w.f.track.way(s, n)[1])
-        ahead += [] if b is None else [conj((lock, w.sections.occupied(b)))]
-    return neg(disj(ahead))
+    at_once = var(w.sym.cancellation.at_once[s])
+    return neg(
+        disj((neg(w.sections.occupied(s)), neg(w.f.seen.used(s)), w.f.seen.passed(s), at_once, w.sections.ahead(s)))
+    )
 
 
 def _waiting(w: Words, g: SignalId) -> Expr:

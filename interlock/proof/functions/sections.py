@@ -40,6 +40,11 @@ def _memory(w: Words, s: SectionId) -> Iterator[tuple[str, str, Expr]]:
     ]
     yield "F-FIRM", s, iff(w.rises(f.locking.firm(s)), conj((neg(f.locking.firm(s)), disj(firm))))
     kept = [f.seen.used(s), f.seen.passed(s), f.seen.stale(s), f.locking.firm(s)]
+    if s in w.sym.cancellation.at_once:
+        at_once = var(w.sym.cancellation.at_once[s])
+        new = conj((neg(at_once), w.rises(f.seen.used(s)), w.sections.ahead(s)))
+        yield "F-PASSED", f"{s} at once", iff(w.rises(at_once), new)
+        kept.append(at_once)
     if s in w.sym.cancellation.rear_cleared:
         cleared = var(w.sym.cancellation.rear_cleared[s])
         seen, alone = conj((f.seen.used(s), _whole(w, s))), conj(w.sections.none_set_into(s))

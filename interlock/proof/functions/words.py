@@ -89,6 +89,14 @@ class SectionWords:
         out += [disj((neg(locked), var(cleared[s]))) for _, locked in first_behind(self._w.f, s) if s in cleared]
         return conj(out)
 
+    def ahead(self, s: SectionId) -> Expr:
+        """What is next on the way for which a section is locked reads occupied."""
+        found = []
+        for n, lock in self._w.f.locking.of(s):
+            b = self._w.topo.beyond(s, self._w.f.track.way(s, n)[1])
+            found += [] if b is None else [conj((lock, self.occupied(b)))]
+        return disj(found)
+
     def coming_in(self, s: SectionId, j: NodeId) -> Expr:
         """The three-point check sees a train come into a section at an end (R9)."""
         f = self._w.f

@@ -23,7 +23,16 @@ from interlock.proof.system.relation import TransitionRelation
 
 _AT_SECTIONS = frozenset(
     (
-        *(names.RESTART_LOCK, names.FIRM, names.USED, names.PASSED, names.STALE, names.TRAIN_LOCK, names.LOCK),
+        *(
+            names.RESTART_LOCK,
+            names.FIRM,
+            names.USED,
+            names.PASSED,
+            names.AT_ONCE,
+            names.STALE,
+            names.TRAIN_LOCK,
+            names.LOCK,
+        ),
         *(names.STANDS, names.RESTS, names.CAME, names.ACROSS, names.BEEN, names.SLOW),
     )
 )
