@@ -2,8 +2,9 @@
 
 From the table alone.  The overlap of a route is held until its train stands wholly before the signal (R4).  So a train
 that is longer than the last section of its route keeps it, one that came in where nothing reports whether more of it
-is to come keeps it, and one behind which another stands keeps it as well: these go on only by routes that go with the
-overlap, and no other train is sent over it.
+is to come keeps it, and one behind which another stands may keep it, too, if that one followed so closely that the
+approach was never seen clear between them: these go on only by routes that go with the overlap, and no other train is
+sent over it.
 """
 
 from __future__ import annotations
@@ -77,8 +78,8 @@ class Held:
         return (overlap if never else frozenset()) | self.under_way(place) | self.inside_of(place)
 
     def followed(self, place: Place) -> Followed | None:
-        """What a train keeps besides while another is behind it: the overlap before which it stands, since nothing then
-        reports that all of it is in the last section (R4)."""
+        """What a train may keep besides while another is behind it: the overlap before which it stands, where that one
+        came so closely that nothing has reported that all of the first is in the last section (R4)."""
         overlap = self._own_overlap(place)
         if not overlap or len(place.under) > 1 or self.unseen(place):
             return None

@@ -311,18 +311,23 @@ def arrived(d: Draft, s: SectionId) -> list[Term]:
     return wholly_in(d, s, rear_free(d, s))
 
 
-def wholly_in(d: Draft, s: SectionId, rear: list[Term]) -> list[Term]:
+def wholly_in(d: Draft, s: SectionId, rear: list[Term], alone: bool = False) -> list[Term]:
     """The section was used, and nothing stands in rear of it that may still come in; where a signal leads a train into
-    it, no one was on its way there since, or what reads as a train may be a joint that failed (R9)."""
+    it, no one was on its way there since, or what reads as a train may be a joint that failed (R9).  That is seen once:
+    who comes to the signal later is another train, for which it does not open.  `alone`: nor is another one there."""
     terms = [Term(var(names.VALID), "inputs valid"), Term(var(names.USED(s)), "was used"), *rear]
+    come = from_signals(d, s)
     for node in d.topo.ends[s]:
         g = d.signals.main_at(s, node)
-        if g is not None:
-            behind = neg(d.sections.clear(d.sections.rear(s, node)))
-            terms.append(
-                Term(neg(conj((d.sections.locked_in(s, node), behind))), "wholly in", f"nothing stands before {g}")
-            )
-    for g, locked in from_signals(d, s):
+        if g is None:
+            continue
+        stands = conj((d.sections.locked_in(s, node), neg(d.sections.clear(d.sections.rear(s, node)))))
+        if alone or g not in (h for h, _ in come):
+            terms.append(Term(neg(stands), "wholly in", f"nothing stands before {g}"))
+        elif d.signals.shunting:
+            left = conj((stands, neg(d.sections.train(s)), neg(var(names.REAR_CLEARED(s)))))
+            terms.append(Term(neg(left), "nothing left", f"no part of a shunting movement stands before {g}"))
+    for g, locked in come:
         came = disj((neg(locked), var(names.REAR_CLEARED(s))))
         terms.append(Term(came, "approach seen clear", f"no other train is on its way past {g}"))
     return terms
@@ -330,7 +335,7 @@ def wholly_in(d: Draft, s: SectionId, rear: list[Term]) -> list[Term]:
 
 def _arrival(d: Draft, s: SectionId, rear: list[Term]) -> list[Term]:
     """A train stands in its last section: from now on vehicles may be shunted to it."""
-    terms = wholly_in(d, s, rear)
+    terms = wholly_in(d, s, rear, alone=True)
     for node in d.topo.ends[s]:
         ahead = d.topo.beyond(s, node)
         if ahead is None or d.signals.main_at(ahead, node) is not None:
@@ -418,9 +423,12 @@ def _ahead(d: Draft, s: SectionId) -> list[tuple[SectionId, Expr]]:
 
 
 def _whole(d: Draft, s: SectionId) -> Expr:
-    """What came into a first section is seen to be a movement: nobody else is on the way to its signal, or it was in
-    the section alone."""
-    seen = [conj((locked, d.signals.approach_reads_clear(g))) for g, locked in from_signals(d, s)]
+    """What came into a first section is seen to be a movement: nobody else is on the way to its signal, which has
+    closed, or it was in the section alone."""
+    seen = [
+        conj((locked, d.signals.approach_reads_clear(g), neg(d.signals.passing_signal(g))))
+        for g, locked in from_signals(d, s)
+    ]
     for g, locked in in_order(d, s):
         rear = d.sections.rear(s, d.layout.signalling.signal[g].node)
         told = rear is not None and rear not in d.layout.track.undetected

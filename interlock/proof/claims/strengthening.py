@@ -32,6 +32,7 @@ from interlock.proof.claims.block import token_invariants
 from interlock.proof.claims.kinds import Facts, Invariant
 from interlock.proof.claims.overlaps import against_of, overlap_invariants, overrun, running_into
 from interlock.proof.claims.points import machine_invariants
+from interlock.proof.claims.reasons import first_behind
 from interlock.proof.claims.slow import slow_invariants
 
 
@@ -399,6 +400,11 @@ def _signal(f: Facts, g: SignalId, shunt: bool) -> Iterator[tuple[str, Expr]]:
     yield f"{mark}-TRAIN", implies(went, conj(standing))
     if names.IMAGE(rear) in f.plant.state:
         yield f"{mark}-REPORTED", implies(went, image(rear))
+    if not shunt:
+        for h, train in first_behind(f, t):
+            if h == g and t in f.sym.cancellation.rear_cleared:
+                come = conj((train, var(f.sym.cancellation.rear_cleared[t])))
+                yield "G-NOBODY-MORE", implies(come, neg(disj((shown, went))))
     if rear in f.sym.sections.restart:
         yield f"{mark}-REAR", _from_rear(f, j, SectionId(rear), disj((shown, went)))
     active = disj(var(r.active) for r in routes)

@@ -55,7 +55,7 @@ def _memory(w: Words, s: SectionId) -> Iterator[tuple[str, str, Expr]]:
         trains = disj(w.signals.set_now(r) for r in over if not r.shunt)
         yield "F-MODE", s, iff(w.rises(mode), conj((neg(mode), trains)))
         if w.sections.ends_shunts(s):
-            here = conj((w.sections.wholly_in(s), *_ends_here(w, s)))
+            here = conj((w.sections.wholly_in_alone(s), *_ends_here(w, s)))
             yield "F-MODE", f"{s} arrived", implies(here, neg(after(mode)))
             yield "F-MODE", f"{s} stays", implies(conj((w.ends(mode), after(f.locking.locked(s)))), here)
         else:
@@ -99,8 +99,9 @@ def _releasing(w: Words, s: SectionId) -> Iterator[Expr]:
 
 
 def _whole(w: Words, s: SectionId) -> Expr:
-    """A movement was seen to have come in: nobody else is reported on the way, or it was there alone (R9)."""
-    seen = [conj((locked, w.signals.nobody(g, FALSE))) for g, locked in first_behind(w.f, s)]
+    """A movement was seen to have come in: nobody else is reported on the way to the signal, which has closed, or it
+    was there alone (R9)."""
+    seen = [conj((locked, w.signals.nobody(g, FALSE), neg(w.signals.passing(g)))) for g, locked in first_behind(w.f, s)]
     for g, locked in in_order(w.f, s):
         rear = w.sections.rear(s, w.layout.signalling.signal[g].node)
         told = rear is not None and rear not in w.layout.track.undetected

@@ -80,13 +80,16 @@ class SectionWords:
         return conj(out)
 
     def wholly_in(self, s: SectionId) -> Expr:
-        """A train has come in, and nothing stands in rear of it that may still come in (R2, R4)."""
+        """A train has come in, and nothing stood in rear of it since that may still come in (R4)."""
         out = [self._w.valid, self._w.f.seen.used(s), self.rear_released(s)]
+        cleared, trains = self._w.sym.cancellation.rear_cleared, dict(first_behind(self._w.f, s))
         for j in self._w.topo.ends[s]:
-            if self.main_at(s, j):
-                out.append(neg(conj((self._w.f.locking.locked_in(s, j), neg(self.long(self.rear(s, j)))))))
-        cleared = self._w.sym.cancellation.rear_cleared
-        out += [disj((neg(locked), var(cleared[s]))) for _, locked in first_behind(self._w.f, s) if s in cleared]
+            g = self._w.topo.main_into.get((j, s))
+            if g in trains and s in cleared:
+                vehicles = conj((neg(self._w.f.locking.train(s)), self._before(s, j)))
+                out.append(disj((var(cleared[s]), neg(disj((trains[g], vehicles))))))
+            elif g is not None:
+                out.append(neg(self._before(s, j)))
         return conj(out)
 
     def ahead(self, s: SectionId) -> Expr:
@@ -96,6 +99,15 @@ class SectionWords:
             b = self._w.topo.beyond(s, self._w.f.track.way(s, n)[1])
             found += [] if b is None else [conj((lock, self.occupied(b)))]
         return disj(found)
+
+    def wholly_in_alone(self, s: SectionId) -> Expr:
+        """The same, and nothing stands before a signal that leads there (R2)."""
+        before = (self._before(s, j) for j in self._w.topo.ends[s] if self.main_at(s, j))
+        return conj((self.wholly_in(s), neg(disj(before))))
+
+    def _before(self, s: SectionId, j: NodeId) -> Expr:
+        """A section is locked from an end, and something stands in rear of that."""
+        return conj((self._w.f.locking.locked_in(s, j), neg(self.long(self.rear(s, j)))))
 
     def coming_in(self, s: SectionId, j: NodeId) -> Expr:
         """The three-point check sees a train come into a section at an end (R9)."""
