@@ -26,7 +26,7 @@ from interlock.proof.claims import Facts, claims, strengthening
 from interlock.proof.induction.verdict import Progress, quiet
 from interlock.proof.prover import start_claim
 from interlock.proof.system.transition import System
-from interlock.verify import Rejected, verify
+from interlock.verify import Rejected, check_files, verify
 
 
 @dataclass(frozen=True)
@@ -65,10 +65,19 @@ def _no_outputs(path: str, outputs: Path, derived: Checked, name: str) -> Certif
     return Certified(Proved(derived), notes=(note,))
 
 
+def _no_file(path: str, derived: Checked) -> Certified:
+    """What can be read once (a pipe, a device) cannot be read again beside its certificate."""
+    said = f"{path} is no file, and a certificate is tied to a file"
+    note = Diagnostic("IL5007", Severity.ERROR, said, derived.source.at("name"), "save the layout as a file")
+    return Certified(Proved(derived), notes=(note,))
+
+
 @interning()
 def _certified(path: str, outputs: Path, proofs: Path, check: bool, progress: Progress) -> Certified:
     progress("deriving", 0, 0)
     derived = derive_file(path)
+    if derived.ok and not Path(path).is_file():
+        return _no_file(path, derived)
     if derived.ok and derived.layout is not None and not (outputs / derived.layout.name / OUTPUTS).exists():
         return _no_outputs(path, outputs, derived, derived.layout.name)
     others = written_for(outputs / derived.layout.name) if derived.layout is not None else ()
@@ -97,7 +106,7 @@ def _certified(path: str, outputs: Path, proofs: Path, check: bool, progress: Pr
     if not check and (found := strangers(target)):
         note = Diagnostic("IL5004", Severity.ERROR, not_replaced(target, found), span, ELSEWHERE)
         return Certified(proved, notes=(note,))
-    tied = {os.path.relpath(path, target): Path(path).read_bytes()}
+    tied = {os.path.relpath(path, target): proved.checked.source.data}
     # the texts themselves, and the manifest, which ties every other output by its digest
     own = {n: data for n, data in emitted.items() if n.startswith(("st/", f"{C99}/")) or n == OUTPUTS}
     tied |= {os.path.relpath(outputs / layout.name / n, target): data for n, data in own.items()}
@@ -113,9 +122,12 @@ def _certified(path: str, outputs: Path, proofs: Path, check: bool, progress: Pr
             manifest = manifest_text(layout.name, {**texts, **tied})
             write_folder(target, {**texts, MANIFEST: manifest.encode()})
         progress("verifying the certificate", 0, 0)
-        summary = verify(target)
-        if (target / SYSTEM).read_bytes() != texts[SYSTEM]:
+        there = check_files(target)
+        summary = verify(target, there)
+        if there[SYSTEM] != texts[SYSTEM]:
             raise Rejected("another system")
+        if other := [name for name, data in tied.items() if data not in there.values()]:
+            raise Rejected(f"it is tied to another {other[0]}")
         return Certified(proved, summary)
     except (Rejected, OSError, ValueError, KeyError, IndexError) as found:
         error = found

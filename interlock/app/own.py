@@ -39,6 +39,12 @@ def is_changed(data: bytes) -> bool:
     return MARK in data and not is_ours(data)
 
 
+def unchanged(target: Path, read: bytes | None) -> None:
+    """Raises `NotOurs` where a file is no longer as it was read, None for not there; and OSError."""
+    if (target.read_bytes() if target.exists() else None) != read:
+        raise NotOurs(f"{target} was changed meanwhile: run it again")
+
+
 def write_own(target: Path, data: bytes, source: Path, force: bool = False) -> int:
     """Write a file with its mark; the number of bytes.  Raises `NotOurs`, and OSError.
 
