@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from interlock.app.check import Checked, derive_file
-from interlock.app.compile import ELSEWHERE, build_derived, finish
+from interlock.app.compile import ELSEWHERE, build_derived, finish, left
 from interlock.app.proved import Proved
 from interlock.app.texts import C99
 from interlock.app.writing import written_for
@@ -42,7 +42,7 @@ class Certified:
     @property
     def ok(self) -> bool:
         """A certificate that was accepted."""
-        return bool(self.summary) and not self.notes
+        return bool(self.summary) and not any(n.severity is Severity.ERROR for n in self.notes)
 
 
 def certify_file(
@@ -70,6 +70,12 @@ def _no_file(path: str, derived: Checked) -> Certified:
     said = f"{path} is no file, and a certificate is tied to a file"
     note = Diagnostic("IL5007", Severity.ERROR, said, derived.source.at("name"), "save the layout as a file")
     return Certified(Proved(derived), notes=(note,))
+
+
+def _real(path: str) -> str:
+    """A file by its own name, in the folder where it lies."""
+    folder, name = os.path.split(path)
+    return os.path.join(os.path.realpath(folder), name)
 
 
 @interning()
@@ -106,10 +112,11 @@ def _certified(path: str, outputs: Path, proofs: Path, check: bool, progress: Pr
     if not check and (found := strangers(target)):
         note = Diagnostic("IL5004", Severity.ERROR, not_replaced(target, found), span, ELSEWHERE)
         return Certified(proved, notes=(note,))
-    tied = {os.path.relpath(path, target): proved.checked.source.data}
+    seat = os.path.realpath(target)  # `..` leads up from where a link leads
+    tied = {os.path.relpath(_real(path), seat): proved.checked.source.data}
     # the texts themselves, and the manifest, which ties every other output by its digest
     own = {n: data for n, data in emitted.items() if n.startswith(("st/", f"{C99}/")) or n == OUTPUTS}
-    tied |= {os.path.relpath(outputs / layout.name / n, target): data for n, data in own.items()}
+    tied |= {os.path.relpath(os.path.realpath(outputs / layout.name / n), seat): data for n, data in own.items()}
     try:
         if not check:
             local = prove_locally(base, lambda done, total: progress("obligations", done, total))
@@ -128,7 +135,7 @@ def _certified(path: str, outputs: Path, proofs: Path, check: bool, progress: Pr
             raise Rejected("another system")
         if other := [name for name, data in tied.items() if data not in there.values()]:
             raise Rejected(f"it is tied to another {other[0]}")
-        return Certified(proved, summary)
+        return Certified(proved, summary, tuple(left(target, span)))
     except (Rejected, OSError, ValueError, KeyError, IndexError) as found:
         error = found
     note = Diagnostic("IL5007", Severity.ERROR, f"{target}: {error}", span, f"run `interlock certify {path}`")
