@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import time
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -78,6 +79,15 @@ def _real(path: str) -> str:
     return os.path.join(os.path.realpath(folder), name)
 
 
+def _tied(path: str, checked: Checked, outputs: Path, emitted: Mapping[str, bytes], target: Path) -> dict[str, bytes]:
+    """The layout, as it was read, and what of its outputs a certificate names: by where it lies, seen from there."""
+    seat = os.path.realpath(target)  # `..` leads up from where a link leads
+    found = {os.path.relpath(_real(path), seat): checked.source.data}
+    # the texts themselves, and the manifest, which ties every other output by its digest
+    own = [n for n in emitted if n.startswith(("st/", f"{C99}/")) or n == OUTPUTS]
+    return found | {os.path.relpath(os.path.realpath(outputs / n), seat): emitted[n] for n in own}
+
+
 @interning()
 def _certified(path: str, outputs: Path, proofs: Path, check: bool, progress: Progress) -> Certified:
     progress("deriving", 0, 0)
@@ -112,11 +122,7 @@ def _certified(path: str, outputs: Path, proofs: Path, check: bool, progress: Pr
     if not check and (found := strangers(target)):
         note = Diagnostic("IL5004", Severity.ERROR, not_replaced(target, found), span, ELSEWHERE)
         return Certified(proved, notes=(note,))
-    seat = os.path.realpath(target)  # `..` leads up from where a link leads
-    tied = {os.path.relpath(_real(path), seat): proved.checked.source.data}
-    # the texts themselves, and the manifest, which ties every other output by its digest
-    own = {n: data for n, data in emitted.items() if n.startswith(("st/", f"{C99}/")) or n == OUTPUTS}
-    tied |= {os.path.relpath(os.path.realpath(outputs / layout.name / n), seat): data for n, data in own.items()}
+    tied = _tied(path, proved.checked, outputs / layout.name, emitted, target)
     try:
         if not check:
             local = prove_locally(base, lambda done, total: progress("obligations", done, total))
