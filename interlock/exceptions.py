@@ -5,6 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 
+class Ended(RuntimeError):
+    """A process has ended before its work was done: what it was to find is not known."""
+
+
 class Whole(Exception):
     """An exception that is made of other values than its message: what pickles it, as every pool of processes does,
     makes it again from message and fields, without its `__init__`."""

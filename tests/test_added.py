@@ -508,3 +508,25 @@ def test_a_section_that_a_part_is_to_find_clear_keeps_apart_the_route_that_is_se
     pairs = {frozenset((p.first, p.second)): p for p in found.pairs}
     assert found.shown, [(p.first, p.second, p.failure) for p in found.pairs if p.failure]
     assert pairs[frozenset(("X-Y-Z", "Q-E"))].manner == pairs[frozenset(("Y-Z", "Q-E"))].manner == Manner.CLEAR
+
+
+def test_a_section_without_detection_cannot_be_demanded_clear() -> None:
+    """Nobody is told whether vehicles stand in it."""
+    text = """interlock: 1
+name: siding
+boundaries: {W: {approach: wa 600, trains: in}, E: {trains: out}}
+tracks: {line: [W, a 200, b 200], out: [c 200, E], side: [s 100, B]}
+buffers: [B]
+points:
+  P: {section: p, toe: line.end, normal: out.start, reverse: side.start}
+signals:
+  X: {from: W, into: a}
+  Y: {from: b, into: p, kind: combined}
+  L: {from: s, into: p, kind: shunt}
+sections: {s: {detected: no}}
+demand: [{clear: s, routes: {from: Y, to: E, kind: main}, reason: sand}]
+"""
+    found = grown(text)
+    assert found is not None
+    said = [d.message for d in found[2].diagnostics if d.code == "IL4019"]
+    assert said == ["s cannot be demanded clear of Y-E: it has no detection"]

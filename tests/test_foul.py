@@ -30,7 +30,7 @@ def foul(table: InterlockingTable, route: str) -> list[str]:
 
 
 @pytest.mark.parametrize(
-    ("legs", "asked"), [(5, ["BC"]), (7, ["BC"]), (8, ["BC if 2 R"]), (13, ["BC if 2 R"]), (16, [])]
+    ("legs", "asked"), [(5, ["BC"]), (7, ["BC"]), (8, ["BC if 2 R"]), (15, ["BC if 2 R"]), (15.5, [])]
 )
 def test_a_point_decides_where_it_lies_far_enough_away_itself(legs: float, asked: list[str]) -> None:
     """12 m to the fouling point and 3.5 m of clearance: 15.5 m, from point 1 to the joint or to point 2."""

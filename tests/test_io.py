@@ -7,6 +7,7 @@ import io
 import random
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 
 import openpyxl
@@ -23,6 +24,7 @@ from interlock.logic.cabinet import BadAddress, allocate
 from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
+from interlock.model.pins import Pin
 from interlock.proof.equivalence.cabinet import compare_program
 from interlock.st.ast import Unit
 from interlock.st.delivery import write_st
@@ -429,3 +431,43 @@ def test_a_wire_at_a_stated_address_beyond_all_cards_is_in_the_wiring_list() -> 
     rows = csv.DictReader(io.StringIO(channels_csv(layout, controller, allocate(layout, controller))))
     stated = {r["Variable"]: (r["Slot"], r["Card"], r["Address"]) for r in rows if r["Slot"] == "as stated"}
     assert stated == {"CLR_q1": ("as stated", "DI", "I90.3"), "YN_P1": ("as stated", "DO", "Q91.0")}
+
+
+def _kept(layout: Layout, controller: Controller, *gone: tuple[str, str, str, int, int]) -> Layout:
+    """A layout whose cabinets are wired as they are allocated, and with channels of what it no longer has."""
+    pins = allocate(layout, controller).pins
+    kept = tuple(Pin(variable, station, "gone", d, byte, bit) for variable, station, d, byte, bit in gone)
+    return replace(layout, hardware=replace(layout.hardware, pins=replace(pins, reserved=kept)))
+
+
+def test_channels_in_use_reserved_and_all_of_them_are_counted_as_the_wiring_list_has_them() -> None:
+    layout, _, controller = built("depot")
+    before = _equipment(layout, controller)
+    assert "channel, reserved" not in before
+    free = [r for r in _wiring(layout, controller) if r["When 1"] == "spare"]
+    assert before["channel"] - before["channel in use"] == len(free) > 2
+    a, b = next(r for r in free if r["Card"] == "DI"), next(r for r in free if r["Card"] == "DO")
+    gone = [(f"X{k}", r["Substation"], r["Address"][0], int(r["Byte"]), int(r["Bit"])) for k, r in enumerate((a, b))]
+    kept = _kept(layout, controller, *gone)
+    wires = _wiring(kept, controller)
+    assert {r["Address"]: r["When 1"] for r in wires if "reserved" in r["When 1"]} == {
+        a["Address"]: "reserved for X0 of gone",
+        b["Address"]: "reserved for X1 of gone",
+    }
+    assert _equipment(kept, controller) == before | {"channel, reserved": 2}, "neither spare nor in use"
+
+
+def test_a_channel_that_is_kept_in_a_cabinet_that_is_gone_is_on_neither_list() -> None:
+    """Its card is not counted either: it is to be bought for no cabinet of the layout."""
+    layout, _, controller = built("depot")
+    before, pins = _equipment(layout, controller), allocate(layout, controller).pins
+    kept = _kept(layout, controller, ("X0", "far", "I", 40, 3))
+    cards = (*pins.cards, replace(pins.cards[0], substation="far", slot=1, direction="I", byte=40))
+    kept = replace(kept, hardware=replace(kept.hardware, pins=replace(kept.hardware.pins, cards=cards)))
+    assert allocate(kept, controller).reserved and not [r for r in _wiring(kept, controller) if "X0" in r["When 1"]]
+    assert _equipment(kept, controller) == before
+
+
+def _wiring(layout: Layout, controller: Controller) -> list[dict[str, str]]:
+    """The wiring list."""
+    return list(csv.DictReader(io.StringIO(channels_csv(layout, controller, allocate(layout, controller)))))

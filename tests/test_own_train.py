@@ -224,3 +224,29 @@ def test_what_is_refused_cannot_be_driven_and_what_is_not_can() -> None:
         layout, table, errors = checked(text)
         runs = {w.route: w.ok for w in witnesses(closed_loop(layout, lower(layout, table)))}
         assert (errors == []) is good is runs[RouteId("G-B")]
+
+
+ROUND = """interlock: 1
+name: round
+boundaries: {W: {approach: wa 600}}
+tracks:
+  west: [W, w1 100]
+  ring: [rc 200, rd 200, ra 200]
+points:
+  P: {section: p, toe: ring.start, normal: ring.end, reverse: west.end}
+signals:
+  X1: {from: W, into: w1}
+  X2: {from: w1, into: p}
+  X: {from: ra, into: p}
+  Z: {from: rd, into: ra}
+overlaps: {Z: {length: 1000}}
+"""
+
+
+def test_an_overlap_is_never_as_long_as_it_should_be_by_counting_a_section_twice() -> None:
+    """Round the ring there are 640 m until it comes to its own beginning: a train that overruns Z is not stopped by
+    track that is the same again, so that no route leads to Z."""
+    found = grown(ROUND)
+    assert found is not None
+    assert [d.code for d in found[2].diagnostics if d.severity == "error"] == ["IL4008"]
+    assert {r.exit for r in found[1].routes} == {"X2", "X"}

@@ -602,6 +602,24 @@ def test_ends_of_a_slip_that_are_exchanged_are_looked_for_in_its_arms(tmp_path: 
     assert Element("points", "P1") in {d.about for d in told}
 
 
+@pytest.mark.parametrize("kind", ["", ", machines: [Z]", ", machines: [ZL, ZR]", ", blades: near"])
+@pytest.mark.parametrize("arms", ["[[a.end, b.end], [c.start, d.start]]", "[[d.start, c.start], [b.end, a.end]]"])
+def test_ends_of_a_double_slip_that_are_exchanged_are_told_though_its_slip_rails_lead_on(
+    tmp_path: Path, arms: str, kind: str
+) -> None:
+    """Straight over it one comes back to the point from which one came; over the slip rails one still goes on."""
+    double = SINGLE.replace(", single: 1a-2b", kind)
+    assert not [d for d in checked(tmp_path, double).diagnostics if d.code == "IL7017"]
+    text = double.replace("[[a.end, c.start], [b.end, d.start]]", arms)
+    told = [d for d in checked(tmp_path, text).diagnostics if d.code == "IL7017"]
+    assert [d.about for d in told] == [Element("slips", "Z")], "once, whatever other ways are alike"
+    loop = "straight over slip Z comes back to point P1 over its other leg: a balloon loop"
+    assert told[0].message == f"whoever runs over P1.normal and {loop}, while only slip rails lead to E"
+    assert told[0].fix == "if no loop is meant, see whether ends in the `arms` of slip Z are exchanged"
+    allow = "allow:\n  - {lint: IL7017, at: [Z], reason: trains turn here}\n"
+    assert not [d for d in checked(tmp_path, text + allow).diagnostics if d.code in ("IL7017", "IL2018")]
+
+
 @pytest.mark.parametrize("name", ["turning_loop", "loading_loop"])
 def test_a_balloon_that_leads_nowhere_else_is_meant(name: str) -> None:
     assert not any(d.code == "IL7017" for d in check_file(f"tests/layouts_for_tests/{name}.yaml").diagnostics)

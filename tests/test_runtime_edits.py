@@ -75,6 +75,7 @@ TABLES = [
     (r"(TIMERS = \{\n    '\w+': )\d+", r"\1float('inf')"),
     (r"(CANCELLED_AFTER = \{\n    )1:", r"\g<1>1.0:"),
     (r"HELD_UNTIL = \{\n", "HELD_UNTIL = {\n    10001: (('AH_R1', 'AT_X1'),),\n"),
+    (r"LEFT = \{\n", "LEFT = {\n    10001: ('X1', 'U_q1', 'P_q1', 'RT_q1', 'AT_X1', 'REL_q1'),\n"),
     (r"(SAID = \{\n    )0:", r"\g<1>False:"),
     (r"\nTIMERS = ", "\nTIMERS: dict = "),
     (r"\nTIMERS = ", "\nTIMERS = STATE = "),

@@ -16,6 +16,7 @@ from interlock.dataclass import dataclass
 from interlock.diag.called import called
 from interlock.field.plc import Memory
 from interlock.logic import names
+from interlock.logic.behind import left_behind
 from interlock.logic.controller import Controller, Equation, Input, Step, Timer
 from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr, evaluate, variables
 from interlock.logic.names import Name, computed
@@ -56,6 +57,10 @@ FROM_OUTSIDE = frozenset(
 """Inputs that tell of the railway: while inputs are not valid nothing is known of what they stand for."""
 
 
+_UNDER_WAY = frozenset(("inputs valid", "long clear", "signal closed", "locked"))
+"""While one of these conditions of a release does not hold, nobody knows when the section is released."""
+
+
 class Reasons:
     """Tells reasons for one controller."""
 
@@ -68,6 +73,7 @@ class Reasons:
         self._names: dict[str, Name] = {n: n for n in named if isinstance(n, Name)}
         self._following: dict[str, Equation] = {computed(e.name): e for e in controller.next}
         self._held_until = controller.words.let_go(t.name for t in controller.timers)
+        self._left = {str(x.lock): x for x in left_behind(controller)}
         self._notes: dict[str, str] = {s.name: s.note for s in controller.state}
         self._notes |= {i.name: i.note for i in controller.inputs}
 
@@ -112,7 +118,7 @@ class Reasons:
         said = self._controller.words.reasons[code]
         x = said.condition
         if x is not None and x.op is NOT and x.args[0].op is VAR and x.args[0].name in self.locks:
-            return Reason(self.locked(x.args[0].name, moment), said.at, said.rule)
+            return Reason(self.held(x.args[0].name, moment), said.at, said.rule)
         return Reason(f"{said.text}{self._to_go(code, moment)}", said.at, said.rule)
 
     def _to_go(self, code: int, moment: Moment) -> str:
@@ -316,6 +322,38 @@ class Reasons:
         of = f" for route {', '.join(routes)}" if routes else " for a train that has passed its signal"
         return f"{called('section', section)} is locked{of}"
 
+    def held(self, lock: str, moment: Moment) -> str:
+        """By whom a section is locked, and how it is released from which the movement has gone."""
+        section, way = self.locks[lock]
+        step, look = self._steps[names.RELEASED_BY_HAND(section)], _Look(self, moment)
+        assert isinstance(step, Equation)
+        failing = {t.kind: t.expr for t in step.terms if not look.true(t.expr)}
+        gone = not self.holders(section, way, moment.before.state)
+        told = self._lets_go(lock, moment, failing) if gone and not failing.keys() & _UNDER_WAY else ""
+        return self.locked(lock, moment) + told
+
+    def _lets_go(self, lock: str, moment: Moment, failing: Mapping[str, Expr]) -> str:
+        """What lets go of a section that reads clear, and when; `failing`: what its release by hand still asks for."""
+        if "rear released" in failing:
+            locked = [n for n in variables((failing["rear released"],)) if moment.before.state.get(n)]
+            rear = {self.locks[n][0] for n in locked if n in self.locks}
+            first = " and ".join(sorted(rear - {self.locks[lock][0]}))
+            return f": {first} in rear is released first" if first else ""
+        x = self._left.get(lock)
+        if x is None or not moment.before.state.get(x.used):
+            return ""
+        delay, ran = self._steps[x.delay], moment.before.elapsed.get(x.delay)
+        assert isinstance(delay, Timer)
+        seconds = ceil(max(0, delay.preset_ms - (ran or 0)) / 1000)
+        if moment.before.state.get(x.gone):
+            told = f": it is released when no other train can be on its way to {x.signal}: {seconds} s to go"
+            return told if ran is not None else ""
+        told = f": nothing was seen to go on from there; release {called('section', str(x.section))} by hand"
+        if "no train about to come" not in failing or not seconds:
+            return told
+        waits = f"{seconds} s to go" if ran is not None else f"it takes {seconds} s"
+        return f"{told}: {waits}, as a train may be on its way to {x.signal}"
+
     def holders(self, section: str, way: int, state: Mapping[str, bool]) -> tuple[str, ...]:
         """The routes that are set over a way."""
         over = self.symbols.routes.over.get((SectionId(section), way), ())
@@ -430,7 +468,7 @@ class _Look:
             yield Reason(sentence(names.VALID, False, self.r._layout.machines))
             return
         if is_true and name in self.r.locks:
-            yield Reason(self.r.locked(name, self.moment), (f"s:{self.r.locks[name][0]}",))
+            yield Reason(self.r.held(name, self.moment), (f"s:{self.r.locks[name][0]}",))
             return
         text, at = self.r.said(name, is_true)
         if text:

@@ -18,7 +18,9 @@ from typing import Any, NoReturn
 import click
 
 from interlock import __version__
+from interlock.exceptions import Ended
 
+UNKNOWN = 3  # as of what could not be proved
 INTERRUPTED = 130  # 128 and the number of the signal, as shells have it
 UNREAD = 141  # the same, where whoever reads the output has closed it: `interlock check ... | head -1`
 
@@ -146,6 +148,9 @@ def _run() -> None:
         if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT):
             _failed(f"what is written does not fit: {error.strerror}")
             _leave(1)
+        if isinstance(error, Ended):
+            _failed(str(error))
+            _leave(UNKNOWN)
         if isinstance(error, RecursionError):
             _failed(TOO_LONG)
             _leave(1)

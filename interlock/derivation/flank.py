@@ -298,8 +298,8 @@ def reached(
     the track closes in a ring.
 
     Walks outward from the requester again and stops at the chosen providers; round a balloon loop it comes back the
-    other way, as a vehicle could.  The section of a protecting point does not lie between the point and its joint: a
-    train that passes the point on its other leg is there, and does no harm.
+    other way, as a vehicle could.  The section of a protecting point (all its legs are in one) does not lie between the
+    point and its joint: a train that passes the point on its other leg is there, and does no harm.
     """
     between: dict[SectionId, None] = {}
     signals: dict[SignalId, None] = {}
@@ -322,10 +322,7 @@ def reached(
         elif far == r.node or far in layout.track.buffer_at or far in layout.track.boundary_at:
             between[e.section] = None
             ring = ring or far == r.node
-        elif _turns_away(layout, far, edge, providers):
-            if layout.track.section_of(layout.pointwork.point_at[far].toe) != e.section:
-                between[e.section] = None
-        else:
+        elif not _turns_away(layout, far, edge, providers):
             onward = onward_edges(layout, far, edge)
         for x in onward:
             if layout.track.section_of(x) != e.section:

@@ -9,6 +9,7 @@ from enum import StrEnum
 from typing import NamedTuple
 
 from interlock.dataclass import dataclass
+from interlock.diag.shortened import shortened
 from interlock.diag.suggest import Suggestion
 
 
@@ -45,10 +46,14 @@ class Place:
     span: Span | None
     note: str = ""
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "note", shortened(self.note))
+
 
 @dataclass(frozen=True)
 class Diagnostic:
-    """What is wrong (`message`), where (`span`, and of which element), and what to do about it (`fix`).
+    """What is wrong (`message`), where (`span`, and of which element), and what to do about it (`fix`); what the layout
+    names at length, shortened.
 
     `also`: the other places at which the same is wrong, in the order of the source.
     """
@@ -61,10 +66,13 @@ class Diagnostic:
     about: Element | None = None
     also: tuple[Place, ...] = ()
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "message", shortened(self.message))
+
     @property
     def fix(self) -> str:
         """What to do about it.  (A suggestion is searched for only when somebody reads it.)"""
-        return str(self.advice)
+        return shortened(str(self.advice))
 
     def order(self) -> tuple[str, int, int, str, str]:
         """Sort key: by file, then place, then code."""

@@ -103,7 +103,8 @@ def equipment_csv(layout: Layout, a: Allocation) -> str:
 
     A machine counts once, whatever it works; ends of points and derailers are counted beside machines and keys, so that
     whoever mounts a drive at each end of double-acting points reads their number there.  A double slip has four ends,
-    whether one machine lays them or two."""
+    whether one machine lays them or two.  Channels are those of cabinets that the layout has; of one that is gone,
+    where something is still reserved, neither cards nor channels are."""
     lit = [g for g in layout.signalling.signals if g.id not in layout.signalling.boards]
     kinds = Counter(f"signal, {'shunt' if g.id in layout.signalling.stops else g.kind}" for g in lit)
     kinds["stop board"] = sum(g in layout.signalling.stops for g in layout.signalling.boards)
@@ -130,7 +131,8 @@ def equipment_csv(layout: Layout, a: Allocation) -> str:
         kinds[f"card, {card.size} digital {'inputs' if card.direction == 'I' else 'outputs'}"] += 1
     kinds["channel in use"] = len(a.wires)
     kinds["channel"] = sum(card.size for card in a.cards)
-    kinds["channel, reserved"] = len(a.reserved)
+    on_cards = {(card.direction, byte) for card in a.cards for byte in card.bytes}
+    kinds["channel, reserved"] = sum((p.direction, p.byte) in on_cards for p in a.reserved)
     return csv_text([("Item", "Count"), *sorted((k, n) for k, n in kinds.items() if n)])
 
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import groupby
 
+from interlock.logic.behind import left_behind
 from interlock.logic.controller import Controller, Equation, Join
 from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr
 from interlock.logic.names import LOCK, Kind, Name, computed
@@ -96,6 +97,20 @@ def held_until(c: Controller) -> dict[int, tuple[tuple[str, str | None], ...]]:
     }
 
 
+def left(c: Controller) -> dict[int, tuple[str, str, str, str, str, str]]:
+    """By the code of a refusal by a section behind a signal from which a movement has gone: the signal, what tells that
+    something came in, and that it went on, the timers of the release and of approach locking, and the input that
+    releases by hand."""
+    behind = {x.lock: x for x in left_behind(c)}
+    found = {}
+    for r in c.words.reasons.values():
+        x = r.condition
+        of = behind.get(x.args[0].name) if x is not None and x.op is NOT and x.args[0].op is VAR else None
+        if of is not None:
+            found[r.code] = str(of.signal), str(of.used), str(of.gone), str(of.clear), str(of.delay), str(of.release)
+    return found
+
+
 def said(c: Controller) -> dict[int, tuple[str, str]]:
     """What the words of a controller say by their codes, and the rule behind each."""
     return {k: (x, "") for k, x in SAID.items()} | {r.code: (_plain(r.text), r.rule) for r in c.words.reasons.values()}
@@ -147,7 +162,7 @@ FIXED = f'''class Controller:
     def status(self, route):
         """What the last scan says of a route by its name: its code, and what that means."""
         code = self.words()[self.request(route)['REQ']]
-        return code, SAID[code][0]
+        return code, SAID[code][0] + self._left(code)
 
     def why_not(self, route):
         """Why the route was refused, or would have been, if it was not set: the first condition that did not hold.
@@ -155,16 +170,39 @@ FIXED = f'''class Controller:
         Its code, the sentence, and the rule that asks for it; None while it is free, set, open or being cancelled.
         """
         code = self.words()[self.request(route)['REQ']]
-        return (code, *SAID[code]) if code > {REFUSED} else None
+        return (code, SAID[code][0] + self._left(code), SAID[code][1]) if code > {REFUSED} else None
+
+    def _left(self, code):
+        """How a section is released from which a movement has gone, and when; empty where something else holds it."""
+        if code not in LEFT:
+            return ''
+        signal, used, gone, clear, delay, release = LEFT[code]
+        if not self._last[0][used] or self.elapsed[clear] is None:
+            return ''
+        counted = self.elapsed[delay] is not None
+        seconds = -(-max(TIMERS[t] - (self.elapsed[t] or 0) for t in (clear, delay)) // 1000)
+        if self._last[0][gone]:
+            told = f'it is released when no other train can be on its way to {{signal}}: {{seconds}} s to go'
+            return f': {{told}}' if counted else ''
+        told = f': nothing was seen to go on from there; hold {{release}}'
+        if counted and seconds:
+            return f'{{told}}, for {{seconds}} s or more'
+        told = f'{{told}} until it is released'
+        delayed = TIMERS[delay] and not counted
+        return f'{{told}} ({{seconds}} s while a train may be on its way to {{signal}})' if delayed else told
 
     def countdown_ms(self, route):
         """How long it takes until the cancelled route is given up, or until no other one holds any longer what keeps
-        this one out, as `why_not` tells it: None while neither is counted.  A door that is held open shuts after that.
+        this one out, as `why_not` tells it, or a section behind a train is released at the latest: None while nothing
+        is counted, or is released by hand alone.  A door that is held open shuts after that.
         """
         number = self.request(route)['REQ']
         code = self.words()[number]
         if code == {CANCELLING}:
             timers = [CANCELLED_AFTER[number]]
+        elif code in LEFT:
+            _, used, gone, clear, delay, _ = LEFT[code]
+            timers = [clear, delay] if self._last[0][used] and self._last[0][gone] else []
         else:
             timers = [timer for held, timer in HELD_UNTIL.get(code, ()) if self._last[0][held]]
         if not timers or any(timer is None or self.elapsed[timer] is None for timer in timers):
@@ -249,6 +287,11 @@ def _tables(c: Controller) -> list[str]:
         "# it does so longer",
         "HELD_UNTIL = {",
         *(f"    {code}: {those!r}," for code, those in held_until(c).items()),
+        "}",
+        "# code of a refusal by a section behind a signal: the signal, what tells that something came in, and that it",
+        "# went on, the timers of the release and of approach locking, the input that releases by hand",
+        "LEFT = {",
+        *(f"    {code}: {those!r}," for code, those in left(c).items()),
         "}",
         "# code: what a word says by it, and the rule behind it",
         "SAID = {",

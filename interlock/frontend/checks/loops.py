@@ -13,7 +13,7 @@ from interlock.dataclass import dataclass
 from interlock.diag import Element
 from interlock.diag.called import called
 from interlock.frontend.context import Context
-from interlock.frontend.parts import points_of
+from interlock.frontend.parts import ENDS, across, points_of
 from interlock.model.elements import EdgeId, NodeId, Point, PointId, Position
 from interlock.model.layout import Layout
 from interlock.model.traversal import onward_edges
@@ -68,6 +68,70 @@ def check_loops(ctx: Context, layout: Layout) -> None:
                 f"if no loop is meant, see whether {_fix(*exchanged, slips)} are exchanged",
                 about=about,
             )
+    _check_straight(ctx, layout, slips)
+
+
+def _check_straight(ctx: Context, layout: Layout, slips: Mapping[str, str]) -> None:
+    """Report slips over which a way leads straight back to the point from which it came, and nowhere else, while slip
+    rails lead on: in the arms of such a slip ends are exchanged as they are of points, and no way is cut off."""
+    straight = _straight(ctx, layout)
+    for p in layout.pointwork.points if slips else ():
+        told = p.id in slips or p.derailer or ctx.sink.gave("IL7017", Element("points", p.id))
+        for x in () if told else Position:
+            over = [slips[q] for q in _back(layout, p, x, straight) if q in slips]
+            out = _ways(layout, p, x).boundaries if over else ()
+            if not out or ctx.sink.gave("IL7017", Element("slips", over[0])):
+                continue
+            slip = called("slip", over[0])
+            ctx.add(
+                "IL7017",
+                f"whoever runs over {p.id}.{_LEG[x]} and straight over {slip} comes back to {called('point', p.id)} "
+                f"over its other leg: a balloon loop, while only slip rails lead to {', '.join(out[:3])}",
+                ctx.at_key("slips", over[0]),
+                f"if no loop is meant, see whether ends in the `arms` of {slip} are exchanged",
+                about=Element("slips", over[0]),
+            )
+
+
+def _straight(ctx: Context, layout: Layout) -> dict[_Run, _Run]:
+    """From the run onto a slip over one of its ends to the run that leaves it straight on, past its slip rails."""
+    found: dict[_Run, _Run] = {}
+    for name, s in ctx.file.slips.items():
+        outward = {}
+        for end in ENDS:
+            e, own = layout.track.edge[EdgeId(f"{name}.{end}")], {name, *points_of(name, s)}
+            outward[end] = (e.id, e.a if e.a in own else e.b)
+        for end, (edge, node) in outward.items():
+            found[edge, layout.track.far(edge, node)] = outward[across(end)]
+    return found
+
+
+def _back(layout: Layout, p: Point, x: Position, straight: Mapping[_Run, _Run]) -> list[PointId]:
+    """The points over which all ways from a leg of a point come back to it over the other leg, where they lead straight
+    over slips; empty where one leads anywhere else."""
+    todo, seen, passed = [(p.leg(x), p.node)], set[_Run](), dict[PointId, None]()
+    comes_back = False
+    while todo:
+        run = todo.pop()
+        edge, node = run
+        e = layout.track.edge[edge]
+        if run in seen or (e.one_way and e.a != node):
+            continue
+        seen.add(run)
+        far = layout.track.far(edge, node)
+        if far == p.node:
+            if edge != p.leg(x.other):
+                return []
+            comes_back = True
+            continue
+        if far in layout.track.boundary_at or far in layout.track.buffer_at:
+            return []
+        point = layout.pointwork.point_at.get(far)
+        if point is not None:
+            passed[point.id] = None
+        on = straight.get(run)
+        todo += [on] if on is not None else [(onward, far) for onward in onward_edges(layout, far, edge)]
+    return [*passed] if comes_back else []
 
 
 def _fix(point: PointId, leg: Position, slips: Mapping[str, str]) -> str:

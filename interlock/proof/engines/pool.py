@@ -8,15 +8,17 @@ import pickle
 import signal
 import threading
 from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Executor, Future, as_completed
 from contextlib import contextmanager
+from functools import partial
 from multiprocessing import connection
 from multiprocessing.connection import Connection
 from multiprocessing.context import ForkProcess
+from multiprocessing.process import BaseProcess
 from queue import SimpleQueue
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    from concurrent.futures import ProcessPoolExecutor
+from interlock.exceptions import Ended
 
 Task = Callable[[], Any]
 """A piece of work; its result can be pickled."""
@@ -41,6 +43,8 @@ class Begun:
         self._tasks = tasks
         self._processes: list[ForkProcess] = []
         self._pipes: list[Connection] = []
+        self._of: list[Connection] = []
+        """The pipe of each process, also when it has told its last answer."""
         if beside > 0 and _forks():
             fork = multiprocessing.get_context("fork")
             self._next = fork.Value("i", 0)
@@ -51,6 +55,7 @@ class Begun:
                 end.close()  # before the next fork: nobody else holds it
                 self._processes.append(process)
                 self._pipes.append(pipe)
+        self._of += self._pipes
 
     def _take(self) -> int | None:
         """The number of the first task that nobody has begun."""
@@ -100,7 +105,8 @@ class Begun:
             try:
                 answer = pipe.recv_bytes()
             except (EOFError, OSError):
-                raise RuntimeError("a process has ended before its work was done") from None
+                process = self._processes[self._of.index(pipe)]
+                raise ended(process) from None
             if answer == _DONE:
                 self._pipes.remove(pipe)
                 pipe.close()
@@ -144,7 +150,11 @@ def _answer(n: int, task: Task) -> bytes:
     try:
         return pickle.dumps((n, task(), None), pickle.HIGHEST_PROTOCOL)
     except Exception as error:
-        return pickle.dumps((n, None, error), pickle.HIGHEST_PROTOCOL)
+        try:
+            return pickle.dumps((n, None, error), pickle.HIGHEST_PROTOCOL)
+        except Exception:
+            told = RuntimeError(f"{type(error).__name__}: {error}")
+            return pickle.dumps((n, None, told), pickle.HIGHEST_PROTOCOL)
 
 
 def _forks() -> bool:
@@ -161,6 +171,131 @@ def run(tasks: Sequence[Task], jobs: int, done: Callable[[int], None] = lambda n
         return begun.results(done)
 
 
+def ended(process: BaseProcess) -> Ended:
+    """What is said of a process that has ended before its work was done."""
+    process.join(ENDS_S)
+    code = process.exitcode
+    if code is None or code >= 0:
+        return Ended(f"a process has ended before its work was done (exit code {code})")
+    name = next((s.name for s in signal.Signals if s == -code), f"signal {-code}")
+    memory = ", as when memory runs out: try fewer jobs" if name == "SIGKILL" else ""
+    return Ended(f"a process has ended before its work was done ({name}{memory})")
+
+
+ENDS_S = 5.0
+"""So long is waited for the exit code of a process that has closed its pipe."""
+
+
+class Pool(Executor):
+    """Calls on processes of their own, each with a pipe of its own, which ends with it, also in the midst of an answer:
+    then all that is not done raises `Ended`, since the process is likely to be killed again wherever that is done.
+    """
+
+    def __init__(self, jobs: int, method: str | None) -> None:
+        context = multiprocessing.get_context(method)
+        self._calls: SimpleQueue[tuple[Future[Any], bytes] | None] = SimpleQueue()
+        self._ended: Ended | None = None
+        self._closed = False
+        self._processes: list[BaseProcess] = []
+        self._pipes: list[Connection] = []
+        for _ in range(jobs):
+            pipe, end = context.Pipe()
+            self._pipes.append(pipe)
+            inherited = self._pipes if context.get_start_method() == "fork" else []
+            process = context.Process(target=_serve, args=(end, inherited), daemon=True)  # type: ignore[attr-defined]
+            process.start()
+            end.close()  # before the next one: nobody else holds it
+            self._processes.append(process)
+        both = zip(self._processes, self._pipes, strict=True)
+        self._attending = [threading.Thread(target=self._attend, args=x, daemon=True) for x in both]
+        for thread in self._attending:
+            thread.start()
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        """Have a call done when a process is free."""
+        if self._closed:
+            raise RuntimeError("the pool is closed")
+        future: Future[Any] = Future()
+        self._calls.put((future, pickle.dumps((fn, args, kwargs), pickle.HIGHEST_PROTOCOL)))
+        return future
+
+    def _attend(self, process: BaseProcess, pipe: Connection) -> None:
+        """Hand calls to a process, one after the other, and take its answers."""
+        while (asked := self._calls.get()) is not None:
+            future, call = asked
+            if not future.set_running_or_notify_cancel():
+                continue
+            if self._ended is not None:
+                future.set_exception(self._ended)
+                continue
+            try:
+                pipe.send_bytes(call)
+                answer = pipe.recv_bytes()
+            except (EOFError, OSError):
+                self._ended = self._ended or ended(process)
+                self.end()
+                future.set_exception(self._ended)
+                continue
+            result, error = _read(answer)
+            if error is not None:
+                future.set_exception(error)
+            else:
+                future.set_result(result)
+
+    def end(self) -> None:
+        """End the processes in the midst of their work."""
+        for process in self._processes:
+            process.terminate()
+
+    def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
+        """No more calls; those that were asked for are done, or given up."""
+        self._closed = True
+        while cancel_futures and not self._calls.empty():
+            asked = self._calls.get()
+            if asked is not None:
+                asked[0].cancel()
+        for _ in self._attending:
+            self._calls.put(None)
+        for thread in self._attending if wait else ():
+            thread.join()
+        for pipe in self._pipes if wait else ():
+            pipe.close()
+        for process in self._processes if wait else ():
+            process.join()
+
+
+def _read(answer: bytes) -> tuple[Any, Exception | None]:
+    """What a call has returned or raised; an exception may be none that can be read again."""
+    try:
+        _, result, error = pickle.loads(answer)
+    except Exception as unreadable:
+        return None, unreadable
+    return result, error
+
+
+def _serve(end: Connection, inherited: Sequence[Connection]) -> None:
+    """Do calls until nobody asks any more; `inherited`: what a fork holds and must not, or nobody would notice the end
+    of the process that asks."""
+    undisturbed()
+    for pipe in inherited:
+        pipe.close()
+    while True:
+        try:
+            call = end.recv_bytes()
+        except (EOFError, OSError):
+            return
+        answer = _answer(0, partial(_called, call))
+        try:
+            end.send_bytes(answer)
+        except OSError:
+            return
+
+
+def _called(call: bytes) -> Any:
+    work, args, kwargs = pickle.loads(call)
+    return work(*args, **kwargs)
+
+
 def apart(
     work: Callable[..., Any],
     calls: Sequence[tuple[object, ...]],
@@ -169,8 +304,6 @@ def apart(
 ) -> list[Any]:
     """Calls that share nothing, on processes of their own; the results are in the order of the calls.  `done` is told
     each one's number."""
-    from concurrent.futures import as_completed
-
     with processes(min(jobs, len(calls))) as pool:
         begun = {pool.submit(work, *c): n for n, c in enumerate(calls)}
         for finished in as_completed(begun):
@@ -179,24 +312,20 @@ def apart(
 
 
 @contextmanager
-def processes(jobs: int, method: str | None = None) -> Iterator[ProcessPoolExecutor]:
+def processes(jobs: int, method: str | None = None) -> Iterator[Pool]:
     """Processes of their own, begun by a `method` of `multiprocessing`.  No interrupt from the keyboard reaches them,
     from before they run a line of Python; whatever ends the `with` block in its midst ends them at once."""
-    from concurrent.futures import ProcessPoolExecutor
-
-    with ProcessPoolExecutor(jobs, multiprocessing.get_context(method), initializer=undisturbed) as pool:
-        here = threading.current_thread() is threading.main_thread()
-        before = signal.signal(signal.SIGINT, signal.SIG_IGN) if here else None
-        try:
-            for _ in range(jobs):
-                pool.submit(undisturbed)  # begins a process
-        finally:
-            if before is not None:
-                signal.signal(signal.SIGINT, before)
-        try:
-            yield pool
-        except BaseException:
-            for process in multiprocessing.active_children():
-                process.terminate()
-            pool.shutdown(cancel_futures=True)
-            raise
+    here = threading.current_thread() is threading.main_thread()
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN) if here else None
+    try:
+        pool = Pool(jobs, method)
+    finally:
+        if before is not None:
+            signal.signal(signal.SIGINT, before)
+    try:
+        yield pool
+    except BaseException:
+        pool.end()
+        pool.shutdown(cancel_futures=True)
+        raise
+    pool.shutdown()

@@ -18,7 +18,7 @@ from functools import cache
 from keyword import iskeyword
 from typing import Any
 
-from interlock.emit.python.runtime import FIXED, cancelled_after, held_until, route_numbers, said
+from interlock.emit.python.runtime import FIXED, cancelled_after, held_until, left, route_numbers, said
 from interlock.logic.controller import Controller
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, eq, neg, var
 from interlock.logic.names import spelled
@@ -51,7 +51,7 @@ def _fixed_tree() -> str:
     return ast.dump(ast.parse(FIXED).body[0])
 
 
-TABLES = ("INPUTS", "STATE", "TIMERS", "OUTPUTS", "ROUTES", "CANCELLED_AFTER", "HELD_UNTIL", "SAID")
+TABLES = ("INPUTS", "STATE", "TIMERS", "OUTPUTS", "ROUTES", "CANCELLED_AFTER", "HELD_UNTIL", "LEFT", "SAID")
 RESERVED = _names(FIXED) | {"bool", "dict", "map", "zip", "OUTPUTS", "Controller", "__debug__"}
 
 
@@ -88,7 +88,7 @@ class _Reader:
         if not _is_docstring(doc) or len(rest) != len(TABLES) + 1:
             raise BadRuntime("the parts of the module")
         tables = [_table(x, n) for x, n in zip(rest, TABLES, strict=False)]
-        inputs, self.state, self.presets, self.restrictive, routes, timers, held, codes = tables
+        inputs, self.state, self.presets, self.restrictive, routes, timers, held, gone, codes = tables
         self.inputs = [*inputs]
         if not _same(inputs, {i.name: (i.restrictive, i.size or 2) for i in controller.inputs}):
             raise BadRuntime("INPUTS are not those of the controller")
@@ -100,6 +100,8 @@ class _Reader:
             raise BadRuntime("ROUTES are not those of the controller")
         if not (_same(timers, cancelled_after(controller)) and _same(held, held_until(controller))):
             raise BadRuntime("CANCELLED_AFTER or HELD_UNTIL are not those of the controller")
+        if not _same(gone, left(controller)):
+            raise BadRuntime("LEFT is not that of the controller")
         if not _same(codes, said(controller)):
             raise BadRuntime("SAID is not that of the controller")
         if ast.dump(rest[-1]) != _fixed_tree():
