@@ -80,12 +80,17 @@ def _real(path: str) -> str:
 
 
 def _tied(path: str, checked: Checked, outputs: Path, emitted: Mapping[str, bytes], target: Path) -> dict[str, bytes]:
-    """The layout, as it was read, and what of its outputs a certificate names: by where it lies, seen from there."""
+    """The layout, as it was read, and what of its outputs a certificate names: by where it lies, seen from there.
+    Raises `Rejected` for a name that stands in no manifest."""
     seat = os.path.realpath(target)  # `..` leads up from where a link leads
     found = {os.path.relpath(_real(path), seat): checked.source.data}
     # the texts themselves, and the manifest, which ties every other output by its digest
     own = [n for n in emitted if n.startswith(("st/", f"{C99}/")) or n == OUTPUTS]
-    return found | {os.path.relpath(os.path.realpath(outputs / n), seat): emitted[n] for n in own}
+    found |= {os.path.relpath(os.path.realpath(outputs / n), seat): emitted[n] for n in own}
+    for name in found:
+        if not name.isascii() and name.encode("utf-8", "replace").decode() != name:
+            raise Rejected(f"a manifest cannot name {name!r}, which is not UTF-8: give it, or its folder, another name")
+    return found
 
 
 @interning()
@@ -122,8 +127,8 @@ def _certified(path: str, outputs: Path, proofs: Path, check: bool, progress: Pr
     if not check and (found := strangers(target)):
         note = Diagnostic("IL5004", Severity.ERROR, not_replaced(target, found), span, ELSEWHERE)
         return Certified(proved, notes=(note,))
-    tied = _tied(path, proved.checked, outputs / layout.name, emitted, target)
     try:
+        tied = _tied(path, proved.checked, outputs / layout.name, emitted, target)
         if not check:
             local = prove_locally(base, lambda done, total: progress("obligations", done, total))
             if local.open:
