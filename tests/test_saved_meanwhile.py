@@ -17,6 +17,7 @@ from interlock.app.own import NotOurs
 from interlock.app.pin import pin_file
 from interlock.frontend import load
 from interlock.verify import judge
+from tests.cli_runs import run
 
 ROOT = Path(__file__).resolve().parent.parent
 GOOD = (ROOT / "layouts/fig2_2.yaml").read_bytes()
@@ -68,6 +69,15 @@ def test_a_layout_that_is_no_file_is_not_certified(layout: Path) -> None:
     done = certify_file(str(pipe), top / "generated", top / "proofs")
     assert not done.ok and [n.code for n in done.notes] == ["IL5007"]
     assert "pipe.yaml is no file" in done.notes[0].message and not (top / "proofs").exists()
+
+
+def test_a_problem_that_comes_through_a_pipe_is_read_once(tmp_path: Path) -> None:
+    """It was read again for the second opinion, and waited for ever."""
+    pipe, problem = tmp_path / "pipe.json", (ROOT / "tests/schedules/swap.json").read_bytes()
+    os.mkfifo(pipe)
+    threading.Thread(target=pipe.write_bytes, args=(problem,), daemon=True).start()
+    done = run("schedule", str(pipe))
+    assert done.exit_code == 0 and "a plan that costs 30" in done.output
 
 
 @pytest.fixture

@@ -1,7 +1,7 @@
 """The entry point: picks a verb, and turns what goes wrong inside into exit code 70 instead of a traceback.
 
-Exit codes: 0 fine, 1 findings or refuted, 2 usage, 3 could not be proved (or there was no memory or file for it), 70 internal error, 130 interrupted, 141 the
-reader has closed the pipe.
+Exit codes: 0 fine, 1 findings or refuted, 2 usage, 3 could not be proved (or memory or open files ran out), 70 internal
+error, 130 interrupted, 141 the reader has closed the pipe.
 """
 
 from __future__ import annotations
