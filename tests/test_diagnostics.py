@@ -42,6 +42,7 @@ ELSEWHERE = {
     "IL5009",
     "IL5010",
     "IL5012",
+    "IL5013",
     *(c for c in CODES if c.startswith("IL6")),  # test_dispatch_language, test_record
 }
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import os
 import time
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
 from interlock.app.check import Checked, derive_file
-from interlock.app.compile import ELSEWHERE, build_derived, finish
+from interlock.app.compile import ELSEWHERE, build_derived, finish, left
 from interlock.app.proved import Proved
 from interlock.app.texts import C99
 from interlock.app.writing import written_for
@@ -26,7 +27,7 @@ from interlock.proof.claims import Facts, claims, strengthening
 from interlock.proof.induction.verdict import Progress, quiet
 from interlock.proof.prover import start_claim
 from interlock.proof.system.transition import System
-from interlock.verify import Rejected, verify
+from interlock.verify import Rejected, check_files, verify
 
 
 @dataclass(frozen=True)
@@ -42,7 +43,7 @@ class Certified:
     @property
     def ok(self) -> bool:
         """A certificate that was accepted."""
-        return bool(self.summary) and not self.notes
+        return bool(self.summary) and not any(n.severity is Severity.ERROR for n in self.notes)
 
 
 def certify_file(
@@ -65,10 +66,39 @@ def _no_outputs(path: str, outputs: Path, derived: Checked, name: str) -> Certif
     return Certified(Proved(derived), notes=(note,))
 
 
+def _no_file(path: str, derived: Checked) -> Certified:
+    """What can be read once (a pipe, a device) cannot be read again beside its certificate."""
+    said = f"{path} is no file, and a certificate is tied to a file"
+    note = Diagnostic("IL5007", Severity.ERROR, said, derived.source.at("name"), "save the layout as a file")
+    return Certified(Proved(derived), notes=(note,))
+
+
+def _real(path: str) -> str:
+    """A file by its own name, in the folder where it lies."""
+    folder, name = os.path.split(path)
+    return os.path.join(os.path.realpath(folder), name)
+
+
+def _tied(path: str, checked: Checked, outputs: Path, emitted: Mapping[str, bytes], target: Path) -> dict[str, bytes]:
+    """The layout, as it was read, and what of its outputs a certificate names: by where it lies, seen from there.
+    Raises `Rejected` for a name that stands in no manifest."""
+    seat = os.path.realpath(target)  # `..` leads up from where a link leads
+    found = {os.path.relpath(_real(path), seat): checked.source.data}
+    # the texts themselves, and the manifest, which ties every other output by its digest
+    own = [n for n in emitted if n.startswith(("st/", f"{C99}/")) or n == OUTPUTS]
+    found |= {os.path.relpath(os.path.realpath(outputs / n), seat): emitted[n] for n in own}
+    for name in found:
+        if not name.isascii() and name.encode("utf-8", "replace").decode() != name:
+            raise Rejected(f"a manifest cannot name {name!r}, which is not UTF-8: give it, or its folder, another name")
+    return found
+
+
 @interning()
 def _certified(path: str, outputs: Path, proofs: Path, check: bool, progress: Progress) -> Certified:
     progress("deriving", 0, 0)
     derived = derive_file(path)
+    if derived.ok and not Path(path).is_file():
+        return _no_file(path, derived)
     if derived.ok and derived.layout is not None and not (outputs / derived.layout.name / OUTPUTS).exists():
         return _no_outputs(path, outputs, derived, derived.layout.name)
     others = written_for(outputs / derived.layout.name) if derived.layout is not None else ()
@@ -97,11 +127,8 @@ def _certified(path: str, outputs: Path, proofs: Path, check: bool, progress: Pr
     if not check and (found := strangers(target)):
         note = Diagnostic("IL5004", Severity.ERROR, not_replaced(target, found), span, ELSEWHERE)
         return Certified(proved, notes=(note,))
-    tied = {os.path.relpath(path, target): Path(path).read_bytes()}
-    # the texts themselves, and the manifest, which ties every other output by its digest
-    own = {n: data for n, data in emitted.items() if n.startswith(("st/", f"{C99}/")) or n == OUTPUTS}
-    tied |= {os.path.relpath(outputs / layout.name / n, target): data for n, data in own.items()}
     try:
+        tied = _tied(path, proved.checked, outputs / layout.name, emitted, target)
         if not check:
             local = prove_locally(base, lambda done, total: progress("obligations", done, total))
             if local.open:
@@ -113,10 +140,13 @@ def _certified(path: str, outputs: Path, proofs: Path, check: bool, progress: Pr
             manifest = manifest_text(layout.name, {**texts, **tied})
             write_folder(target, {**texts, MANIFEST: manifest.encode()})
         progress("verifying the certificate", 0, 0)
-        summary = verify(target)
-        if (target / SYSTEM).read_bytes() != texts[SYSTEM]:
+        there = check_files(target)
+        summary = verify(target, there)
+        if there[SYSTEM] != texts[SYSTEM]:
             raise Rejected("another system")
-        return Certified(proved, summary)
+        if other := [name for name, data in tied.items() if data not in there.values()]:
+            raise Rejected(f"it is tied to another {other[0]}")
+        return Certified(proved, summary, tuple(left(target, span)))
     except (Rejected, OSError, ValueError, KeyError, IndexError) as found:
         error = found
     note = Diagnostic("IL5007", Severity.ERROR, f"{target}: {error}", span, f"run `interlock certify {path}`")

@@ -118,7 +118,7 @@ def _addresses(layout: Layout, table: InterlockingTable, source: Source, sink: S
 def _changed_by_hand(source: Source, sink: Sink) -> None:
     """Channels that were exchanged in the file of pins are exchanged in every text, and nothing else can tell."""
     file = Path(beside(source.file))
-    if source.pins is not None and file.is_file() and is_changed(file.read_bytes()):
+    if source.pins is not None and source.pins_data is not None and is_changed(source.pins_data):
         said = (
             f"{file.name} was changed by hand since interlock wrote it: what was moved there is expected on other wires"
         )

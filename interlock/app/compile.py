@@ -21,7 +21,7 @@ from interlock.app.proved import Proved
 from interlock.app.target import target_notes
 from interlock.app.writing import written_for
 from interlock.diag import Diagnostic, Severity, Sink, Span
-from interlock.emit.bundle import differences, not_replaced, strangers, with_manifest, write_folder
+from interlock.emit.bundle import differences, left_beside, not_replaced, strangers, with_manifest, write_folder
 from interlock.emit.drawing import opening, place, plan_svg
 from interlock.emit.io import channels_csv, equipment_csv, names_csv, tags_xlsx, words_csv
 from interlock.emit.report import player_html, report_html
@@ -221,8 +221,16 @@ def compile_file(
                 "everything must be PROVED first; `--unproved` writes them with a mark, for study",
             )
         )
+    notes += left(target, span)
     seconds = time.monotonic() - began
     return replace(proved, files=tuple(sorted(files)), notes=tuple(notes), seconds=seconds)
+
+
+def left(target: Path, span: Span | None) -> list[Diagnostic]:
+    """What earlier runs have left beside a folder."""
+    said = "is not needed: an earlier run was killed before it took it away, or could not remove it"
+    fix = "remove it, if no other run is writing there"
+    return [Diagnostic("IL5013", Severity.WARNING, f"{p} {said}", span, fix) for p in left_beside(target)]
 
 
 def _delivered(target: Path, files: dict[str, bytes], span: Span | None) -> list[Diagnostic]:

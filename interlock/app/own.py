@@ -13,6 +13,8 @@ import secrets
 import stat
 from pathlib import Path
 
+from interlock.emit.half_written import taken_away
+
 MARK = b"written by interlock, sha256 "
 LINE = re.compile(rb"(?:<!-- |# |note,,,\")?" + MARK + rb"([0-9a-f]{64})(?: -->|\")?\n\Z")
 FRAMES = {".aig": (b"", b"\n"), ".pins": (b"# ", b"\n"), ".csv": (b'note,,,"', b'"\n')}
@@ -37,6 +39,12 @@ def _is_sealed(data: bytes) -> bool:
 def is_changed(data: bytes) -> bool:
     """Whether these bytes were written by interlock, and are no longer as it wrote them."""
     return MARK in data and not is_ours(data)
+
+
+def unchanged(target: Path, read: bytes | None) -> None:
+    """Raises `NotOurs` where a file is no longer as it was read, None for not there; and OSError."""
+    if (target.read_bytes() if target.exists() else None) != read:
+        raise NotOurs(f"{target} was changed meanwhile: run it again")
 
 
 def write_own(target: Path, data: bytes, source: Path, force: bool = False) -> int:
@@ -66,11 +74,12 @@ def write_whole(target: Path, data: bytes) -> None:
         return
     target = target.resolve()
     fresh = target.with_name(f".{target.name[:100]}.{secrets.token_hex(4)}")
-    try:
-        fresh.write_bytes(data)
-        if target.exists():
-            fresh.chmod(stat.S_IMODE(target.stat().st_mode))
-        os.replace(fresh, target)
-    except BaseException:
-        fresh.unlink(missing_ok=True)
-        raise
+    with taken_away():
+        try:
+            fresh.write_bytes(data)
+            if target.exists():
+                fresh.chmod(stat.S_IMODE(target.stat().st_mode))
+            os.replace(fresh, target)
+        except BaseException:
+            fresh.unlink(missing_ok=True)
+            raise

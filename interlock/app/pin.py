@@ -10,7 +10,7 @@ from collections.abc import Sequence, Set
 from dataclasses import replace
 from pathlib import Path
 
-from interlock.app.own import write_own
+from interlock.app.own import unchanged, write_own
 from interlock.app.pinned import check_pins
 from interlock.dataclass import dataclass
 from interlock.derivation import derive
@@ -74,7 +74,8 @@ class Repinned:
         )
 
     def write(self, force: bool) -> int:
-        """Write the file; its size.  Raises `NotOurs` and OSError."""
+        """Write the file; its size.  Raises `NotOurs`, where it is no longer as it was read, too, and OSError."""
+        unchanged(self.file, self.source.pins_data)
         return write_own(self.file, self.text.encode(), Path(self.source.file), force)
 
 

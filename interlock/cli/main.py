@@ -1,14 +1,14 @@
 """The entry point: picks a verb, and turns what goes wrong inside into exit code 70 instead of a traceback.
 
-Exit codes: 0 fine, 1 findings or refuted, 2 usage, 3 could not be proved, 70 internal error, 130 interrupted, 141 the
-reader has closed the pipe.
+Exit codes: 0 fine, 1 findings or refuted, 2 usage, 3 could not be proved (or memory or open files ran out), 70 internal
+error, 130 interrupted, 141 the reader has closed the pipe.
 """
 
 from __future__ import annotations
 
-import errno
 import gc
 import importlib
+import io
 import json
 import os
 import sys
@@ -18,9 +18,8 @@ from typing import Any, NoReturn
 import click
 
 from interlock import __version__
-from interlock.exceptions import Ended
+from interlock.cli.limits import limit_of
 
-UNKNOWN = 3  # as of what could not be proved
 INTERRUPTED = 130  # 128 and the number of the signal, as shells have it
 UNREAD = 141  # the same, where whoever reads the output has closed it: `interlock check ... | head -1`
 
@@ -145,12 +144,9 @@ def _run() -> None:
     except (_Unread, BrokenPipeError):
         raise
     except Exception as error:
-        if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT):
-            _failed(f"what is written does not fit: {error.strerror}")
-            _leave(1)
-        if isinstance(error, Ended):
-            _failed(str(error))
-            _leave(UNKNOWN)
+        if (limit := limit_of(error)) is not None:
+            _failed(limit[0])
+            _leave(limit[1])
         if isinstance(error, RecursionError):
             _failed(TOO_LONG)
             _leave(1)
@@ -170,10 +166,27 @@ def _run() -> None:
 
 
 def _closed_streams() -> None:
-    """A stream that the caller has closed, as a service may, is one that nobody reads."""
+    """A stream that the caller has closed, as a service may, is one that nobody reads; what finds no room on the
+    standard error is dropped."""
     for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
         if getattr(sys, name) is None:
             setattr(sys, name, os.fdopen(os.open(os.devnull, os.O_RDWR), mode, encoding="utf-8"))
+    told = sys.stderr
+    if told is sys.__stderr__ and told is not None:
+        lossy = io.BufferedWriter(_Lossy(told.fileno(), "w", closefd=False))
+        sys.stderr = io.TextIOWrapper(lossy, told.encoding, told.errors, line_buffering=True)
+
+
+class _Lossy(io.FileIO):
+    """Where what finds no room is dropped: what is being done is told beside the work, and does not end it."""
+
+    def write(self, data: Any, /) -> int:
+        try:
+            return super().write(data) or len(data)
+        except BrokenPipeError:
+            raise
+        except OSError:
+            return len(data)
 
 
 def _json() -> bool:

@@ -30,18 +30,12 @@ DEPTH = 20
 """Scans of a run in which a movement to harm is looked for (our choice)."""
 
 
-class _Shard(click.ParamType[tuple[int, int]]):
+def _shard(ctx: click.Context, param: click.Parameter, value: str) -> tuple[int, int]:
     """`2/3`: the second of three."""
-
-    name = "K/N"
-
-    def convert(self, value: object, param: click.Parameter | None, ctx: click.Context | None) -> tuple[int, int]:
-        if isinstance(value, tuple):
-            return value
-        k, _, n = str(value).partition("/")
-        if not (k.isdecimal() and n.isdecimal() and 1 <= int(k) <= int(n)):
-            self.fail(f"{value!r} is not K/N with 1 <= K <= N", param, ctx)
-        return int(k), int(n)
+    k, _, n = value.partition("/")
+    if not (k.isdecimal() and n.isdecimal() and 1 <= int(k) <= int(n)):
+        raise click.BadParameter(f"{value!r} is not K/N with 1 <= K <= N", ctx, param)
+    return int(k), int(n)
 
 
 @click.command("mutate")
@@ -51,7 +45,7 @@ class _Shard(click.ParamType[tuple[int, int]]):
 @click.option(
     "--kept", type=click.Path(dir_okay=False, path_type=Path), help="Keep verdicts in this file, and resume from it."
 )
-@click.option("--shard", type=_Shard(), default=(1, 1), help="Judge only the K-th of N parts.")
+@click.option("--shard", callback=_shard, default="1/1", metavar="K/N", help="Judge only the K-th of N parts.")
 @click.option("--stories", is_flag=True, help="Search for a movement to harm for one mutant of each family.")
 @click.option(
     "--search-seconds",

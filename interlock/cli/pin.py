@@ -44,7 +44,7 @@ def command(layout: str, names: tuple[str, ...], yes: bool, force: bool, form: s
         _print(found)
     if found.moves and not yes:
         _refuse(found, "channels of elements that are kept would move: nothing is written without --yes", form)
-    taken = force and not found.first and not is_ours(found.file.read_bytes())
+    taken = force and not found.first and not is_ours(found.source.pins_data or b"")
     changed = bool(found.changes) or found.first or taken
     if changed:
         try:

@@ -21,7 +21,7 @@ from interlock.cli.common import (
     put_json,
 )
 from interlock.diag.extras import install
-from interlock.planning.displib import BadFile, read, write
+from interlock.planning.displib import BadFile, decoded, write
 from interlock.planning.planner import Planned, schedule
 from interlock.planning.solver import installed
 from interlock.planning.verify import verified
@@ -48,11 +48,12 @@ def command(
         failed(f"{output} exists and is no solution; --force overwrites it", form)
         sys.exit(FINDINGS)
     try:
-        asked = read(problem)
+        data = problem.read_bytes()
+        asked = decoded(data)
         with progress(str(problem)) as report:
             report("planning", 0, 0)
             found = schedule(asked, seconds, workers, seed)
-        wrong = _wrong(problem, found)
+        wrong = _wrong(data, found)
         if output is not None and found.plan is not None and not wrong:
             write_whole(output, write(found.plan).encode())
     except OSError as error:
@@ -75,11 +76,11 @@ def _solution(path: Path) -> bool:
     return isinstance(data, dict) and data.keys() == KEYS
 
 
-def _wrong(problem: Path, found: Planned) -> list[str]:
-    """What the second opinion has against a plan; it reads the file again."""
+def _wrong(problem: bytes, found: Planned) -> list[str]:
+    """What the second opinion has against a plan; it reads the problem with code of its own."""
     if found.plan is None:
         return []
-    cost, wrong = verified(json.loads(problem.read_bytes()), json.loads(write(found.plan)))
+    cost, wrong = verified(json.loads(problem), json.loads(write(found.plan)))
     return wrong if cost == found.plan.cost else [*wrong, f"it costs {cost}"]
 
 

@@ -146,6 +146,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL5010": (_I, "what a program takes of its target"),
     "IL5011": (_W, "pins that were changed by hand"),
     "IL5012": (_I, "a text that is not written any more"),
+    "IL5013": (_W, "what an earlier run has left"),
     # 6: dispatch
     "IL6001": (_E, "a file that is no dispatch file of this layout"),
     "IL6002": (_E, "a dispatch file speaks of something that the layout does not have"),

@@ -231,7 +231,7 @@ def load(path: str, layout: Layout, sink: Sink, texts: dict[str, str], option: s
         fix = f"{named}; `interlock explain dispatch` has its keys"
         sink.add("IL1001", f"there is no dispatch file {path}", None, fix)
         return None
-    text, _ = read(path, sink)
+    text, _, _ = read(path, sink)
     if text is not None:
         texts[path] = text
     return None if text is None else load_text(path, text, layout, sink)

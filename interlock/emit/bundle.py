@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import errno
 import hashlib
 import io
 import json
 import os
+import re
+import secrets
 import shutil
-import tempfile
+import stat
 import zipfile
 from collections.abc import Mapping
 from pathlib import Path, PurePosixPath
+
+from interlock.emit.half_written import taken_away
 
 MANIFEST = "manifest.json"
 
@@ -63,24 +68,44 @@ def _same(name: str, there: bytes, wanted: bytes) -> bool:
 
 
 def write_folder(target: Path, files: Mapping[str, bytes]) -> None:
-    """Replace a folder by the files: all of them, or (on an error) none, and then the folder is as it was.  Raises
-    OSError, and ValueError for a name that leads out of the folder."""
+    """Replace a folder by the files: all of them, or (on an error) none, and then the folder is as it was.  A link is
+    followed, and the folder keeps its permissions.  Raises OSError, and ValueError for a name that leads out of the
+    folder.
+
+    What cannot be removed of the older folder stays beside it; `left_beside` names it."""
     for name in files:
         place = PurePosixPath(name)
         if place.is_absolute() or ".." in place.parts or not place.parts:
             raise ValueError(f"{name!r} is no place in a folder")
+    target = _followed(target)
     target.parent.mkdir(parents=True, exist_ok=True)
-    fresh = Path(tempfile.mkdtemp(prefix=f".{target.name}.", dir=target.parent))
+    mode = stat.S_IMODE(target.stat().st_mode) if target.exists() else None
+    fresh = target.with_name(f".{target.name}.{secrets.token_hex(4)}")
+    with taken_away():
+        try:
+            fresh.mkdir()  # with the permissions of the umask, and the group of the folder above where that says so
+            if mode is not None:
+                fresh.chmod(mode | stat.S_IRWXU)
+            for name, data in files.items():
+                path = fresh / name
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_bytes(data)
+            if mode is not None:
+                fresh.chmod(mode)
+            _replace(target, fresh)
+        except BaseException:
+            shutil.rmtree(fresh, ignore_errors=True)
+            raise
+
+
+def _followed(target: Path) -> Path:
+    """Where a link leads; anything else itself.  Raises OSError for links that lead round."""
+    if not target.is_symlink():
+        return target
     try:
-        for name, data in files.items():
-            path = fresh / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_bytes(data)
-        fresh.chmod(0o755)
-        _replace(target, fresh)
-    except BaseException:
-        shutil.rmtree(fresh, ignore_errors=True)
-        raise
+        return target.resolve()
+    except RuntimeError:
+        raise OSError(errno.ELOOP, os.strerror(errno.ELOOP), str(target)) from None
 
 
 def _replace(target: Path, fresh: Path) -> None:
@@ -93,9 +118,23 @@ def _replace(target: Path, fresh: Path) -> None:
     try:
         os.rename(fresh, target)
     except BaseException:
-        os.rename(old, target)
+        if target.exists():  # somebody else was quicker
+            shutil.rmtree(old, ignore_errors=True)
+        else:
+            os.rename(old, target)
         raise
     shutil.rmtree(old, ignore_errors=True)
+
+
+def left_beside(target: Path) -> list[Path]:
+    """What runs that were killed have left beside a folder, and what could not be removed of older ones; `.old` is what
+    the folder was before.  Nothing where nobody may look."""
+    name = re.compile(rf"\.{re.escape(target.name)}\.[0-9a-z_]{{8}}(\.old)?")
+    try:
+        target = _followed(target)
+        return sorted(p for p in target.parent.iterdir() if name.fullmatch(p.name))
+    except OSError:
+        return []
 
 
 def strangers(target: Path) -> list[str]:

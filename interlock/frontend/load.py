@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import difflib
 import os
-from dataclasses import replace
+from dataclasses import field, replace
 
 from interlock.dataclass import dataclass
 from interlock.diag import Element, Sink, Span
@@ -93,6 +93,10 @@ class Source:
     context: Context | None = None
     pins: PinsRead | None = None
     beside: tuple[tuple[str, str], ...] = ()
+    data: bytes = field(default=b"", repr=False)
+    """The bytes of which the text was made.  Whoever asks for them later asks here: the file may be another by then."""
+    pins_data: bytes | None = field(default=None, repr=False)
+    """Those of the pins; None where none were read."""
 
     @property
     def texts(self) -> dict[str, str]:
@@ -123,8 +127,8 @@ def _beside(path: str) -> str:
     return next((os.path.join(folder, n) for n in difflib.get_close_matches(name, there, n=1, cutoff=0.75)), "")
 
 
-def read(path: str, sink: Sink, layout: str = "") -> tuple[str | None, str]:
-    """The text of a file, or None with IL1001, IL1002 or IL1003; and what can be shown of it.
+def read(path: str, sink: Sink, layout: str = "") -> tuple[str | None, str, bytes]:
+    """The text of a file, or None with IL1001, IL1002 or IL1003; what can be shown of it; and its bytes.
 
     `layout`: the layout file beside which this one is read as its pins; empty where this is the layout.
     """
@@ -136,7 +140,7 @@ def read(path: str, sink: Sink, layout: str = "") -> tuple[str | None, str]:
                 said += f"; the channels of {layout} are read from a file of that name"
                 fix = "move the folder away, or give it another name"
             sink.add("IL1001", said, Span(path, 0, 0), fix)
-            return None, ""
+            return None, "", b""
         if os.path.getsize(path) > MAX_BYTES:
             sink.add(
                 "IL1003",
@@ -144,29 +148,31 @@ def read(path: str, sink: Sink, layout: str = "") -> tuple[str | None, str]:
                 Span(path, 0, 0),
                 f"a {what} has at most {MAX_BYTES // 1_000_000} MB; is this another kind of file?",
             )
-            return None, ""
+            return None, "", b""
         with open(path, "rb") as handle:
             data = handle.read(MAX_BYTES + 1)
     except OSError as error:
         near = "" if os.path.lexists(path) else _beside(path)
         fix = f"did you mean {near}?" if near else "check the name and the permissions"
         sink.add("IL1001", f"{path}: {error.strerror}", Span(path, 0, 0), fix)
-        return None, ""
-    return decode(path, data, sink, what)
+        return None, "", b""
+    return *decode(path, data, sink, what), data
 
 
 def load(path: str, sink: Sink) -> tuple[Layout | None, Source]:
     """Read and resolve a layout file, and the pins beside it; the layout is None when there are errors."""
-    text, shown = read(path, sink)
+    text, shown, data = read(path, sink)
     if text is None:
         return None, Source(path, shown)
     layout, source = load_text(path, text, sink)
+    source = replace(source, data=data)
     file = beside(path)
     if layout is None or not os.path.lexists(file):
         return layout, source
-    text, shown = read(file, sink, path)
+    text, shown, data = read(file, sink, path)
     pins = None if text is None else read_pins(file, text, layout.name, sink)
-    source = replace(source, pins=pins, beside=((file, shown if text is None else text),))
+    shown = shown if text is None else text
+    source = replace(source, pins=pins, beside=((file, shown),), pins_data=data)
     return None if pins is None else replace(layout, hardware=replace(layout.hardware, pins=pins.pins)), source
 
 

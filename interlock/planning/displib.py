@@ -30,12 +30,17 @@ class BadFile(Whole, ValueError):
 
 def read(path: Path) -> Problem:
     """The problem in a file.  Raises `BadFile`, `OSError`."""
-    return parse(_json(path))
+    return decoded(path.read_bytes())
 
 
-def _json(path: Path) -> Any:
+def decoded(data: bytes) -> Problem:
+    """The problem in the bytes of a file.  Raises `BadFile`."""
+    return parse(_json(data))
+
+
+def _json(data: bytes) -> Any:
     try:
-        return json.loads(path.read_bytes().decode("utf-8"), parse_constant=_constant)
+        return json.loads(data.decode("utf-8"), parse_constant=_constant)
     except UnicodeDecodeError as error:
         raise BadFile(f"byte {error.start}", "this is no UTF-8") from None
     except json.JSONDecodeError as error:
@@ -152,7 +157,7 @@ def read_solution(path: Path, problem: Problem) -> Plan:
     """The plan in a solution's file, with the cost that it has; what it says of its cost is not looked at.
 
     Raises `BadFile`, `OSError`.  Whether it keeps the rules is asked of `verify.faults`."""
-    top = _object("the file", _json(path), ("objective_value", "events"))
+    top = _object("the file", _json(path.read_bytes()), ("objective_value", "events"))
     events = []
     for k, value in enumerate(_list("events", top.get("events"))):
         e = _object(f"events[{k}]", value, ("time", "train", "operation"))

@@ -230,7 +230,7 @@ class Model:
         literal = same.get(key)
         if literal is None:
             literal = same[key] = self.cp.new_bool_var("")
-            self.cp.add_hint(literal, self._first(a, b))
+            self.cp.add_hint(literal, int(self._first(a, b)))
         self._only_if(a.end <= b.start, literal, a.presence, b.presence)
         self._only_if(b.end <= a.start, literal.negated(), a.presence, b.presence)
         self.orders.append(Order(a, b, literal))
@@ -281,12 +281,12 @@ class Model:
             if d.once and late >= 0:
                 too_late = self.cp.new_bool_var("")
                 self._only_if(start < d.due, too_late.negated(), here)
-                self.cp.add_hint(too_late, self._hinted.get(key, d.due - 1) >= d.due)
+                self.cp.add_hint(too_late, int(self._hinted.get(key, d.due - 1) >= d.due))
                 terms.append(d.once * too_late)
         for key, variable in self.start.items():
             self.cp.add_hint(variable, self._hinted.get(key, self.windows.earliest[key[0]][key[1]]))
         for key, literal in self.present.items():
-            self.cp.add_hint(literal, key in self._hinted)
+            self.cp.add_hint(literal, int(key in self._hinted))
         self.cp.add(sum(terms) <= self.known.cost)
         self.cp.minimize(sum(terms))
 

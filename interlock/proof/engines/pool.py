@@ -9,7 +9,7 @@ import signal
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor, Future, as_completed
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import partial
 from multiprocessing import connection
 from multiprocessing.connection import Connection
@@ -46,16 +46,21 @@ class Begun:
         self._of: list[Connection] = []
         """The pipe of each process, also when it has told its last answer."""
         if beside > 0 and _forks():
-            fork = multiprocessing.get_context("fork")
-            self._next = fork.Value("i", 0)
-            for _ in range(beside):
-                pipe, end = fork.Pipe(duplex=False)
-                process = fork.Process(target=self._work, args=(pipe, end), daemon=True)
-                process.start()
-                end.close()  # before the next fork: nobody else holds it
-                self._processes.append(process)
-                self._pipes.append(pipe)
+            with suppress(OSError):  # no place for what they share, no file or process more: the owner does the rest
+                self._begin(beside)
         self._of += self._pipes
+
+    def _begin(self, beside: int) -> None:
+        """Begin processes.  Raises OSError where the system has no room for another."""
+        fork = multiprocessing.get_context("fork")
+        self._next = fork.Value("i", 0)
+        for _ in range(beside):
+            pipe, end = fork.Pipe(duplex=False)
+            process = fork.Process(target=self._work, args=(pipe, end), daemon=True)
+            with end:  # closed before the next fork: nobody else holds it
+                process.start()
+            self._processes.append(process)
+            self._pipes.append(pipe)
 
     def _take(self) -> int | None:
         """The number of the first task that nobody has begun."""
