@@ -20,7 +20,7 @@ from interlock.diag.codes import CODES
 from interlock.frontend import load_text
 from interlock.frontend.published import language_keys
 from interlock.frontend.schema import LayoutFile
-from interlock.logic.plant import ASSUMPTIONS, OF_TIMERS
+from interlock.logic.plant import ASSUMPTIONS, OF_PLC
 from interlock.model.principles import KNOBS
 from interlock.proof.claims import CLAIMS
 from interlock.proof.functions import FUNCTIONS
@@ -145,13 +145,13 @@ def test_pages_are_read_where_the_wheel_is() -> None:
 
 def test_explain_knows_diagnostics_rules_claims_assumptions_and_principles() -> None:
     known = {line.split()[0] for line in run("explain").output.splitlines()}
-    assert {*CODES, *CLAIMS, *FUNCTIONS, *ASSUMPTIONS, *OF_TIMERS, *KNOBS, "R1", "R18"} <= known
+    assert {*CODES, *CLAIMS, *FUNCTIONS, *ASSUMPTIONS, *OF_PLC, *KNOBS, "R1", "R18"} <= known
     for code, said in (
         ("R5", "Flank protection"),
         ("r6.2", "Hostile routes"),
         ("t-collision", CLAIMS["T-COLLISION"]),
         ("A-SCAN", ASSUMPTIONS["A-SCAN"]),
-        ("A-CLOCK", OF_TIMERS["A-CLOCK"]),
+        ("A-CLOCK", OF_PLC["A-CLOCK"]),
         ("F-GRANT", FUNCTIONS["F-GRANT"]),
         ("release_delay_s", "without a break"),
         ("approach_release_s", "| uk | 120 |"),

@@ -181,4 +181,5 @@ def test_a_time_is_told_with_all_its_digits(tmp_path: Path) -> None:
 def test_a_restart_delay_that_changes_brings_the_release_of_what_is_clear_again(tmp_path: Path) -> None:
     changed = Changed(tmp_path, ("kmh: 60", "kmh: 60, restart_delay_s: 700"))
     start = [s for s in changed.again if s.sheet is Sheet.START]
-    assert [s.expect for s in start] == ["every section stays locked", "no section with detection is locked"]
+    refused = "every section stays locked, route A-AA is refused"  # after a power cut
+    assert [s.expect for s in start] == ["every section stays locked", "no section with detection is locked", refused]

@@ -58,6 +58,26 @@ OF_ANOTHER_TYPE = [
     ("  YS_X1 : BOOL := TRUE;", "  YS_X1 : BOOL := 1;"),
 ]
 """A value at the start that is no value of the variable's type: one tool takes it, another does not."""
+TASK = [
+    ('interval="T#100ms"', 'interval="T#900ms"'),
+    ('interval="T#100ms"', 'interval="T#100ms" single="x"'),
+    ('priority="0"', 'priority="1"'),
+    ('typeName="IL_fig2_2_IO"', 'typeName="IL_fig2_2"'),
+]
+CODESYS_TASK = [
+    ('interval="PT0.1S"', 'interval="PT0.9S"'),
+    ('Interval="t#100ms"', 'Interval="t#900ms"'),
+    ('interval="PT0.1S"', 'interval="PT0.1S" single="x"'),
+    ('KindOfTask="Cyclic"', 'KindOfTask="Freewheeling"'),
+    ('IntervalUnit="ms"', 'IntervalUnit="us"'),
+    ('priority="0"', 'priority="1"'),
+    ('pouInstance name="IL_fig2_2_IO"', 'pouInstance name="IL_fig2_2"'),
+    ('typeName=""', 'typeName="IL_fig2_2"'),
+    ('name="Application"', 'name="Other"'),
+    ("</pouInstance>", '</pouInstance><pouInstance name="IL_fig2_2_IO" typeName=""/>'),
+    ("<addData>", "<addData>x"),
+    ("plcopenxml/tasksettings", "plcopenxml/objectid"),
+]
 XML = [
     ('address="%IX0.1"', 'address="%IX0.2"'),
     ('address="%IX0.1"', 'address="%MX0.1"'),
@@ -65,10 +85,7 @@ XML = [
     ("INP.CLR_SA := CLR_SA", "INP.CLR_SA := CLR_SB"),
     ("YN_P1 := OUTP.YN_P1", "YN_P1 := OUTP.YR_P1"),
     ("VALID := CYC.WELL AND W_main.WELL", "VALID := CYC.WELL"),
-    ('interval="T#100ms"', 'interval="T#900ms"'),
-    ('interval="T#100ms"', 'interval="T#100ms" single="x"'),
-    ('priority="0"', 'priority="1"'),
-    ('typeName="IL_fig2_2_IO"', 'typeName="IL_fig2_2"'),
+    *TASK,
     ('pouType="program"', 'pouType="function"'),
     ("<configurations>", "<configurations><configuration/>"),
     ("HB AND LAST", "HB OR LAST"),
@@ -200,7 +217,7 @@ def _marked(text: str) -> str:
 
 
 CHANGES = {
-    "codesys": XML,
+    "codesys": [*CODESYS_TASK, *(x for x in XML if x not in TASK)],
     "plcopen": XML[:4],
     "twincat": [
         ("CLR_SA AT %IX0.2", "CLR_SA AT %IX0.7"),
@@ -243,6 +260,10 @@ CHANGES = {
         *((_marked(old), _marked(new)) for old, new in CLASSIC),
         ("NON_RETAIN\n", ""),
         ("NON_RETAIN\n", "RETAIN\n"),
+        ('NON_RETAIN\n"IL_fig2_2_T01"', '"IL_fig2_2_T01"'),
+        ('NON_RETAIN\n"IL_fig2_2_T01"', 'RETAIN\n"IL_fig2_2_T01"'),
+        ('NON_RETAIN\n"IL_fig2_2_CYCLE"', '"IL_fig2_2_CYCLE"'),
+        ('NON_RETAIN\n"IL_fig2_2_WATCH"', '"IL_fig2_2_WATCH"'),
         ("VERSION : 0.1\n", ""),
         ('  "DB_IL_fig2_2_W_main"(', '  "IL_fig2_2_WATCH"."DB_IL_fig2_2_W_main"('),
         ('  "DB_IL_fig2_2_W_main"(', '  "DB_IL_fig2_2_CYC"('),
@@ -576,6 +597,20 @@ def test_what_an_author_writes_of_a_condition_ends_no_comment_and_no_part_of_an_
     a = allocate(layout, controller)
     files = write_delivery(controller, a, BY_NAME[dialect], [said])
     assert compare_delivery(controller, a, BY_NAME[dialect], files, tags_xlsx(layout, a)) == ()
+
+
+def test_the_task_is_told_as_codesys_exports_tell_it() -> None:
+    """The form of public files that CODESYS exported."""
+    text = files_of("codesys")["fig2_2.xml"]
+    told = re.sub(r"\s+", " ", text[text.index("<configurations>") : text.index("</configurations>")])
+    for x in (
+        '<configuration name="Device"><resource name="Application"> <task name="IL_fig2_2_TASK" interval="PT0.1S" ',
+        '<pouInstance name="IL_fig2_2_IO" typeName=""> <documentation><xhtml ',
+        '<data name="http://www.3s-software.com/plcopenxml/tasksettings" handleUnknown="implementation"> ',
+        '<TaskSettings KindOfTask="Cyclic" Interval="t#100ms" IntervalUnit="ms" WithinSPSTimeSlicing="true"/>',
+    ):
+        assert x in told
+    assert "T#100ms" in files_of("plcopen")["fig2_2.xml"]
 
 
 def test_a_project_with_its_configuration_fits_the_classes_made_from_its_schema() -> None:

@@ -320,10 +320,9 @@ def test_scl_marks_its_variables_and_quotes_its_blocks() -> None:
     assert "FUNCTION \"IL_fig2_2_B01\" : Void\n{ S7_Optimized_Access := 'TRUE' }\nVERSION : 0.1\n" in text
     assert "TON_RT_DP {InstructionName := 'TON_TIME'; LibVersion := '1.0'} : TON_TIME;" in text
     assert '\n  "IL_fig2_2_B01"();' in text and '\n  "IL_fig2_2_D".RT_DP := #TON_RT_DP.Q;' in text
-    assert (
-        'DATA_BLOCK "DB_IL_fig2_2_T01"\n{ S7_Optimized_Access' in text
-        and "\nNON_RETAIN\n(* inputs *)\nSTRUCT\n" in text
-    )
+    instance = "{ S7_Optimized_Access := 'TRUE' }\nVERSION : 0.1\nNON_RETAIN\n\"IL_fig2_2_T01\"\nBEGIN\n"
+    assert f'DATA_BLOCK "DB_IL_fig2_2_T01"\n{instance}' in text and "\nNON_RETAIN\n(* inputs *)\nSTRUCT\n" in text
+    assert text.count('DATA_BLOCK "') == text.count("\nNON_RETAIN\n")
 
 
 @pytest.mark.parametrize("name", ["fig2_2", "cn6502", "terminus_slip"])

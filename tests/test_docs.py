@@ -15,7 +15,7 @@ import interlock
 from interlock.app.check import check_file
 from interlock.diag import Sink
 from interlock.frontend import load_text
-from interlock.logic.plant import ASSUMPTIONS, OF_TIMERS
+from interlock.logic.plant import ASSUMPTIONS, OF_PLC
 from interlock.proof.claims import CLAIMS, Claim, Facts, claims
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
@@ -79,13 +79,13 @@ def places_of(name: str) -> list[Claim]:
 
 def test_the_proof_page_gives_every_assumption_in_its_words() -> None:
     page = Path("interlock/docs/proof.md").read_text("utf-8")
-    for id_, sentence in (ASSUMPTIONS | OF_TIMERS).items():
+    for id_, sentence in (ASSUMPTIONS | OF_PLC).items():
         assert f"- **{id_}**: {sentence}" in page
 
 
 def test_the_readme_names_every_assumption() -> None:
     told = README.split("**Assumptions**")[1].split("**Engines.**")[0]
-    for id_ in ASSUMPTIONS | OF_TIMERS:
+    for id_ in ASSUMPTIONS | OF_PLC:
         assert f"({id_})" in told, id_
 
 

@@ -19,7 +19,7 @@ from interlock.checker.specification import FOLDER, Specification
 from interlock.checker.told import Telling
 from interlock.checker.written import written
 from interlock.logic.lower.index import OverlapIndex
-from interlock.logic.plant import ASSUMPTIONS, OF_TIMERS
+from interlock.logic.plant import ASSUMPTIONS, OF_PLC
 from interlock.model.principles import KNOBS, PROFILES
 from interlock.proof.claims import CLAIMS
 from interlock.verify import Rejected
@@ -456,7 +456,7 @@ def test_its_sentences_are_those_of_the_documents() -> None:
     claims = {s["id"]: s["sentence"] for s in spec.claims if "sentence" in s}
     assert claims == CLAIMS
     stated = {s["id"]: s["sentence"] for s in spec.assumptions if "sentence" in s}
-    assert {**stated, **spec.guards} == ASSUMPTIONS | OF_TIMERS
+    assert {**stated, **spec.guards} == ASSUMPTIONS | OF_PLC
 
 
 def test_every_assumption_is_named_where_it_is_made() -> None:

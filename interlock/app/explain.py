@@ -10,7 +10,7 @@ from interlock.dataclass import dataclass
 from interlock.diag.codes import CODES
 from interlock.frontend.published import WITHOUT, language_keys
 from interlock.frontend.schema import LayoutFile
-from interlock.logic.plant import ASSUMPTIONS, OF_TIMERS
+from interlock.logic.plant import ASSUMPTIONS, OF_PLC
 from interlock.model.principles import MEANING, PROFILES, written
 from interlock.proof.claims import CLAIMS
 from interlock.proof.functions import FUNCTIONS
@@ -45,7 +45,7 @@ def topics() -> tuple[Topic, ...]:
         *(Topic(r, "rule", headings[r]) for r in rules),
         *(Topic(code, "claim", sentence) for code, sentence in CLAIMS.items()),
         *(Topic(code, "function", sentence) for code, sentence in FUNCTIONS.items()),
-        *(Topic(code, "assumption", sentence) for code, sentence in (ASSUMPTIONS | OF_TIMERS).items()),
+        *(Topic(code, "assumption", sentence) for code, sentence in (ASSUMPTIONS | OF_PLC).items()),
         *(Topic(code, "principle", told) for code, told in MEANING.items()),
         *(Topic(key, "key", told) for key, told in _keys().items()),
         Topic("rules", "page", _docs("rules/README.md").read_text("utf-8").split("\n")[0].removeprefix("# ")),

@@ -40,7 +40,7 @@ class Bench:
 
     def __init__(self, runtime: str, layout: Layout, symbols: Symbols) -> None:
         """`runtime`: the text of the emitted runtime.py."""
-        module = types.ModuleType("runtime")
+        self._module = module = types.ModuleType("runtime")
         exec(compile(runtime, "runtime.py", "exec"), module.__dict__)
         self.layout, self.symbols = layout, symbols
         self._controller = module.Controller()
@@ -95,6 +95,10 @@ class Bench:
         self._controller.state, self._controller.elapsed = dict(to.state), dict(to.elapsed)
         self.inputs, self.lies, self._outputs = dict(to.inputs), dict(to.lies), dict(to.outputs)
 
+    def restart(self) -> None:
+        """The power of the controller is cut and comes again; what is outside it stays as it is."""
+        self._controller, self._outputs = self._module.Controller(), dict(self._module.OUTPUTS)
+
     def on(self, name: Name | None) -> bool:
         """Whether an output is 1, or a variable that is remembered is true."""
         if name is None:
@@ -132,6 +136,22 @@ def not_at_stop(bench: Bench) -> list[SignalId]:
     """The signals that show more than stop, or nothing."""
     stop = bench.symbols.aspects.stop
     return [g for g in stop if not bench.on(stop[g]) or bench.proceeds([g])]
+
+
+def locked_up(bench: Bench) -> str:
+    """What has to be when the controller has been switched on, whatever was before (R16)."""
+    announced = ", every distant caution" if bench.symbols.aspects.distant_clear else ""
+    return f"every signal shows stop{announced}, every section is indicated as locked, no points are driven"
+
+
+def not_locked_up(bench: Bench) -> list[str]:
+    """What is otherwise then."""
+    y = bench.symbols
+    came = [f"{g} does not show stop" for g in not_at_stop(bench)]
+    came += [f"{s} is not locked" for s in y.sections.restart if not bench.locked(s)]
+    points = [(m, x) for m, x in y.machines.drive if m not in bench.layout.machines.device]
+    came += [f"{m} is driven" for m, x in points if bench.on(y.machines.drive[m, x])]
+    return came + [f"{d} shows clear" for d, n in y.aspects.distant_clear.items() if bench.on(n)]
 
 
 def occupied(y: Symbols, *sections: SectionId) -> dict[str, int]:

@@ -6,11 +6,11 @@ from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import replace
 from itertools import count
 
-from interlock.commissioning.bench import FEW, Bench, not_at_stop, occupied
+from interlock.commissioning.bench import FEW, Bench, locked_up, not_locked_up, occupied
 from interlock.commissioning.machines import machines
 from interlock.commissioning.place import places
 from interlock.commissioning.routes import RouteTests
-from interlock.commissioning.step import Sheet, Step
+from interlock.commissioning.step import Sheet, Step, started
 from interlock.commissioning.wires import wires
 from interlock.logic.cabinet import Allocation
 from interlock.logic.controller import Controller
@@ -40,11 +40,12 @@ def book(
     bench = Bench(runtime, layout, controller.symbols)
     start = list(_start(bench))
     rest = bench.moment()
+    asked = [r for r in table.routes if r.kind is not RouteKind.IDENTIFIER and (only is None or r.id in only)]
     if only is None:
+        start += next(filter(None, (list(RouteTests(bench, table, r, rest).power_cut()) for r in asked)), [])
         yield from _numbered("W", wires(allocation, places(layout, controller.symbols)))
         yield from _numbered("S", start)
         yield from _numbered("M", machines(bench, rest))
-    asked = [r for r in table.routes if r.kind is not RouteKind.IDENTIFIER and (only is None or r.id in only)]
     for done, row in enumerate(asked):
         progress(done, len(asked))
         yield from _numbered(f"R{row.number}.", RouteTests(bench, table, row, rest).steps())
@@ -60,14 +61,7 @@ def _start(bench: Bench) -> Iterator[Step]:
     """From power-up to the release of all sections."""
     y, rules = bench.symbols, bench.layout.principles
     bench.scans(FEW)
-    came = [f"{g} does not show stop" for g in not_at_stop(bench)]
-    came += [f"{s} is not locked" for s in y.sections.restart if not bench.locked(s)]
-    points = [(m, x) for m, x in y.machines.drive if m not in bench.layout.machines.device]
-    came += [f"{m} is driven" for m, x in points if bench.on(y.machines.drive[m, x])]
-    came += [f"{d} shows clear" for d, n in y.aspects.distant_clear.items() if bench.on(n)]
-    announced = ", every distant caution" if y.aspects.distant_clear else ""
-    expect = f"every signal shows stop{announced}, every section is indicated as locked, no points are driven"
-    yield _started("switch the controller on, all clear", expect, came)
+    yield started("switch the controller on, all clear", locked_up(bench), not_locked_up(bench))
     bench.wait(rules.restart_delay_s + SETTLED_S)
     clear = bench.moment()
     bench.inputs |= occupied(y, *y.sections.restart)
@@ -75,18 +69,14 @@ def _start(bench: Bench) -> Iterator[Step]:
     bench.wait(SETTLED_S)
     later = f"after the restart delay of {exact(rules.restart_delay_s)} s"
     came = [f"{s} is released" for s in y.sections.restart if not bench.locked(s)]
-    yield _started(f"{later}, every section occupied: release all clear sections", "every section stays locked", came)
+    yield started(f"{later}, every section occupied: release all clear sections", "every section stays locked", came)
     bench.back(clear)
     for _ in range(2):  # a level crossing closes at the first, and the sections under it are released at the second
         bench.scans(FEW, {str(y.sections.release_all): 1})
         bench.wait(SETTLED_S)
     kept = [s for s in y.sections.restart if bench.locked(s) and s not in bench.layout.track.undetected]
     do = f"{later}, every section clear: release all clear sections"
-    yield _started(do, "no section with detection is locked", [f"{s} is locked" for s in kept])
-
-
-def _started(do: str, expect: str, came: Collection[str]) -> Step:
-    return Step(Sheet.START, "controller", do, expect, "R16", True, "; ".join(came))
+    yield started(do, "no section with detection is locked", [f"{s} is locked" for s in kept])
 
 
 def _times(controller: Controller) -> Iterator[Step]:

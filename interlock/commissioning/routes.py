@@ -8,10 +8,20 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from interlock.commissioning.approach import Place, further, settings
-from interlock.commissioning.bench import FEW, SCAN_MS, Bench, Moment, not_at_stop, occupied, undetected
+from interlock.commissioning.bench import (
+    FEW,
+    SCAN_MS,
+    Bench,
+    Moment,
+    locked_up,
+    not_at_stop,
+    not_locked_up,
+    occupied,
+    undetected,
+)
 from interlock.commissioning.needs import Need, needs, to_open
 from interlock.commissioning.row import Row
-from interlock.commissioning.step import SLACK_S, Sheet, Step
+from interlock.commissioning.step import SLACK_S, Sheet, Step, started
 from interlock.diag.called import called
 from interlock.logic.names import Name
 from interlock.model.elements import MachineId, SectionId, SignalId
@@ -47,6 +57,27 @@ class RouteTests:
         yield from self._kept_out(opened)
         if not row.calls_on:
             yield from self._driven(opened)
+
+    def power_cut(self) -> Iterator[Step]:
+        """The controller loses its power while the signal is open, and forgets all of it; none where it does not
+        open."""
+        bench, row, y = self._bench, self._row, self._bench.symbols
+        if row.calls_on or not self._open():
+            return
+        bench.restart()
+        bench.scans(FEW)
+        do = f"{self._at_proceed()} for {row.name}: cut the power of the controller, and switch it on again"
+        yield started(do, locked_up(bench), not_locked_up(bench))
+        delay = bench.layout.principles.restart_delay_s
+        bench.scans(FEW, {str(y.sections.release_all): 1})
+        bench.scan({str(y.requests.request): row.row.number})
+        bench.scans(FEW)
+        came = [f"{s} is released" for s in y.sections.restart if not bench.locked(s)]
+        came += [f"{row.name} is set"] if bench.on(row.symbols.active) else []
+        do = f"then at once, before the restart delay of {exact(delay)} s is over: release all clear sections"
+        expect = f"every section stays locked, {row.name} is refused"
+        if delay * 1000 > (3 * FEW + 1) * SCAN_MS:
+            yield started(f"{do}, and ask for {row.name}", expect, came)
 
     # --- setting it ---
 

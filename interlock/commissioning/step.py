@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from enum import StrEnum
 
 from interlock.dataclass import dataclass
@@ -47,3 +48,8 @@ class Step:
     def bench(self) -> str:
         """What is said of it on the sheet."""
         return self.came or ("as expected" if self.tried else "on the ground only")
+
+
+def started(do: str, expect: str, came: Collection[str]) -> Step:
+    """A test of how the controller begins, which was tried."""
+    return Step(Sheet.START, "controller", do, expect, "R16", True, "; ".join(came))

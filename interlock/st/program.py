@@ -101,10 +101,11 @@ def cycle(name: str) -> Block:
 
 
 class Runs(StrEnum):
-    """What runs the mapping program: a task of a configuration, a task that is a file of its own, or what a Siemens
-    controller calls in each of its cycles."""
+    """What runs the mapping program: a task of a configuration, one of the application of a device, as CODESYS has it,
+    a task that is a file of its own, or what a Siemens controller calls in each of its cycles."""
 
     CONFIGURATION = "configuration"
+    APPLICATION = "application"
     TASK = "task"
     CYCLE = "OB1"
 
@@ -117,6 +118,8 @@ def io_task(controller: Controller, runs: Runs = Runs.CONFIGURATION, restart: bo
         return Task("", "", runs.value, 0, "", program, startup)
     if runs is Runs.TASK:
         return Task("", "", f"{prefix}_TASK", CYCLE_MS, "", program, startup)
+    if runs is Runs.APPLICATION:
+        return Task("Device", "Application", f"{prefix}_TASK", CYCLE_MS, "", program, startup)
     return Task(f"{prefix}_CONF", f"{prefix}_RES", f"{prefix}_TASK", CYCLE_MS, f"{prefix}_MAIN", program, startup)
 
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import sys
 
-from interlock.logic.plant import ASSUMPTIONS, OF_TIMERS
+from interlock.logic.plant import ASSUMPTIONS, OF_PLC
 from interlock.proof.claims import Facts, claims
 from interlock.proof.induction.search import search
 from interlock.proof.induction.story import Story, tell
@@ -53,10 +53,13 @@ OTHERS = {
     "A-SIGHT": "It says where the physics ends: shunting movements stop before vehicles in a berth.",
     "A-BEYOND": "It says where the physics ends: the neighbour's side of a boundary.",
     "A-STANDS": "It says where the physics ends: vehicles that stand do not roll away.",
+    "A-INITIAL": "The proof begins in the declared values.  Where a restart keeps what was, a signal that stood at "
+    "proceed stands there still, after any length of time; where members of structures begin as FALSE, no section is "
+    "locked and no restart delay runs (`tests/test_restart_values.py`).",
 }
 
 
-SENTENCES = ASSUMPTIONS | OF_TIMERS
+SENTENCES = ASSUMPTIONS | OF_PLC
 
 
 def harm(assumption: str, name: str, claim: str) -> Story | None:

@@ -42,7 +42,7 @@ shunting movement may come to them, each signal may call some of them, and some 
 from interlock.logic.plant.build import build_plant
 from interlock.logic.plant.kinds import (
     ASSUMPTIONS,
-    OF_TIMERS,
+    OF_PLC,
     Assumption,
     Hazard,
     Plant,
@@ -76,7 +76,7 @@ from interlock.logic.plant.words import (
 
 __all__ = [
     "ASSUMPTIONS",
-    "OF_TIMERS",
+    "OF_PLC",
     "OUTSIDE",
     "Assumption",
     "Hazard",

@@ -175,16 +175,18 @@ ASSUMPTIONS: dict[str, str] = {
 }
 
 
-OF_TIMERS: dict[str, str] = {
+OF_PLC: dict[str, str] = {
     "A-TON": "An on-delay timer is true only while its input is true.",
     "A-CLOCK": "A timer counts the same time as the world: if it has run for as long as the world needs while "
     "something held without a break, then that has held for so long.",
+    "A-INITIAL": "At a start and at each restart, after a power cut too, every variable has the value that it is "
+    "declared with, a member of a structure and what lies in an inner block as any other, and no timer has run.",
 }
-"""What is assumed of the timers of whatever runs the text, where all else is assumed of the railway."""
+"""What is assumed of whatever runs the text, where all else is assumed of the railway."""
 
 
 def assumed_of(layout: Layout) -> dict[str, str]:
     """The assumptions that a layout's proof may rest on: A-SLOW where short overlaps lie inside longer ones, the others
     always."""
     nested = any(told_apart(layout, o.signal) for o in layout.overlaps.all)
-    return {k: sentence for k, sentence in ASSUMPTIONS.items() if k != "A-SLOW" or nested} | OF_TIMERS
+    return {k: sentence for k, sentence in ASSUMPTIONS.items() if k != "A-SLOW" or nested} | OF_PLC

@@ -19,7 +19,7 @@ from interlock.dataclass import dataclass
 from interlock.logic.controller import Controller, Timer
 from interlock.logic.expr import conj, implies, var
 from interlock.logic.names import AGREED_LONG, STAND_LONG, STOP_LONG, Name, covered
-from interlock.logic.plant import OF_TIMERS, Assumption
+from interlock.logic.plant import OF_PLC, Assumption
 from interlock.model.elements import SignalId
 from interlock.model.needs import Needs
 from interlock.proof.system.loop import ClosedLoop
@@ -66,11 +66,11 @@ def assumed(timers: Iterable[Timer], those: Iterable[Tie]) -> Iterator[Assumptio
     """What is assumed of time: an on-delay with a positive preset is true only while its input is true, and a timer
     that has run out, and was covered all the while, has lasted as long as the world needs."""
     for timer in timers:
-        yield Assumption("A-TON", OF_TIMERS["A-TON"], implies(var(timer.name), var(timer.input)))
+        yield Assumption("A-TON", OF_PLC["A-TON"], implies(var(timer.name), var(timer.input)))
     for t in those:
         if t.enough:
             yield Assumption(
                 "A-CLOCK",
-                OF_TIMERS["A-CLOCK"],
+                OF_PLC["A-CLOCK"],
                 implies(conj((var(t.timer.name), var(t.covered.next))), var(t.clock.next)),
             )

@@ -77,10 +77,10 @@ class PlcOpen:
     `whole`: a text stands in an element `xhtml`, as CODESYS writes it; else in a paragraph, as Beremiz does.
     """
 
-    def __init__(self, version: str, whole: bool) -> None:
+    def __init__(self, version: str, whole: bool, more: Mapping[str, Rule] = MappingProxyType({})) -> None:
         self.space = f"http://www.plcopen.org/xml/tc6_{version}"
         self.shown = "xhtml" if whole else "p"
-        self.rules = rules(self.space, self.shown)
+        self.rules = rules(self.space, self.shown, more)
 
     def write(self, unit: Unit) -> dict[str, str]:
         """One project file with a POU for each block, and the configuration that runs a program."""
@@ -112,7 +112,7 @@ class PlcOpen:
             "    </pous>",
             "  </types>",
             "  <instances>",
-            *_configurations(unit.task),
+            *(self._configurations(unit.task) if unit.task is not None else ["    <configurations/>"]),
             "  </instances>",
             "</project>",
             "",
@@ -158,6 +158,18 @@ class PlcOpen:
             raise NotInSubset("a task without an interval in milliseconds, or of another priority")
         names = [p["name"] for p in parts]
         return Task(names[0], names[1], names[2], int(interval[1]), names[3], parts[3]["typeName"])
+
+    def _configurations(self, t: Task) -> list[str]:
+        """What runs a program."""
+        return [
+            "    <configurations>",
+            f'      <configuration name="{t.configuration}"><resource name="{t.resource}">',
+            f'        <task name="{t.name}" interval="T#{t.interval_ms}ms" priority="0">',
+            f'          <pouInstance name="{t.instance}" typeName="{t.program}"/>',
+            "        </task>",
+            "      </resource></configuration>",
+            "    </configurations>",
+        ]
 
     def _path(self, path: str) -> str:
         return "/".join(f"{{{self.space}}}{p}" for p in path.split("/"))
@@ -234,20 +246,6 @@ class PlcOpen:
         note = f"<documentation>{self._text(d.note)}</documentation>" if d.note else ""
         where = f' address="{d.address}"' if d.address else ""
         return f'            <variable name="{d.name}"{where}><type>{kind}</type>{value}{note}</variable>'
-
-
-def _configurations(t: Task | None) -> list[str]:
-    if t is None:
-        return ["    <configurations/>"]
-    return [
-        "    <configurations>",
-        f'      <configuration name="{t.configuration}"><resource name="{t.resource}">',
-        f'        <task name="{t.name}" interval="T#{t.interval_ms}ms" priority="0">',
-        f'          <pouInstance name="{t.instance}" typeName="{t.program}"/>',
-        "        </task>",
-        "      </resource></configuration>",
-        "    </configurations>",
-    ]
 
 
 def _literal(x: Expression) -> str:

@@ -29,7 +29,7 @@ class Scl:
     """What a tool wants.
 
     style: of declarations and names.  void: the type of a function without a result.  attributes: after the name of a
-    block; data: after that of a data block of its own.  named: a call of an instance names its block too.  cycle:
+    block; data: after that of a data block.  named: a call of an instance names its block too.  cycle:
     what the organization block of each cycle is called; taken: what such blocks declare.
     """
 
@@ -50,7 +50,7 @@ class Scl:
     def block(self, b: Block, known: Frame) -> list[str]:
         """The lines of a block."""
         if b.kind == "INSTANCE":
-            return [f'DATA_BLOCK "{b.name}"', *self.attributes, f'"{b.locals[0].type}"', "BEGIN", "END_DATA_BLOCK"]
+            return [f'DATA_BLOCK "{b.name}"', *self.data, f'"{b.locals[0].type}"', "BEGIN", "END_DATA_BLOCK"]
         note = [comment(x) for x in wrapped(b.note)] if b.note else []
         declared = declarations(b, self.style)
         if b.kind == "DATA_BLOCK":
@@ -111,8 +111,8 @@ class Scl:
 
     def _data(self, name: str, text: str) -> Block:
         """An instance, or a data block of its own."""
-        own, data = ("".join(f"{re.escape(x)}\n" for x in part) for part in (self.attributes, self.data))
-        if m := re.fullmatch(rf"\n{own}\"(\w+)\"\nBEGIN", text, re.ASCII):
+        data = "".join(f"{re.escape(x)}\n" for x in self.data)
+        if m := re.fullmatch(rf"\n{data}\"(\w+)\"\nBEGIN", text, re.ASCII):
             return Block(name, (), (), (Declaration("OF", m[1]),), (), kind="INSTANCE")
         if m := re.fullmatch(rf"\n{data}STRUCT\n(.*)END_STRUCT;\nBEGIN", text, re.DOTALL):
             made = f'FUNCTION_BLOCK "X"\nVAR\n{m[1]}END_VAR\nBEGIN\nEND_FUNCTION_BLOCK\n'
