@@ -22,11 +22,15 @@ from interlock.diag import Severity, Sink
 from interlock.emit.io import names_csv
 from interlock.frontend import load_text
 from interlock.frontend.scalars import NAME
+from interlock.logic.cabinet import allocate
 from interlock.logic.lower import lower
 from interlock.logic.names import Kind, families
-from interlock.model.portable import LONGEST, portable
+from interlock.model.portable import LONGEST, OWN_ENDING, portable
+from interlock.st.delivery import write_delivery
+from interlock.st.dialects import BY_NAME
 from interlock.st.lint import AVOID
-from tests.layouts import grown
+from interlock.st.telegram import telegram_unit
+from tests.layouts import built, grown
 
 TEXT = """interlock: 1
 name: demo
@@ -233,6 +237,41 @@ def test_a_layout_is_not_called_as_a_device(name: str) -> None:
     assert load_text("t", ALIKE.replace("name: demo", f"name: {name}").format("S1", "S2", "Z"), sink)[0] is None
     (found,) = sink.diagnostics
     assert found.code == "IL1016" and "a device" in found.message and f"`{name}_1`" in found.fix
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["north Q", "north-i", "north_D", "north D2", "north IO", "north hmi", "n B01", "n-OUT02", "n TRY", "n H500"],
+)
+def test_a_layout_is_not_called_as_a_block_of_another(name: str) -> None:
+    """`IL_north_Q` would be two things in one controller, and a tool may take the second for the first anew."""
+    sink = Sink()
+    assert load_text("t", ALIKE.replace("name: demo", f"name: {name}").format("S1", "S2", "Z"), sink)[0] is None
+    (found,) = sink.diagnostics
+    assert found.code == "IL1016" and "would be its block" in found.message and f"`{name}_1`" in found.fix
+    sink = Sink()
+    load_text("t", ALIKE.replace("name: demo", f"name: {name}_1").format("S1", "S2", "Z"), sink)
+    assert not sink.has_errors
+
+
+@pytest.mark.parametrize("name", ["north", "quai Q1", "north B1", "NIO", "Q", "west-W"])
+def test_other_endings_are_free(name: str) -> None:
+    sink = Sink()
+    assert load_text("t", ALIKE.replace("name: demo", f"name: {name}").format("S1", "S2", "Z"), sink)[0] is not None
+
+
+def test_every_block_of_a_layout_ends_as_no_other_layouts_name_may() -> None:
+    """In each dialect, with mapping program and telegram; instances begin with `DB_`, and bear no name of a layout."""
+    ends = set()
+    for own in ("fig2_2", "heishan", "cn6502"):
+        layout, _, controller = built(own)
+        for dialect in BY_NAME.values():
+            files = write_delivery(controller, allocate(layout, controller), dialect, [])
+            names = [b.name for b in telegram_unit(own, list(layout.machines), False, []).blocks]
+            text = "\n".join([*files.values(), *names])
+            ends |= set(re.findall(rf"\bIL_{own}(_[A-Z]+\d*)\b", text))
+    assert {"_I", "_Q", "_D", "_IO", "_HMI", "_WATCH", "_CYCLE", "_B01", "_OUT01", "_TASK", "_TRY"} <= ends
+    assert [e for e in sorted(ends) if not OWN_ENDING.fullmatch(e) and e not in ("_CYC", "_W")] == []
 
 
 def test_two_of_three_names_that_look_alike_are_told() -> None:

@@ -14,6 +14,7 @@ from pydantic import AfterValidator, BeforeValidator, Field, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
 from interlock.frontend.signs import DIRECTIONS, parted
+from interlock.model.portable import OWN_ENDING, portable
 
 _UNSEEN = "\u115f\u1160\u3164\uffa0"  # letters to Unicode, and drawn as nothing
 _NO_XML = "\ufffe\uffff"  # beside control characters
@@ -69,6 +70,13 @@ def _folder_name(value: object) -> object:
             f"of that name, so it has {LONGEST_FOLDER} at most"
         )
         fix = "write a shorter one; `title` takes any text"
+        raise PydanticCustomError("name", "{said}", {"v": value, "said": said, "fix": fix})
+    if isinstance(value, str) and NAME.fullmatch(value) and (own := OWN_ENDING.search(portable(value))):
+        said = (
+            f"'{value}' cannot be the layout's name: `IL_{portable(value)}` would be its block, and one of a layout "
+            f"`{portable(value)[: own.start()]}`, too, in PLC text"
+        )
+        fix = f"write another one, as `{value}_1`; `title` takes any text"
         raise PydanticCustomError("name", "{said}", {"v": value, "said": said, "fix": fix})
     return _name(value)
 

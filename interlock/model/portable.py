@@ -7,6 +7,7 @@ depends on the name alone, so that no other element changes it.
 
 from __future__ import annotations
 
+import re
 import unicodedata
 from collections.abc import Iterable
 from functools import lru_cache
@@ -14,6 +15,11 @@ from hashlib import sha256
 
 TAKEN = frozenset({"TRIG", "EDGE"})
 """What no name is written as, in any case: with the F_ of a section it is a word of IEC 61131-3."""
+OWN_ENDING = re.compile(
+    r"_(?:I|Q|D\d*|IO|HMI|WATCH|CYCLE|H\d+|IN\d+|OUT\d+|[GBTWSY]\d{2,}|TASK|CONF|RES|MAIN|SEND|RECV|TRY)$",
+    re.IGNORECASE,
+)
+"""With what the blocks of a layout end whose own names begin with its: `IL_north_Q` is one of `north`."""
 LONGEST = 14  # characters: a name of this length with what stands around it is an identifier in every dialect
 _CHECK = 4
 _SIGNS = "abcdefghijkmnpqrstuvwxyz23456789"  # 32, none like another
