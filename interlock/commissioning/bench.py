@@ -119,17 +119,18 @@ class Bench:
             if any(self.on(n) for shunt in (False, True) for n in aspects.proceed_lamps(g, shunt))
         ]
 
-    def locked(self, s: SectionId) -> bool:
-        """Whether a section is indicated as locked: one without an indication is always."""
-        name = self.symbols.indication.get(f"locked {s}")
-        return name is None or self.on(name)
-
     def _detected(self) -> dict[str, int]:
         return {str(n): int(self.lies[m] is x) for (m, x), n in self.symbols.machines.detected.items()}
 
     def _holds(self, m: MachineId, inputs: Mapping[str, int]) -> bool:
         """Whether the tester holds a machine's detection off in this scan."""
         return any(str(n) in inputs for (other, _), n in self.symbols.machines.detected.items() if other == m)
+
+
+def locked(bench: Bench, s: SectionId) -> bool:
+    """Whether a section is indicated as locked: one without an indication is always."""
+    name = bench.symbols.indication.get(f"locked {s}")
+    return name is None or bench.on(name)
 
 
 def not_at_stop(bench: Bench) -> list[SignalId]:
@@ -148,7 +149,7 @@ def not_locked_up(bench: Bench) -> list[str]:
     """What is otherwise then."""
     y = bench.symbols
     came = [f"{g} does not show stop" for g in not_at_stop(bench)]
-    came += [f"{s} is not locked" for s in y.sections.restart if not bench.locked(s)]
+    came += [f"{s} is not locked" for s in y.sections.restart if not locked(bench, s)]
     points = [(m, x) for m, x in y.machines.drive if m not in bench.layout.machines.device]
     came += [f"{m} is driven" for m, x in points if bench.on(y.machines.drive[m, x])]
     return came + [f"{d} shows clear" for d, n in y.aspects.distant_clear.items() if bench.on(n)]

@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import replace
 from itertools import count
 
-from interlock.commissioning.bench import FEW, Bench, locked_up, not_locked_up, occupied
+from interlock.commissioning.bench import FEW, Bench, locked, locked_up, not_locked_up, occupied
 from interlock.commissioning.machines import machines
 from interlock.commissioning.place import places
 from interlock.commissioning.routes import RouteTests
@@ -68,13 +68,13 @@ def _start(bench: Bench) -> Iterator[Step]:
     bench.scans(FEW, {str(y.sections.release_all): 1})
     bench.wait(SETTLED_S)
     later = f"after the restart delay of {exact(rules.restart_delay_s)} s"
-    came = [f"{s} is released" for s in y.sections.restart if not bench.locked(s)]
+    came = [f"{s} is released" for s in y.sections.restart if not locked(bench, s)]
     yield started(f"{later}, every section occupied: release all clear sections", "every section stays locked", came)
     bench.back(clear)
     for _ in range(2):  # a level crossing closes at the first, and the sections under it are released at the second
         bench.scans(FEW, {str(y.sections.release_all): 1})
         bench.wait(SETTLED_S)
-    kept = [s for s in y.sections.restart if bench.locked(s) and s not in bench.layout.track.undetected]
+    kept = [s for s in y.sections.restart if locked(bench, s) and s not in bench.layout.track.undetected]
     do = f"{later}, every section clear: release all clear sections"
     yield started(do, "no section with detection is locked", [f"{s} is locked" for s in kept])
 

@@ -13,6 +13,7 @@ from interlock.commissioning.bench import (
     SCAN_MS,
     Bench,
     Moment,
+    locked,
     locked_up,
     not_at_stop,
     not_locked_up,
@@ -72,7 +73,7 @@ class RouteTests:
         bench.scans(FEW, {str(y.sections.release_all): 1})
         bench.scan({str(y.requests.request): row.row.number})
         bench.scans(FEW)
-        came = [f"{s} is released" for s in y.sections.restart if not bench.locked(s)]
+        came = [f"{s} is released" for s in y.sections.restart if not locked(bench, s)]
         came += [f"{row.name} is set"] if bench.on(row.symbols.active) else []
         do = f"then at once, before the restart delay of {exact(delay)} s is over: release all clear sections"
         expect = f"every section stays locked, {row.name} is refused"
@@ -165,7 +166,7 @@ class RouteTests:
         came += [f"{machines.named(m)} {machines.word(m, bench.lies[m])}" for m in wrong]
         if others := [x for x in not_at_stop(bench) if x not in {p.entry for p in row.parts}]:
             came.append(f"not at stop: {', '.join(others)}")
-        if free := [s for part in row.parts for s, _ in part.path.locked if not bench.locked(s)]:
+        if free := [s for part in row.parts for s, _ in part.path.locked if not locked(bench, s)]:
             came.append(f"not locked: {', '.join(free)}")
         a = bench.symbols.aspects
         told = [d for d, clear in self._distants().items() if clear is not bench.on(a.distant_clear[d])]
@@ -328,7 +329,7 @@ class RouteTests:
             bench.inputs |= dict.fromkeys(occupied(y, left), 1) if left is not None else {}
             bench.scans(FEW)
         bench.wait(max(x.delay_s for part in row.parts for x in part.locking.release) + SLACK_S)
-        came += [] if bench.locked(first) else [f"{first} is released"]
+        came += [] if locked(bench, first) else [f"{first} is released"]
         do = f"{before} set before it, a train in {other}: another drives over {row.name} into {second}"
         return self._step(do, f"{first} stays locked behind it while {other} is occupied", "R9", came)
 
@@ -355,7 +356,7 @@ class RouteTests:
         bench.scan(self._cancel)
         came = ["it stays at proceed"] if self._proceed() else []
         bench.wait(max(0.0, delay - SLACK_S))
-        came += [] if bench.locked(row.path[0]) and bench.on(row.symbols.active) else ["it is given up too early"]
+        came += [] if locked(bench, row.path[0]) and bench.on(row.symbols.active) else ["it is given up too early"]
         bench.wait(2 * SLACK_S + self._hold)
         came += ["it stays locked"] if bench.on(row.symbols.active) else []
         expect = f"stop at once; {row.path[0]} stays locked for {exact(delay)} s, and then the route is given up"
@@ -425,7 +426,7 @@ class RouteTests:
                 expect.append(f"{left} is released after {exact(delay[left])} s")
                 came += self._released(left, delay[left])
             expect.append(f"{s} is locked")
-            came += [] if bench.locked(s) else [f"{s} is not locked"]
+            came += [] if locked(bench, s) else [f"{s} is not locked"]
             leaves = "" if left is None else f", and leaves {left}"
             yield self._step(f"the train over {row.name} comes into {s}{leaves}", "; ".join(expect), "R9", came)
             left = s
@@ -445,9 +446,9 @@ class RouteTests:
         bench, came = self._bench, list[str]()
         if delay_s > SLACK_S:
             bench.wait(delay_s - SLACK_S)
-            came += [] if bench.locked(s) else [f"{s} is released too early"]
+            came += [] if locked(bench, s) else [f"{s} is released too early"]
         bench.wait(2 * SLACK_S)
-        return [*came, f"{s} stays locked"] if bench.locked(s) else came
+        return [*came, f"{s} stays locked"] if locked(bench, s) else came
 
     def _step(self, do: str, expect: str, rule: str, came: list[str] | None) -> Step:
         """`came`: None where it was not tried."""

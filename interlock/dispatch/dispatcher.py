@@ -205,12 +205,12 @@ class Dispatcher:
 
     def _stands(self, run: Run, seen: Indications) -> None:
         """Plans count on an overlap that was given up, whoever comes behind the train now."""
-        if run.way.ahead or run.given_up == run.place:
+        if run.way.ahead or run.way.given_up == run.place:
             return
         kept = self.railway.held.overlap_sections(run.place)
         locked = self._symbols.indication
         if kept and not any(seen.get(locked.get(f"locked {s}", ""), 1) for s in kept):
-            run.given_up = run.place
+            run.way.given_up = run.place
             self.holding.forget()
 
     def _shut(self, run: Run, stage: Stage, seen: Indications, dt_ms: int) -> str:

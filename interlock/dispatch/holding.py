@@ -180,10 +180,10 @@ class Holding:
         for k, run in enumerate(self.runs):
             if run.caught:
                 back = run.way.places[run.way.at].under if run.way.ahead and run.way.cancelling else ()
-                drafts.append(self._railway.still(run.name, run.place, run.coming, back, run.given_up))
+                drafts.append(self._railway.still(run.name, run.place, run.coming, back, run.way.given_up))
             else:
                 same = [r.name for r in self.runs[:k] if r.coming and r.journey.start.under == run.journey.start.under]
-                drafts.append(run.journey.nodes(same, run.given_up))
+                drafts.append(run.journey.nodes(same, run.way.given_up))
         if self.obstacles:
             drafts.append(in_the_way(self.obstacles))
         self.built = build(drafts, self._railway.held.zones)

@@ -30,6 +30,8 @@ class SetRoutes:
     cancelling: bool = False
     by_hand: bool = False
     """What is set is being taken back by somebody else: it is not asked for again."""
+    given_up: Place | None = None
+    """Where its train stands and was seen to have given up its overlap, which who comes behind it does not undo."""
 
     @property
     def ahead(self) -> int:
@@ -93,8 +95,6 @@ class Run:
     place: Place = field(init=False)
     way: SetRoutes = field(default_factory=SetRoutes)
     asking: Asking = field(default_factory=Asking)
-    given_up: Place | None = None
-    """Where its train stands and was seen to have given up its overlap, which who comes behind it does not undo."""
     reason: str = ""
     caught: str = ""
     """That no plan exists with it, and why, as long as it is so."""

@@ -75,7 +75,7 @@ class Held:
         the overlap of the last one while it does not stand wholly before the signal."""
         overlap = self._own_overlap(place)
         never = bool(overlap) and (len(place.under) > 1 or self.unseen(place))
-        return (overlap if never else frozenset()) | self.under_way(place) | self.inside_of(place)
+        return (overlap if never else frozenset()) | self.under_way(place) | self._inside_of(place)
 
     def followed(self, place: Place) -> Followed | None:
         """What a train may keep besides while another is behind it: the overlap before which it stands, where that one
@@ -99,7 +99,7 @@ class Held:
                 self._locks(key, things)
         return frozenset(things)
 
-    def inside_of(self, place: Place) -> frozenset[object]:
+    def _inside_of(self, place: Place) -> frozenset[object]:
         """What a train keeps by standing in overlaps of signals that it has passed (R4)."""
         things: set[object] = set()
         for x in place.inside:

@@ -7,7 +7,19 @@ from collections.abc import Sequence
 from interlock.logic import names
 from interlock.logic.controller import Controller, Timer
 from interlock.logic.expr import TRUE
-from interlock.logic.lower import added, aspects, block, overlaps, points, requests, routes, sections, ways, zones
+from interlock.logic.lower import (
+    added,
+    aspects,
+    block,
+    come_in,
+    overlaps,
+    points,
+    requests,
+    routes,
+    sections,
+    ways,
+    zones,
+)
 from interlock.logic.lower.draft import Draft
 from interlock.logic.lower.words import words
 from interlock.logic.symbols import (
@@ -40,7 +52,7 @@ PASSES = (
     sections.restart_delay,
     sections.image,
     sections.clear_time,
-    sections.seen_alone,
+    come_in.seen_alone,
     routes.approaches,
     points.detection,
     points.movable,
@@ -242,13 +254,9 @@ def _symbols(d: Draft) -> Symbols:
             {g: names.CANCELLING(g) for g in signals},
             {g: names.APPROACH_OVER(g) for g in signals},
             {g: d.sections.rear(d.signals.first_section(g), d.layout.signalling.signal[g].node) for g in signals},
-            {
-                s: names.REAR_CLEARED(s)
-                for s in d.sections.all
-                if sections.from_signals(d, s) or sections.in_order(d, s)
-            },
-            {s: names.SEEN_ALONE(s) for s in d.sections.all if sections.in_order(d, s)},
-            {s: names.AT_ONCE(s) for s in d.sections.all if sections.in_order(d, s)},
+            {s: names.REAR_CLEARED(s) for s in d.sections.all if come_in.from_signals(d, s) or come_in.in_order(d, s)},
+            {s: names.SEEN_ALONE(s) for s in d.sections.all if come_in.in_order(d, s)},
+            {s: names.AT_ONCE(s) for s in d.sections.all if come_in.in_order(d, s)},
         ),
         overlaps=_overlaps(d),
         token=block.tokens(d),

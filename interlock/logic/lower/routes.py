@@ -18,7 +18,7 @@ from interlock.diag.called import called
 from interlock.logic import names, rules
 from interlock.logic.controller import Input, Join, Term
 from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
-from interlock.logic.lower import added, aspects, block, requests, sections, ways, zones
+from interlock.logic.lower import added, aspects, block, come_in, requests, sections, ways, zones
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import Position, Signal, SignalId
 from interlock.table.cells import RouteKind
@@ -209,7 +209,7 @@ def _release_waits(d: Draft, g: Signal) -> Expr:
         for t in d.sections.locks_of[first]
         if t.entry == g.node
     )
-    begun = (*sections.from_signals(d, first), *sections.in_order(d, first))
+    begun = (*come_in.from_signals(d, first), *come_in.in_order(d, first))
     behind = disj(locked for h, locked in begun if h == g.id)
     waits = conj((behind, neg(var(names.REAR_CLEARED(first))))) if behind is not FALSE else FALSE
     return conj(

@@ -10,6 +10,7 @@ from interlock.model.elements import Position, SectionId, SignalId
 from interlock.model.times import whole_ms
 from interlock.proof.claims.reasons import first_behind, in_order
 from interlock.proof.functions.routes import kept_longer
+from interlock.proof.functions.sections import read_ahead
 from interlock.proof.functions.words import Words
 
 
@@ -58,7 +59,7 @@ def _in_it_alone(w: Words, s: SectionId) -> Expr:
     """What came in is in a section, and not yet in the next one that it is locked towards."""
     at_once = var(w.sym.cancellation.at_once[s])
     return neg(
-        disj((neg(w.sections.occupied(s)), neg(w.f.seen.used(s)), w.f.seen.passed(s), at_once, w.sections.ahead(s)))
+        disj((neg(w.sections.occupied(s)), neg(w.f.seen.used(s)), w.f.seen.passed(s), at_once, read_ahead(w, s)))
     )
 
 

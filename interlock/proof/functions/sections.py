@@ -42,7 +42,7 @@ def _memory(w: Words, s: SectionId) -> Iterator[tuple[str, str, Expr]]:
     kept = [f.seen.used(s), f.seen.passed(s), f.seen.stale(s), f.locking.firm(s)]
     if s in w.sym.cancellation.at_once:
         at_once = var(w.sym.cancellation.at_once[s])
-        new = conj((neg(at_once), w.rises(f.seen.used(s)), w.sections.ahead(s)))
+        new = conj((neg(at_once), w.rises(f.seen.used(s)), read_ahead(w, s)))
         yield "F-PASSED", f"{s} at once", iff(w.rises(at_once), new)
         kept.append(at_once)
     if s in w.sym.cancellation.rear_cleared:
@@ -63,6 +63,15 @@ def _memory(w: Words, s: SectionId) -> Iterator[tuple[str, str, Expr]]:
     for x in kept:
         yield "F-RELEASE", f"{s} {x}", implies(conj((x, after(f.locking.locked(s)))), after(x))
         yield "F-RELEASE", f"{s} {x} forgotten", implies(w.ends(f.locking.locked(s)), neg(after(x)))
+
+
+def read_ahead(w: Words, s: SectionId) -> Expr:
+    """What is next on the way for which a section is locked reads occupied."""
+    found = []
+    for n, lock in w.f.locking.of(s):
+        b = w.topo.beyond(s, w.f.track.way(s, n)[1])
+        found += [] if b is None else [conj((lock, w.sections.occupied(b)))]
+    return disj(found)
 
 
 def _ends_here(w: Words, s: SectionId) -> Iterator[Expr]:

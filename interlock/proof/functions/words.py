@@ -92,14 +92,6 @@ class SectionWords:
                 out.append(neg(self._before(s, j)))
         return conj(out)
 
-    def ahead(self, s: SectionId) -> Expr:
-        """What is next on the way for which a section is locked reads occupied."""
-        found = []
-        for n, lock in self._w.f.locking.of(s):
-            b = self._w.topo.beyond(s, self._w.f.track.way(s, n)[1])
-            found += [] if b is None else [conj((lock, self.occupied(b)))]
-        return disj(found)
-
     def wholly_in_alone(self, s: SectionId) -> Expr:
         """The same, and nothing stands before a signal that leads there (R2)."""
         before = (self._before(s, j) for j in self._w.topo.ends[s] if self.main_at(s, j))
