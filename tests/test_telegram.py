@@ -113,7 +113,7 @@ def test_a_forged_text_of_the_receiver_is_refused(how: str) -> None:
         ("ALARM := NOT YES AND (ALARM OR FAIL)", "ALARM := NOT YES AND FAIL"),
         ("FIRST OR AGAIN", "FIRST OR LOST"),
         ("OPEN AND NOT AGAIN AND NOT FIRST", "OPEN AND NOT AGAIN"),
-        ("NEW AND NOT WAS", "NEW"),
+        ("FRESH AND NOT WAS", "FRESH"),
         ("T#200ms", "T#200h"),
         ("THIRD : BOOL := FALSE", "THIRD : BOOL := TRUE"),
     ],
@@ -226,15 +226,15 @@ def test_the_text_repeats_and_alarms_as_the_runtime_does() -> None:
     assert unit.blocks[2].name == "IL_demo_TRY"
     numbers = Numbers(dt_ms=100)
     run: Execution[int] = Execution(Unit((unit.blocks[2],)), numbers)
-    sends = [run.scan({"NEW": k == 0, "YES": 0, "NO": 0}) for k in range(12)]
+    sends = [run.scan({"FRESH": k == 0, "YES": 0, "NO": 0}) for k in range(12)]
     assert sum(s["SEND"] for s in sends) == 3 and sends[-1]["ALARM"] and not sends[0]["ALARM"]
     assert sends[0]["SEND"] and all(not (a["SEND"] and b["SEND"]) for a, b in pairwise(sends))
-    assert not run.scan({"NEW": 0, "YES": 1, "NO": 0})["ALARM"]
+    assert not run.scan({"FRESH": 0, "YES": 1, "NO": 0})["ALARM"]
     run = Execution(Unit((unit.blocks[2],)), Numbers(dt_ms=100))
-    refused = [run.scan({"NEW": k == 0, "YES": 0, "NO": k in (1, 3, 5)}) for k in range(8)]
+    refused = [run.scan({"FRESH": k == 0, "YES": 0, "NO": k in (1, 3, 5)}) for k in range(8)]
     assert [k for k, s in enumerate(refused) if s["SEND"]] == [0, 1, 3] and refused[5]["ALARM"]
     run = Execution(Unit((unit.blocks[2],)), Numbers(dt_ms=100))
-    fine = [run.scan({"NEW": k == 0, "YES": k == 1, "NO": 0}) for k in range(30)]
+    fine = [run.scan({"FRESH": k == 0, "YES": k == 1, "NO": 0}) for k in range(30)]
     assert sum(s["SEND"] for s in fine) == 1 and not any(s["ALARM"] for s in fine)
 
 
@@ -244,7 +244,7 @@ def trying(dt_ms: int) -> Callable[..., tuple[bool, bool]]:
     run: Execution[int] = Execution(Unit((unit.blocks[2],)), Numbers(dt_ms=dt_ms))
 
     def call(new: bool = False, answer: bool | None = None) -> tuple[bool, bool]:
-        out = run.scan({"NEW": int(new), "YES": int(answer is True), "NO": int(answer is False)})
+        out = run.scan({"FRESH": int(new), "YES": int(answer is True), "NO": int(answer is False)})
         return bool(out["SEND"]), bool(out["ALARM"])
 
     return call
@@ -291,7 +291,7 @@ def test_a_new_that_stands_is_one_telegram_and_silences_no_alarm() -> None:
 
 @pytest.mark.parametrize("seed", range(20))
 def test_of_telegrams_in_calls_on_end_the_last_is_sent(seed: int) -> None:
-    """NEW says that the telegram is another one: without a break, and while the one before is confirmed, too."""
+    """FRESH says that the telegram is another one: without a break, and while the one before is confirmed, too."""
     rng, call = random.Random(seed), trying(100)
     pending = lost = new = False
     several = 0
@@ -315,7 +315,10 @@ def test_the_python_sender_sends_what_was_confirmed_before_another_one() -> None
 
 def test_the_blocks_say_what_they_leave_to_the_caller() -> None:
     text = " ".join(text_of(FORMS[0]).replace("(*", "").replace("*)", "").split())
-    assert "NEW, YES and NO are pulses" in text and "clear every D_ when none comes in time" in text
+    assert (
+        "FRESH, YES and NO are pulses, YES and NO for this telegram" in text
+        and "clear every D_ when none comes in time" in text
+    )
 
 
 @pytest.mark.parametrize("form", FORMS, ids=str)
@@ -323,7 +326,7 @@ def test_a_yes_that_stands_confirms_what_nobody_has_received(form: Form) -> None
     """Why it has to be a pulse."""
     unit = telegram_unit("demo", form.machines, form.tagged, [])
     run: Execution[int] = Execution(Unit((unit.blocks[2],)), Numbers(dt_ms=100))
-    sends = [run.scan({"NEW": k == 0, "YES": 1, "NO": 0}) for k in range(30)]
+    sends = [run.scan({"FRESH": k == 0, "YES": 1, "NO": 0}) for k in range(30)]
     assert sum(s["SEND"] for s in sends) == 1 and not any(s["ALARM"] for s in sends)
 
 

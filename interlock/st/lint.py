@@ -49,7 +49,7 @@ S7_SCL = _words(
 """Reserved words of S7-SCL for S7-300 and S7-400, in any case: OK is its flag of a computation that went well."""
 STANDARD = _words("F_EDGE F_TRIG R_EDGE R_TRIG RS SR CTU CTD S_CD S_CU S_CUD S_ODT S_ODTS S_OFFDT S_PEXT S_PULSE")
 """What tools call by a name of their own."""
-AVOID = KEYWORDS | S7_SCL | STANDARD | _words("IN S1 P Q PT TON TOF TP BOOL INT TIME")
+AVOID = KEYWORDS | S7_SCL | STANDARD | _words("IN S1 P Q PT TON TOF TP BOOL INT TIME NEW")
 
 
 @dataclass(frozen=True)

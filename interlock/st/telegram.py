@@ -162,10 +162,10 @@ def _receive(name: str, machines: Sequence[MachineId], tagged: bool) -> Block:
 def _try(name: str) -> Block:
     """Three telegrams without a confirmation, then an alarm that stays until one is confirmed.
 
-    A NEW that stands is one telegram, so that it silences no alarm; at its end there may have been others, of which
+    A FRESH that stands is one telegram, so that it silences no alarm; at its end there may have been others, of which
     the last is sent.
     """
-    new, confirmed, refused, over = _n("NEW"), _n("YES"), _n("NO"), Name(("WAIT", "Q"))
+    new, confirmed, refused, over = _n("FRESH"), _n("YES"), _n("NO"), Name(("WAIT", "Q"))
     open_, again, second, third = _n("OPEN"), _n("AGAIN"), _n("SECOND"), _n("THIRD")
     first, was, more = _n("FIRST"), _n("WAS"), _n("MORE")
     begins, ends = Nary("AND", (new, Not(was))), Nary("AND", (more, Not(new)))
@@ -187,7 +187,7 @@ def _try(name: str) -> Block:
     return Block(
         name,
         (
-            Declaration("NEW", "BOOL", None, "there is a new telegram: 1 in one call for each"),
+            Declaration("FRESH", "BOOL", None, "there is a new telegram: 1 in one call for each"),
             Declaration("YES", "BOOL", None, "the receiver has confirmed it: 1 in one call for each answer"),
             Declaration("NO", "BOOL", None, "the receiver has refused it: 1 in one call for each answer"),
         ),
@@ -200,8 +200,8 @@ def _try(name: str) -> Block:
             Declaration("AGAIN", "BOOL", Bool(False)),
             Declaration("SECOND", "BOOL", Bool(False), "sent twice"),
             Declaration("THIRD", "BOOL", Bool(False), "sent three times"),
-            Declaration("WAS", "BOOL", Bool(False), "NEW in the last call"),
-            Declaration("MORE", "BOOL", Bool(False), "NEW has stood for more than a call"),
+            Declaration("WAS", "BOOL", Bool(False), "FRESH in the last call"),
+            Declaration("MORE", "BOOL", Bool(False), "FRESH has stood for more than a call"),
             Declaration("FIRST", "BOOL"),
             Declaration("RUN", "BOOL"),
             Declaration("LOST", "BOOL"),
@@ -209,5 +209,5 @@ def _try(name: str) -> Block:
             Declaration("WAIT", "TON", None, "time for an answer"),
         ),
         tuple(body),
-        "sends, waits, repeats twice, alarms; NEW, YES and NO are pulses, the last two answers to this very telegram",
+        "sends, waits, repeats twice, alarms; FRESH, YES and NO are pulses, YES and NO for this telegram",
     )
