@@ -59,7 +59,8 @@ def test_a_route_that_is_set_says_what_its_signal_waits_for(loop: Ready) -> None
     assert loop.layout is not None
     desk.cycles(round(loop.layout.principles.restart_delay_s * 1000 / STEP_MS) + 50)
     assert desk.type("release") == []
-    waits = {"route": "S1-W", "at_stop": ["the direction at W is not ours"]}
+    nobody = "the direction at W is not ours, and the neighbour does not have it: after a restart agree with him, then"
+    waits = {"route": "S1-W", "at_stop": [f"{nobody} special manual change (hold TKN_W)"]}
     assert desk.type("set S1-W") == [waits], "said once"
     assert desk.type("set S1-W") == [waits], "and when it is asked for again"
     (no,) = desk.type("set S3-W")

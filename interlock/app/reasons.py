@@ -11,14 +11,17 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 from math import ceil
+from types import MappingProxyType
 
 from interlock.dataclass import dataclass
 from interlock.diag.called import called
 from interlock.field.plc import Memory
 from interlock.logic import names
+from interlock.logic.at_stop import LOST, again, at_stop
 from interlock.logic.behind import left_behind
 from interlock.logic.controller import Controller, Equation, Input, Step, Timer
 from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr, evaluate, variables
+from interlock.logic.kept_locked import kept_locked
 from interlock.logic.names import Name, computed
 from interlock.logic.sentences import about, sentence
 from interlock.logic.symbols import RouteSymbols, Symbols
@@ -74,6 +77,7 @@ class Reasons:
         self._following: dict[str, Equation] = {computed(e.name): e for e in controller.next}
         self._held_until = controller.words.let_go(t.name for t in controller.timers)
         self._left = {str(x.lock): x for x in left_behind(controller)}
+        self._at_stop, self._kept_locked = at_stop(controller), kept_locked(controller)
         self._notes: dict[str, str] = {s.name: s.note for s in controller.state}
         self._notes |= {i.name: i.note for i in controller.inputs}
 
@@ -116,6 +120,10 @@ class Reasons:
     def _of_code(self, code: int, moment: Moment) -> Reason:
         """What a code says; of a lock, by whom it is held in this moment."""
         said = self._controller.words.reasons[code]
+        kept, state = self._kept_locked.get(code), moment.before.state
+        past = kept is not None and not any(state.get(n) for n in kept.active)
+        if kept is not None and past and not all(map(_Look(self, moment).value, kept.detection)):
+            return Reason(kept.text, said.at, said.rule)
         x = said.condition
         if x is not None and x.op is NOT and x.args[0].op is VAR and x.args[0].name in self.locks:
             return Reason(self.held(x.args[0].name, moment), said.at, said.rule)
@@ -143,18 +151,21 @@ class Reasons:
         wire = names.OPENS(number) if state.get(names.LOCKED(number)) else names.LOCKS(number)
         on_the_way = self._on_the_way(number, state)
         leave = {"active", "wanted", *(["identifier wanted", "rear locked"] if on_the_way else ())}
-        found = [*self._told(wire, moment, leave), *self._drives(number, moment)]
+        own = self._own(number, moment)
+        found = [*self._told(wire, moment, leave, own), *self._drives(number, moment)]
         if on_the_way is not None:
             return [*found, on_the_way]
-        if _Look(self, moment).value(computed(names.WANTED(number))):
+        if _Look(self, moment).value(computed(names.WANTED(number))) or LOST in (r.text for r in found):
             return found
-        been = state.get(names.SHOWN(number))
-        call_on = self.symbols.routes.number[number].call_on
-        hindered = "its way was blocked, a point in it trailed, or inputs were lost: it"
-        hindered = hindered if call_on else "its way was blocked, or a point in it trailed: it"
-        once = "it has closed once, and" if been else hindered
-        again = "once it is cancelled and set again" if call_on else "when it is asked for again"
-        return [*found, Reason(f"{once} opens only {again}")]
+        return [*found, Reason(again(bool(state.get(names.SHOWN(number))), self.symbols.routes.number[number].call_on))]
+
+    def _own(self, number: int, moment: Moment) -> dict[tuple[str, bool], str]:
+        """What is said of variables for a signal at stop, with what is to be done, by what each of them is."""
+        look, stop = _Look(self, moment), self._at_stop.get(number)
+        causes = stop.causes if stop is not None else ()
+        fails = [x for x in causes if not any(bool(look.value(n)) is on for n, on in x.wanted)]
+        firsts = {(str(x.wanted[0][0]), not x.wanted[0][1]): x.text for x in reversed(fails)}
+        return {k: text for k, text in firsts.items() if self._names[k[0]].family in (names.STALE, names.TOKEN_HERE)}
 
     def _drives(self, number: int, moment: Moment) -> list[Reason]:
         """Drives that a block has stopped, which a route that is set does not command again, and those that have not
@@ -289,10 +300,12 @@ class Reasons:
         text = f"route {r.id} is {'being cancelled: wait for that' if going else 'set: cancel it first'}"
         return Reason(text, (f"g:{r.entry}",))
 
-    def _told(self, wire: str, moment: Moment, leave: set[str]) -> list[Reason]:
+    def _told(
+        self, wire: str, moment: Moment, leave: set[str], own: Mapping[tuple[str, bool], str] = MappingProxyType({})
+    ) -> list[Reason]:
         step = self._steps[wire]
         assert isinstance(step, Equation)
-        look = _Look(self, moment)
+        look = _Look(self, moment, own)
         found: dict[str, Reason] = {}
         for t in step.terms:
             if t.kind not in leave and not look.true(t.expr):
@@ -368,8 +381,10 @@ class Reasons:
 class _Look:
     """Follows equations in one moment."""
 
-    def __init__(self, reasons: Reasons, moment: Moment) -> None:
-        self.r, self.moment = reasons, moment
+    def __init__(
+        self, reasons: Reasons, moment: Moment, own: Mapping[tuple[str, bool], str] = MappingProxyType({})
+    ) -> None:
+        self.r, self.moment, self.own = reasons, moment, own
         self._values: dict[str, int] = {}
         self._memo: dict[int, bool] = {}
         self._seen: set[tuple[str, bool]] = set()
@@ -471,6 +486,7 @@ class _Look:
             yield Reason(self.r.held(name, self.moment), (f"s:{self.r.locks[name][0]}",))
             return
         text, at = self.r.said(name, is_true)
+        text = self.own.get((name, is_true), text)
         if text:
             yield Reason(text, at)
         elif not any(self.r.said(name, x)[0] for x in (False, True)):

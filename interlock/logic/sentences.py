@@ -97,13 +97,17 @@ class _Element(str):
         return called(kind, str(self)) if kind else str(self)
 
 
-def sentence(name: Name, is_true: bool, machines: Machines) -> str:
-    """What is said of a variable; empty where nothing is known to say."""
+def sentence(name: Name, is_true: bool, machines: Machines | None = None) -> str:
+    """What is said of a variable; empty where nothing is known to say.  Of machines it is said with what they are."""
     found = SENTENCES.get(name.family)
     if found is None:
         return ""
     said = found.when_true if is_true else found.when_false
-    lies = [machines.lies(MachineId(str(name.at[0])), x, is_true) for x in name.at[1:] if isinstance(x, Position)]
+    positions = [x for x in name.at[1:] if isinstance(x, Position)]
+    if machines is None:
+        assert not positions and name.family is not names.TRAILED, name
+        return said.format(*(_Element(x) for x in name.at))
+    lies = [machines.lies(MachineId(str(name.at[0])), x, is_true) for x in positions]
     trailed = machines.trailed(MachineId(str(name.at[0]))) if name.family is names.TRAILED else ""
     return said.format(*(_Element(x) for x in name.at), lies="".join(lies), trailed=trailed)
 

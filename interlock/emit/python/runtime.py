@@ -6,12 +6,14 @@ import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import groupby
 
+from interlock.logic.at_stop import LOST, Cause, at_stop
 from interlock.logic.behind import left_behind
 from interlock.logic.controller import Controller, Equation, Join
 from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr
+from interlock.logic.kept_locked import kept_locked
 from interlock.logic.names import LOCK, Kind, Name, computed
 from interlock.logic.on_delay import CYCLE_MAX_MS
-from interlock.logic.words import CANCELLING, REFUSED, SAID
+from interlock.logic.words import CANCELLING, REFUSED, SAID, SET
 
 WIDTH = 120  # columns of lines that hold several names
 
@@ -111,6 +113,32 @@ def left(c: Controller) -> dict[int, tuple[str, str, str, str, str, str]]:
     return found
 
 
+def occupied(c: Controller) -> dict[int, tuple[tuple[str, ...], tuple[str, ...], str]]:
+    """By the code of a refusal by a lock: the inputs that detect the section, what tells that a route is set over it,
+    and what is said while one of the former reads 0 and none of the latter is so."""
+    return {
+        code: (tuple(map(str, x.detection)), tuple(map(str, x.active)), _plain(x.text))
+        for code, x in kept_locked(c).items()
+    }
+
+
+Told = tuple[tuple[tuple[str, bool], ...], str, str]
+"""What is wanted of variables, one of which would do, what is said otherwise, and the rule."""
+
+
+def stopped(c: Controller) -> tuple[dict[int, Told], dict[int, tuple[tuple[int, ...], str, str, str, int, int]]]:
+    """Why a signal is at stop: every cause by a number; by the number of a route its causes, what tells that it is set,
+    that somebody wants its signal open, and that it has been open, and what is said where nobody does after that, and
+    before."""
+    numbers: dict[Cause, int] = {}
+    routes = {}
+    for route, x in at_stop(c).items():
+        *causes, been, hindered = (numbers.setdefault(k, len(numbers)) for k in (*x.causes, x.been, x.hindered))
+        routes[route] = tuple(causes), str(x.active), str(x.wants), str(x.shown), been, hindered
+    told = {n: (tuple((str(v), on) for v, on in k.wanted), _plain(k.text), k.rule) for k, n in numbers.items()}
+    return told, routes
+
+
 def said(c: Controller) -> dict[int, tuple[str, str]]:
     """What the words of a controller say by their codes, and the rule behind each."""
     return {k: (x, "") for k, x in SAID.items()} | {r.code: (_plain(r.text), r.rule) for r in c.words.reasons.values()}
@@ -161,16 +189,43 @@ FIXED = f'''class Controller:
 
     def status(self, route):
         """What the last scan says of a route by its name: its code, and what that means."""
-        code = self.words()[self.request(route)['REQ']]
-        return code, SAID[code][0] + self._left(code)
+        number = self.request(route)['REQ']
+        code = self.words()[number]
+        return code, self._told(number, code)[0]
 
     def why_not(self, route):
-        """Why the route was refused, or would have been, if it was not set: the first condition that did not hold.
+        """Why the route was refused, or would have been, if it was not set: the first condition that did not hold; of
+        one that is set and at stop what its signal waits for, or what is to be done.
 
-        Its code, the sentence, and the rule that asks for it; None while it is free, set, open or being cancelled.
+        Its code, the sentence, and the rule that asks for it; None while it is free, open, being cancelled or waiting
+        for points, or nothing is known that keeps its signal at stop.
         """
-        code = self.words()[self.request(route)['REQ']]
-        return (code, SAID[code][0] + self._left(code), SAID[code][1]) if code > {REFUSED} else None
+        number = self.request(route)['REQ']
+        code = self.words()[number]
+        sentence, rule = self._told(number, code)
+        return (code, sentence, rule) if code > {REFUSED} or (code == {SET} and rule) else None
+
+    def _told(self, number, code):
+        """What a code says of a route in this moment, and the rule."""
+        sentence, rule = SAID[code]
+        if code == {SET} and number in AT_STOP and self._last[0][AT_STOP[number][1]]:
+            causes, _, wants, shown, been, hindered = AT_STOP[number]
+            told = [c for c in causes if not any(self._is(name) == on for name, on in CAUSES[c][0])][:1]
+            if not self.state[wants] and not (told and CAUSES[told[0]][1] == {LOST!r}):
+                told.append(been if self._last[0][shown] else hindered)
+            if told:
+                return f"{{sentence}}: {{'; '.join(CAUSES[c][1] for c in told)}}", CAUSES[told[0]][2]
+        if code in OCCUPIED:
+            detection, active, instead = OCCUPIED[code]
+            if not all(map(self._is, detection)) and not any(map(self._is, active)):
+                return instead, rule
+        return sentence + self._left(code), rule
+
+    def _is(self, name):
+        """An input of the last scan, what was remembered before it, or whether a timer has run out."""
+        if name in TIMERS:
+            return self.elapsed[name] is not None and self.elapsed[name] >= TIMERS[name]
+        return bool(self._last[2][name] if name in INPUTS else self._last[0][name])
 
     def _left(self, code):
         """How a section is released from which a movement has gone, and when; empty where something else holds it."""
@@ -258,6 +313,7 @@ def _words(c: Controller) -> list[str]:
 
 def _tables(c: Controller) -> list[str]:
     """What there is, by name, number and code."""
+    causes, routes = stopped(c)
     return [
         "# name: (restrictive value, number of values), meaning",
         "INPUTS = {",
@@ -292,6 +348,20 @@ def _tables(c: Controller) -> list[str]:
         "# went on, the timers of the release and of approach locking, the input that releases by hand",
         "LEFT = {",
         *(f"    {code}: {those!r}," for code, those in left(c).items()),
+        "}",
+        "# code of a refusal by a lock: what detects the section, what tells that a route is set over it, and what is",
+        "# said where it is occupied and none is",
+        "OCCUPIED = {",
+        *(f"    {code}: {those!r}," for code, those in occupied(c).items()),
+        "}",
+        "# why a signal is at stop: what is wanted of variables, one of which would do, what is said, and the rule",
+        "CAUSES = {",
+        *(f"    {number}: {told!r}," for number, told in causes.items()),
+        "}",
+        "# number of a route: its causes in order, what tells that it is set, that its signal is wanted open, that it",
+        "# has been, and what is said where it is not wanted any more after that, and before",
+        "AT_STOP = {",
+        *(f"    {number}: {those!r}," for number, those in routes.items()),
         "}",
         "# code: what a word says by it, and the rule behind it",
         "SAID = {",

@@ -18,7 +18,16 @@ from functools import cache
 from keyword import iskeyword
 from typing import Any
 
-from interlock.emit.python.runtime import FIXED, cancelled_after, held_until, left, route_numbers, said
+from interlock.emit.python.runtime import (
+    FIXED,
+    cancelled_after,
+    held_until,
+    left,
+    occupied,
+    route_numbers,
+    said,
+    stopped,
+)
 from interlock.logic.controller import Controller
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, eq, neg, var
 from interlock.logic.names import spelled
@@ -51,7 +60,10 @@ def _fixed_tree() -> str:
     return ast.dump(ast.parse(FIXED).body[0])
 
 
-TABLES = ("INPUTS", "STATE", "TIMERS", "OUTPUTS", "ROUTES", "CANCELLED_AFTER", "HELD_UNTIL", "LEFT", "SAID")
+TABLES = (
+    *("INPUTS", "STATE", "TIMERS", "OUTPUTS", "ROUTES", "CANCELLED_AFTER", "HELD_UNTIL", "LEFT"),
+    *("OCCUPIED", "CAUSES", "AT_STOP", "SAID"),
+)
 RESERVED = _names(FIXED) | {"bool", "dict", "map", "zip", "OUTPUTS", "Controller", "__debug__"}
 
 
@@ -88,7 +100,7 @@ class _Reader:
         if not _is_docstring(doc) or len(rest) != len(TABLES) + 1:
             raise BadRuntime("the parts of the module")
         tables = [_table(x, n) for x, n in zip(rest, TABLES, strict=False)]
-        inputs, self.state, self.presets, self.restrictive, routes, timers, held, gone, codes = tables
+        inputs, self.state, self.presets, self.restrictive, routes, timers, held, gone, *told, codes = tables
         self.inputs = [*inputs]
         if not _same(inputs, {i.name: (i.restrictive, i.size or 2) for i in controller.inputs}):
             raise BadRuntime("INPUTS are not those of the controller")
@@ -102,6 +114,9 @@ class _Reader:
             raise BadRuntime("CANCELLED_AFTER or HELD_UNTIL are not those of the controller")
         if not _same(gone, left(controller)):
             raise BadRuntime("LEFT is not that of the controller")
+        causes, stops = stopped(controller)
+        if not (_same(told[0], occupied(controller)) and _same(told[1], causes) and _same(told[2], stops)):
+            raise BadRuntime("OCCUPIED, CAUSES or AT_STOP are not those of the controller")
         if not _same(codes, said(controller)):
             raise BadRuntime("SAID is not that of the controller")
         if ast.dump(rest[-1]) != _fixed_tree():
