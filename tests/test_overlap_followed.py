@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from interlock.logic import names
 from interlock.logic.controller import Controller
+from interlock.logic.expr import FALSE, Substitution
 from interlock.logic.lower import lower
+from interlock.model.elements import SectionId
 from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.verdict import Verdict
 from interlock.proof.mutation.weakenings import without
@@ -36,8 +40,12 @@ overlaps:
   X2: {length: 30}
 """
 BERTH = Path("tests/layouts_for_tests/berth_before.yaml").read_text("utf-8") + "overlaps:\n  X3: {length: 50}\n"
-# X1 closes when the train has passed it wholly
-WHOLE = STATION.replace("name: followed", "name: followed\nprinciples: {main_closes: whole-movement}")
+# X1, behind another signal, closes when the train has passed it wholly
+WHOLE = (
+    STATION.replace("name: followed", "name: followed\nprinciples: {main_closes: whole-movement}")
+    .replace("west: [W, q1", "west: [W, q0 300, q1")
+    .replace("X1: {from: W,  into: q1}", "X0: {from: W, into: q0}\n  X1: {from: q0, into: q1}")
+)
 RELEASE_S = 60
 
 
@@ -150,10 +158,25 @@ def test_the_controller_is_proved(text: str) -> None:
     assert result.proved and not result.dropped
 
 
-def test_one_that_does_not_ask_whether_the_approach_was_seen_clear_is_refuted() -> None:
+def test_one_that_does_not_ask_whether_the_approach_was_seen_clear_is_not_proved() -> None:
     found = grown(STATION)
     assert found is not None
     wrong = list(without("OTI", "approach seen clear")(found[0], found[1]))
     assert len(wrong) == 1
     claims = prove(System(found[0], wrong[0][1]), Limits(search_depth=0)).claims
     assert {c.id for c in claims if c.verdict is not Verdict.PROVED} >= {"L-APPROACH", "T-COLLISION"}
+
+
+def test_one_that_looks_at_the_approach_while_the_signal_is_still_open_is_not_proved() -> None:
+    """Whoever comes next may have seen it until it closed, and would come in behind the first train, running."""
+    found = grown(WHOLE)
+    assert found is not None
+    right = lower(found[0], found[1])
+    cleared = right.symbols.cancellation.rear_cleared[SectionId("q1")]
+    shut = Substitution({x.name: FALSE for x in right.state if x.name.family is names.PASSING})
+    old = next(e for e in right.next if e.name == cleared)
+    wrong = replace(old, terms=tuple(t._replace(expr=shut(t.expr)) for t in old.terms))
+    assert wrong != old
+    following = tuple(wrong if e is old else e for e in right.next)
+    claims = prove(System(found[0], replace(right, next=following)), Limits(search_depth=0)).claims
+    assert "T-COLLISION" in {c.id for c in claims if c.verdict is not Verdict.PROVED}
