@@ -49,7 +49,7 @@ HARM = {
     "delay from setting": ("mine11", 2),
     "delay always running": ("pit_bottom", 0),
     "presets of a millisecond": ("junction", 6),
-    "one clear reading": ("junction", 6),
+    "one clear reading": ("junction", 4),
     "restart without delay": ("mine11", 1),
     "overlap ignored": ("slip_junction", 0),
     "points not detected": ("mine11", 3),
