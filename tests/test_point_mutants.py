@@ -95,7 +95,7 @@ def test_what_reads_its_neighbours_variable_is_noticed_or_the_same(name: str) ->
     ("name", "which", "why"),
     [
         ("crossing_line", "TG_LC2 reads GW_s5_1 for GW_s4_2", "F-POINT at LC2 returns"),
-        ("junction", "MAR_102 reads TG_101 for TG_102", "F-POINT at 102 R by hand"),
+        ("junction", "MAR_102 reads TG_101 for TG_102", "F-OFF at 102 at last"),
     ],
 )
 def test_what_is_set_elsewhere_keeps_no_machine_from_moving(name: str, which: str, why: str) -> None:
