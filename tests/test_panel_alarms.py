@@ -182,11 +182,7 @@ def test_of_what_lost_inputs_would_tell_nothing_is_said_but_that_they_are_lost(l
         alarm = next(e for e in b.events if e["text"] == "signal N2 has returned to stop")
         assert alarm["reasons"] == [lost]
         why = b.ask("why", route="N2-F")["why"]
-        stale = (
-            "section w2: inputs were lost, or a train was called on; cancel the route, or release the section by hand"
-        )
-        again = ["it has closed once, and opens only when it is asked for again", []]
-        assert why == [lost, [stale, ["s:w2"]], again]
+        assert why == [lost, ["inputs were lost while it was set: cancel it, and set it again", ["s:w2"]]]
         assert [b.state[f"g:{g}"][4] for g in ("N2", "N8", "S1", "F")] == [None] * 4
         moment = Moment(desk._last.inputs, desk._last.memory, 0)
         number = desk.operating.buttons.routes["S1-N8"].number
