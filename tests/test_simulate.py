@@ -94,6 +94,13 @@ def test_points_that_were_trailed_before_a_power_cut_are_looked_at_before_sectio
     assert not machines.damaged and machines.lies[0] == machines.position[0]
 
 
+@pytest.mark.parametrize(("seed", "hostile"), [(0, True), (5, False)])
+def test_whoever_overruns_a_signal_stops_before_the_next_one(seed: int, hostile: bool) -> None:
+    """A successive overlap has no length, and ends at the next signal (R4, A-OVERRUN): trains ran on for 400 m."""
+    case = Case.of("tests/layouts_for_tests/overlap_berth.yaml")
+    assert drive(case, SCANS, seed, hostile).hazards == []
+
+
 def test_every_class_has_its_run() -> None:
     assert set(HARM) == set(WEAKENED)
 

@@ -272,7 +272,10 @@ class Drivers:
     def _fails(self, t: Train) -> None:
         """A driver fails to stop, within the overlap; not while points of it turn (A-OVERRUN, A-SWING)."""
         view = t.view
-        metres = min(self.overlap(view.target, t.driver.called_kmh).metres, 400.0)
+        metres = self.overlap(view.target, t.driver.called_kmh).metres
+        if metres == inf and view.further:  # a successive one ends at the next signal
+            metres = view.further[0]
+        metres = min(metres, 400.0)
         near = metres and view.gap < 60.0 and self._rng.random() < self._world.faults.overrun * 0.1
         if near and self.sight.rails_lie(t, view.gap + metres):
             t.driver.overruns = t.handling.margin + metres * self._rng.uniform(0.05, 0.95)
