@@ -143,8 +143,8 @@ ASSUMPTIONS: dict[str, str] = {
     "there, the train in it stands.",
     "A-SCAN": "A head leaves a section, and a tail leaves it, only after the occupation that it causes has been "
     "scanned (or while inputs are lost).",
-    "A-HEADWAY": "No second movement accepts a signal while one passes it, from when the head of that one has passed "
-    "it until its tail has, the scan of the tail included.",
+    "A-HEADWAY": "A signal is accepted by one movement at a time: by no second one before it has been passed, nor from "
+    "when the head of the one that passes has passed it until its tail has, the scan of the tail included.",
     "A-DETECT": "A train that stands in a section before and after a step is reported; one that just came in or "
     "left may be reported either way (no loss of shunt beyond one scan).",
     "A-ONE-FALSE": "No two neighbouring sections are falsely reported occupied in the same scan.",
