@@ -119,3 +119,64 @@ signals:
     near = [d.message.split(",")[0] for d in made[2].diagnostics if d.code == "IL3042"]
     assert [x for x in near if x.startswith("diamond")] == told
     assert ("1 leads to the diamond X" in near) is bool(told)
+
+
+SQUARE = """interlock: 1
+name: square
+boundaries:
+  N1: {trains: in, approach: n1a 800}
+  N2: {trains: in, approach: n2a 800}
+  S1: {trains: out}
+  S2: {trains: out}
+  W1: {trains: in, approach: w1a 800}
+  W2: {trains: in, approach: w2a 800}
+  E1: {trains: out}
+  E2: {trains: out}
+tracks:
+  n1: [N1, nn1 200, V1 15]
+  s1: [V1 15, ss1 200, S1]
+  n2: [N2, nn2 200, V2 15]
+  s2: [V2 15, ss2 200, S2]
+  w1: [W1, ww1 200, H1 15]
+  e1: [H1 15, ee1 200, E1]
+  w2: [W2, ww2 200, H2 15]
+  e2: [H2 15, ee2 200, E2]
+crossings:
+  X11: {legs: 3, FOULING arms: [{section: V1, ends: [n1.end, X12.1a]}, {section: H1, ends: [w1.end, X21.2a]}]}
+  X12: {legs: 3, FOULING arms: [{section: V1, ends: [X11.1b, s1.start]}, {section: H2, ends: [w2.end, X22.2a]}]}
+  X21: {legs: 3, FOULING arms: [{section: V2, ends: [n2.end, X22.1a]}, {section: H1, ends: [X11.2b, e1.start]}]}
+  X22: {legs: 3, FOULING arms: [{section: V2, ends: [X21.1b, s2.start]}, {section: H2, ends: [X12.2b, e2.start]}]}
+signals:
+  A1: {from: N1, into: nn1}
+  A2: {from: nn1, into: V1}
+  B1: {from: N2, into: nn2}
+  B2: {from: nn2, into: V2}
+  C1: {from: W1, into: ww1}
+  C2: {from: ww1, into: H1}
+  D1: {from: W2, into: ww2}
+  D2: {from: ww2, into: H2}
+"""
+"""Two double tracks that cross at a right angle, 6 m from centre to centre."""
+
+
+@pytest.mark.parametrize(
+    ("stated", "across_a2", "hostile"),
+    [
+        ("", ["H1", "H2", "V2"], {"B2-S2", "C2-E1", "D2-E2"}),  # 12 m and 3.5 m along an arm, as at an acute angle
+        ("fouling: 2,", ["H1", "H2"], {"C2-E1", "D2-E2"}),
+        ("fouling: 2.5,", ["H1", "H2"], {"C2-E1", "D2-E2"}),  # with the clearance just the 6 m
+        ("fouling: 2.51,", ["H1", "H2", "V2"], {"B2-S2", "C2-E1", "D2-E2"}),
+    ],
+)
+def test_where_tracks_cross_at_a_right_angle_both_of_a_double_track_are_used(
+    stated: str, across_a2: list[str], hostile: set[str]
+) -> None:
+    """A vehicle on the next diamond stands clear where the author says how far it must be away."""
+    made = grown(SQUARE.replace("FOULING", stated))
+    assert made is not None
+    layout, table, sink = made
+    assert sorted({c.section for c in table.route[RouteId("A2-S1")].clear.foul}) == across_a2
+    assert set(table.route[RouteId("A2-S1")].locking.hostile.routes) == hostile
+    assert not audit(layout, table)
+    assert {c.verdict for c in prove(System(layout, lower(layout, table))).claims} == {Verdict.PROVED}
+    assert any(d.code == "IL3042" for d in sink.diagnostics) is ("V2" in across_a2)

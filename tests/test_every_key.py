@@ -248,6 +248,7 @@ RESTRICTS: dict[str, Case] = {
         "[a.end, d.start]}, {section: x2, ends: [c.end, b.start]",
         PLANT,
     ),
+    "crossing.fouling": put(CROSS, "    legs: 25", "    legs: 25\n    fouling: 40", "claim T-FOUL lacks"),
     "crossing.legs": put(CROSS, "    legs: 25", "    legs: 5", "claim T-FOUL lacks"),
     "arm.section": Case(DIAMOND, DIAMOND.replace("x2", "x1"), PLANT + "|RT_x2"),
     "arm.ends": forgot(

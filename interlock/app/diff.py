@@ -237,7 +237,8 @@ _KINDS: Mapping[str, Callable[[Layout], Described]] = {
     "section": _sections,
     "point": _points,
     "crossing": lambda layout: {
-        c.id: (f"in {layout.track.section_of(c.arms[0][0])}",) for c in layout.pointwork.crossings
+        c.id: (f"in {layout.track.section_of(c.arms[0][0])}", f"fouling point {exact(c.fouling)} m")
+        for c in layout.pointwork.crossings
     },
     "signal": _signals,
     "distant signal": lambda layout: {d.id: (f"of {d.of}",) for d in layout.signalling.distants},

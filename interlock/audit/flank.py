@@ -58,10 +58,8 @@ def unused_places(layout: Layout, trip: Trip) -> list[Place]:
             own = frozenset(layout.track.section_of(arm[0]) for arm in crossing.arms)
             for arm in crossing.arms:
                 if a.edge not in arm:
-                    out += [
-                        Place(f"{crossing.id}/{e}", a.node, e, layout.principles.fouling_m + margin, "", None, own)
-                        for e in arm
-                    ]
+                    clear_of = crossing.fouling + margin
+                    out += [Place(f"{crossing.id}/{e}", a.node, e, clear_of, "", None, own) for e in arm]
     return out
 
 

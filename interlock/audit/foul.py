@@ -53,7 +53,7 @@ def _sides(layout: Layout) -> dict[NodeId, dict[int, _Side]]:
         for i, leg in enumerate((p.normal, p.reverse))
     ]
     legs += [
-        (c.node, i, e, {section_of(c.arms[0][0]), section_of(c.arms[1][0])}, layout.principles.fouling_m + margin)
+        (c.node, i, e, {section_of(c.arms[0][0]), section_of(c.arms[1][0])}, c.fouling + margin)
         for c in layout.pointwork.crossings
         for i, arm in enumerate(c.arms)
         for e in arm
@@ -99,7 +99,7 @@ def across(layout: Layout, trip: Trip) -> set[Foul]:
     for a, b in pairs(trip):
         own = layout.track.section_of(a.edge)
         if a.node in layout.pointwork.crossing_at:
-            margin = layout.principles.fouling_m + layout.principles.clearance_m
+            margin = layout.pointwork.crossing_at[a.node].fouling + layout.principles.clearance_m
             found |= _on_diamond(layout, a.node, a.edge, {own}, own, (0.0, margin))
         for unused, here, needed in _beside(layout, a, b):
             for (edge, near), gone in distances(layout, a.node, unused, needed).items():
@@ -144,7 +144,7 @@ def _beside(layout: Layout, a: Move, b: Move) -> Iterator[tuple[EdgeId, set[Sect
     if crossing is not None:
         here = {layout.track.section_of(a.edge)}
         for e in next(arm for arm in crossing.arms if a.edge not in arm):
-            yield e, here | {layout.track.section_of(e)}, layout.principles.fouling_m + margin
+            yield e, here | {layout.track.section_of(e)}, crossing.fouling + margin
 
 
 def _decides(

@@ -49,7 +49,7 @@ def foul_boundaries(d: Drawing) -> list[tuple[str, str]]:
     """Boundaries nearer to a point or diamond than what stands there must be, and to which."""
     margin = d.rule("clearance_m")
     legs = [(p.name, d.edges[p.leg(x)], p.fouling + margin) for p in d.points.values() for x in ("N", "R")]
-    arms = [(c.name, d.edges[n], d.rule("fouling_m") + margin) for c in d.diamonds.values() for a in c.arms for n in a]
+    arms = [(c.name, d.edges[n], c.fouling + margin) for c in d.diamonds.values() for a in c.arms for n in a]
     return sorted({(b, of) for of, e, room in (*legs, *arms) for b in _near(d, of, e, of, room)})
 
 

@@ -129,15 +129,15 @@ class Lengths(Overlaps):
             for arm, edges in enumerate(c.arms):
                 across = self._d.edges[c.arms[1 - arm][0]].section
                 for e in (self._d.edges[n] for n in edges):
-                    yield e, c.name, 0.0, e.section, (c.name, arm, across), self._d.rule("fouling_m") + margin
+                    yield e, c.name, 0.0, e.section, (c.name, arm, across), c.fouling + margin
 
     @cached_property
     def crossed(self) -> list[FoulJoint]:
         """Of diamonds whose arms lie in two sections the other arm's, for each of its points that lead to the diamond:
         to whoever passes the diamond (`side` is that arm), or what lies too near to it.  Their node is the diamond."""
         found: list[FoulJoint] = []
-        needed = self._d.rule("fouling_m") + self._d.rule("clearance_m")
         for c in self._d.diamonds.values():
+            needed = c.fouling + self._d.rule("clearance_m")
             one, two = (self._d.edges[edges[0]].section for edges in c.arms)
             for arm, here in ((0, two), (1, one)) if one != two else ():
                 found += self._lying_across(c, arm, (c.name, arm, here), 0.0, needed)

@@ -187,7 +187,7 @@ class Protection(Added):
             found.append(Flank(d.edges[p.leg(demand.opposite)], name, p.fouling + margin, w.section, leg in waived))
         for name, arm in w.arms:
             for e in d.diamonds[name].arms[1 - arm]:
-                found.append(Flank(d.edges[e], name, d.rule("fouling_m") + margin, w.section))
+                found.append(Flank(d.edges[e], name, d.diamonds[name].fouling + margin, w.section))
         return found
 
     def w_spaced_flanks(self, w: Way) -> list[Flank]:

@@ -81,7 +81,7 @@ def requesters(layout: Layout, t: Traversal) -> tuple[Requester, ...]:
         c = layout.pointwork.crossing[cid]
         partners = _partners(layout, c, c.arms[1 - arm])
         for side, edge, partner in zip("ab", c.arms[1 - arm], partners, strict=True):
-            name, clear_of = f"{cid}.{2 - arm}{side}", layout.principles.fouling_m + margin
+            name, clear_of = f"{cid}.{2 - arm}{side}", c.fouling + margin
             out.append(Requester(name, c.node, edge, t.section, clear_of, None, partner))
     return tuple(out)
 

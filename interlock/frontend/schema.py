@@ -188,6 +188,11 @@ class CrossingSpec(Part):
 
     arms: list[ArmSpec] = key("its two arms", least=2, most=2)
     legs: Length | None = key("metres of each of the four legs; without it, the principle `leg_m`", None)
+    fouling: Length | None = key(
+        "metres along an arm from where they cross to where a vehicle stands clear of the other arm; without it, the "
+        "principle `fouling_m`",
+        None,
+    )
     xy: XY | None = place()
 
 

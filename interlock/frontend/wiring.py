@@ -523,6 +523,7 @@ class Wirer:
     def _build_crossings(self) -> None:
         for name, c in self.ctx.file.crossings.items():
             length = c.legs if c.legs is not None else self.principles.leg_m
+            fouling = c.fouling if c.fouling is not None else self.principles.fouling_m
             arms = []
             for i, arm in enumerate(c.arms):
                 pair = [
@@ -536,7 +537,7 @@ class Wirer:
                     for side in "ab"
                 ]
                 arms.append((pair[0], pair[1]))
-            self.out.crossings.append(Crossing(CrossingId(name), NodeId(name), (arms[0], arms[1])))
+            self.out.crossings.append(Crossing(CrossingId(name), NodeId(name), (arms[0], arms[1]), fouling))
 
     def _build_boundaries(self) -> None:
         for name, spec in self.ctx.file.boundaries.items():

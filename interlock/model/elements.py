@@ -174,11 +174,16 @@ class Anchor:
 
 @dataclass(frozen=True)
 class Crossing:
-    """A diamond crossing: two arms through one node, each a pair of edges."""
+    """A diamond crossing: two arms through one node, each a pair of edges.
+
+    `fouling` is the distance in metres, along each arm to either side, within which a vehicle is in the way of whoever
+    passes the other arm; that of a slip's diamond is the principle's.
+    """
 
     id: CrossingId
     node: NodeId
     arms: tuple[tuple[EdgeId, EdgeId], tuple[EdgeId, EdgeId]]
+    fouling: float
 
 
 @dataclass(frozen=True)

@@ -146,8 +146,8 @@ def crossed_sections(layout: Layout) -> tuple[CrossedSection, ...]:
     """The sections across, of diamonds whose arms lie in two sections, ordered by diamond and arm (R6); then those of
     diamonds that lie too near to a point or another diamond, in the order of these (R7)."""
     found: list[CrossedSection] = []
-    needed = layout.principles.fouling_m + layout.principles.clearance_m
     for c in layout.pointwork.crossings:
+        needed = c.fouling + layout.principles.clearance_m
         sections = [layout.track.section_of(edges[0]) for edges in c.arms]
         for arm in (0, 1) if sections[0] != sections[1] else ():
             whens, near = _leading(layout, c, 1 - arm, 0.0, needed)
@@ -198,7 +198,7 @@ def _met(layout: Layout) -> Iterator[FoulJoint | FoulBoundary | CrossedSection |
     for c in layout.pointwork.crossings:
         for arm, edges in enumerate(c.arms):
             across = layout.track.section_of(c.arms[1 - arm][0])
-            walk = _Walk(layout, c.id, arm, across, c.node, layout.principles.fouling_m + margin)
+            walk = _Walk(layout, c.id, arm, across, c.node, c.fouling + margin)
             for e in edges:
                 yield from walk.along(e, c.node, 0.0, layout.track.section_of(e))
 

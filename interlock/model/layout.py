@@ -144,7 +144,12 @@ class Layout(Facts):
                 edges=tuple(replace(e, length=0.0) for e in track.edges),
                 boundaries=tuple(replace(b, approach_m=0.0) for b in track.boundaries),
             ),
-            pointwork=replace(pointwork, points=tuple(replace(p, fouling=0.0) for p in pointwork.points), hands=()),
+            pointwork=replace(
+                pointwork,
+                points=tuple(replace(p, fouling=0.0) for p in pointwork.points),
+                crossings=tuple(replace(c, fouling=0.0) for c in pointwork.crossings),
+                hands=(),
+            ),
             overlaps=replace(
                 overlaps,
                 all=tuple(replace(o, length=0.0) for o in overlaps.all),

@@ -71,7 +71,7 @@ def measured(layout: Layout) -> Measured:
         for e in (p.normal, p.reverse)
     ]
     starts += [
-        (c.node, e, _From(layout.principles.fouling_m + margin, frozenset(track.section_of(a[0]) for a in c.arms)))
+        (c.node, e, _From(c.fouling + margin, frozenset(track.section_of(a[0]) for a in c.arms)))
         for c in layout.pointwork.crossings
         for arm in c.arms
         for e in arm

@@ -156,7 +156,7 @@ class Track:
             self.names_of_zones.append(f"diamond {c.id}")
             for side, arm in enumerate(c.arms):
                 for edge in arm:
-                    self._walk(number, edge, c.node, layout.principles.fouling_m, zone, side, True, {edge})
+                    self._walk(number, edge, c.node, c.fouling, zone, side, True, {edge})
 
     def _walk(
         self,

@@ -68,7 +68,7 @@ def with_diamonds(layout: Layout) -> Layout:
         return replace(e, a=b, b=a) if e.id in inward and a in centre else replace(e, a=a, b=b)
 
     diamonds = [
-        Crossing(CrossingId(s.nodes[0]), s.nodes[0], ((s.legs["1a"], s.legs["1b"]), (s.legs["2a"], s.legs["2b"])))
+        Crossing(CrossingId(s.nodes[0]), s.nodes[0], ((s.legs["1a"], s.legs["1b"]), (s.legs["2a"], s.legs["2b"])), 0.0)
         for s in slips
     ]
     made = replace(
