@@ -103,7 +103,7 @@ def _next_point(layout: Layout, node: NodeId, edge: EdgeId) -> tuple[Point | Non
         if node in layout.pointwork.point_at:
             return layout.pointwork.point_at[node], edge
         onward = [e.id for e in layout.track.edges_at[node] if e.id != edge]
-        if node in layout.pointwork.crossing_at or len(onward) != 1:
+        if len(onward) != 1:
             break
         edge = onward[0]
     return None, edge
@@ -232,7 +232,7 @@ def _over_point(
     first = next(beyond, None)
     preferred = _BY_SIGNAL if _signal_before(layout, r, point, position.other) else _PASSIVE
     ends = first is not None and any(p.kind is ProviderKind.BUFFER for p in first)  # vehicles may stand before it
-    if first is not None and all(p.kind in preferred for p in first) and (turned is None or not ends):
+    if first is not None and all(p.kind in preferred for p in first) and not ends:
         yield first
         first = None
     if turned is not None:
@@ -255,12 +255,11 @@ def _signal_before(layout: Layout, r: Requester, point: Point, position: Positio
 
 def end_of_leg(layout: Layout, point: Point, position: Position) -> NodeId:
     """Where plain track over a leg of a point ends."""
-    edge, node, met = point.leg(position), point.node, set[EdgeId]()
+    edge, node = point.leg(position), point.node
     while True:
-        met.add(edge)
         node = layout.track.far(edge, node)
         onward = [e.id for e in layout.track.edges_at[node] if e.id != edge]
-        if len(onward) != 1 or onward[0] in met:
+        if len(onward) != 1:
             return node
         edge = onward[0]
 
