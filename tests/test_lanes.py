@@ -459,6 +459,13 @@ def test_no_wagons_run_from_a_lane_that_leads_to_a_trap_alone() -> None:
     assert head_on(text) == []
 
 
+def test_wagons_run_from_a_lane_on_which_trains_come_to_stand_before_a_trap() -> None:
+    """A board keeps them from the trap, which lies in the next section: there are wagons on the lane."""
+    text = BEYOND_AN_END.replace("i1 200, E]", "i1 200, r1 50, T]").replace("  E: {trains: out}\n", "")
+    text = text.replace("tracks:", "traps: [T]\ntracks:") + "  B: {from: i1, into: r1, kind: board}\n"
+    assert any("over q2, q3 to X2" in m for m in head_on(text))
+
+
 @pytest.mark.parametrize(
     ("text", "offered"),
     [
@@ -563,3 +570,36 @@ def test_a_signal_alone_before_an_inclined_lane_is_told_unless_a_condition_speak
 
 
 ALONE = "IL7020"
+
+
+LANE_BEHIND_A_TOE = """interlock: 1
+name: lane_behind_a_toe
+profile: mine
+boundaries:
+  W: {approach: wa 200, trains: in}
+  V: {approach: va 200, trains: in}
+  U: {approach: ua 200, trains: in}
+  E: {trains: out}
+tracks: {west: [W, m1 100], east: [m2 100, E], side: [V, y1 100], slope: [U, u1 100]}
+points:
+  P: {section: p, toe: east.start, normal: west.end, reverse: T.toe}
+  T: {section: t, normal: side.end, reverse: slope.end}
+sections: {u1: {lane: inclined}}
+signals:
+  X1: {from: W, into: m1}
+  X2: {from: m1, into: p}
+  Y1: {from: V, into: y1}
+  Y2: {from: y1, into: t}
+  Z1: {from: U, into: u1}
+  Z2: {from: u1, into: t}
+"""
+
+
+@pytest.mark.parametrize("legs", ["normal: side.end, reverse: slope.end", "normal: slope.end, reverse: side.end"])
+def test_of_two_signals_that_protect_each_is_asked_for_the_lane_behind_it(legs: str) -> None:
+    """P.reverse is protected by Y2 and Z2, behind the legs of T: wagons run past Z2, whichever of them it is."""
+    made = grown(LANE_BEHIND_A_TOE.replace("normal: side.end, reverse: slope.end", legs))
+    assert made is not None and not made[2].has_errors, made and made[2].diagnostics
+    told = [d.message for d in made[2].diagnostics if d.code == ALONE]
+    assert any("signal Z2 at stop" in m and "off P.reverse, beside X2-E:" in m for m in told), told
+    assert not any("signal Y2" in m for m in told)
