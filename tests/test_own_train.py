@@ -185,6 +185,48 @@ def test_what_is_said_of_each_cause_and_what_helps(text: str, which: str, why: s
         assert [f.text for f in audit(layout, table) if (f.route, f.column) == (route, "route")] == seen
 
 
+TRAP_IN_REAR = """interlock: 1
+name: trap_in_rear
+profile: mine
+principles: {overlap_m: 0}
+boundaries: {W: {approach: wa 200}}
+traps: [T]
+tracks:
+  west: [W, w1 100]
+  stub: [r 40, T]
+  ring: [x1 200]
+points:
+  P: {section: p, toe: west.end, normal: ring.end, reverse: M.normal, legs: 5}
+  M: {section: r, toe: ring.start, reverse: stub.start, legs: 15}
+signals:
+  A: {from: W, into: w1}
+  B: {from: w1, into: p}
+  X: {from: r, into: x1}
+"""
+"""Round the loop a train comes back over P, beside which the section begins in which it has stood."""
+SIDING_IN_REAR = TRAP_IN_REAR.replace("traps", "buffers") + "exclude:\n  - {from: B, to: T, reason: not wanted}\n"
+DEMAND = "demand:\n  - {point: M, lies: normal, routes: {from: X}, reason: none}\n"
+JOINT = "the joint p|r is foul of point P, unless M lies R"
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        (TRAP_IN_REAR, JOINT),
+        (TRAP_IN_REAR.replace("stub: [r 40", "stub: [s1 40"), "x1 and r are foul beside point P"),
+        (SIDING_IN_REAR, "x1 and r are foul beside point P"),
+        (SIDING_IN_REAR + DEMAND, JOINT),
+    ],
+    ids=["out of a trap none comes", "nor out of a section before a trap", "no route over it", "held so by the route"],
+)
+def test_a_train_stands_foul_by_the_point_under_it_that_no_train_passed_the_other_way(text: str, why: str) -> None:
+    """M is under it, and lies normal; nothing tells who is in r that he does not stand at the joint beside P."""
+    layout, table, errors = made(text)
+    stands = "route X-W can never be set: its train stands before X in r"
+    assert [d.message for d in errors] == [f"{stands}, and r must be free: {why}"]
+    assert "X-W" in undrivable(layout, table)
+
+
 # --- a train that never comes ---------------------------------------------------------------------
 
 NEVER = Path("tests/diagnostics/IL4018.yaml").read_text("utf-8")
