@@ -227,6 +227,41 @@ def test_a_train_stands_foul_by_the_point_under_it_that_no_train_passed_the_othe
     assert "X-W" in undrivable(layout, table)
 
 
+def past_k(text: str) -> str:
+    """Round the loop the train passes K at identifier light: what lies beyond is set with the route to K."""
+    text = text.replace("ring: [x1 200]", "ring: [x1 100, x2 100]").replace(
+        "overlap_m: 0", "overlap_m: 0, lamp_proof: yes"
+    )
+    return text.replace("  X: {", "  K: {from: x1, into: x2, identifier: yes}\n  X: {")
+
+
+PAST_Z = (
+    AHEAD.replace("name: ahead\n", "name: ahead\nprinciples: {lamp_proof: yes}\n")
+    .replace("into: q}", "into: q, identifier: yes}\n  Z2: {from: q, into: ra}")
+    .replace("Z: {length: 150}", "Z: {length: 0}, Z2: {length: 20}")
+)
+PAST_C = ZONE.replace("name: zone\n", "name: zone\nprinciples: {lamp_proof: yes}\n").replace(
+    "zones:", "  C: {from: q2, into: q3, identifier: yes}\nzones:"
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "route", "why"),
+    [
+        (past_k(TRAP_IN_REAR), "X-K-W", f"r must be free: {JOINT}"),
+        (past_k(TRAP_IN_REAR).replace("[r 40", "[s1 40"), "X-K-W", "r must be free: x2 and r are foul beside point P"),
+        (past_k(SIDING_IN_REAR + DEMAND.replace("X}", "K}")), "X-K-W", f"r must be free: {JOINT}"),
+        (PAST_Z, "X-Z-Z2", "ra must be free for its overlap"),
+        (PAST_C, "B-C-E", "zone Z has room for 1, and its train stands in it before B"),
+    ],
+    ids=["a foul joint", "ways that are foul", "what is demanded", "an overlap", "a zone"],
+)
+def test_what_is_set_with_a_route_past_a_signal_counts_as_its_own(text: str, route: str, why: str) -> None:
+    layout, table, errors = made(text)
+    told = next(d for d in errors if d.code == "IL4016" and d.message.startswith(f"route {route} "))
+    assert told.message.endswith(why) and route in undrivable(layout, table)
+
+
 # --- a train that never comes ---------------------------------------------------------------------
 
 NEVER = Path("tests/diagnostics/IL4018.yaml").read_text("utf-8")
