@@ -303,6 +303,31 @@ def test_what_is_refused_cannot_be_driven_and_what_is_not_can() -> None:
         assert (errors == []) is good is runs[RouteId("G-B")]
 
 
+OTHER_ARM = """interlock: 1
+name: other_arm
+boundaries: {W: {approach: w0 600, trains: in}, E: {trains: out}, F: {trains: out}}
+buffers: [V]
+tracks:
+  m: [W, a1 600]
+  n: [b1 600, E]
+  o: [V, o1 600]
+  f: [c1 600, F]
+crossings:
+  D: {arms: [{section: T, ends: [m.end, n.start]}, {section: T, ends: [o.end, f.start]}]}
+signals:
+  A: {from: W,  into: a1}
+  X: {from: a1, into: T}
+  H: {from: T,  into: b1}
+  G: {from: T,  into: c1}
+"""
+
+
+def test_a_train_in_a_section_leaves_it_by_the_arm_of_the_diamond_on_which_it_stands() -> None:
+    """A route leads into T, to H; from there no train comes to G, which stands at the end of the other arm."""
+    layout, table, errors = checked(OTHER_ARM)
+    assert "IL4018" in errors and undrivable(layout, table) == {"G-F"}
+
+
 ROUND = """interlock: 1
 name: round
 boundaries: {W: {approach: wa 600}}
