@@ -219,6 +219,20 @@ def test_what_is_advised_where_nothing_protects_is_proved(
     assert prove(System(done[0], lower(done[0], done[1])), Limits(search_depth=0)).proved
 
 
+@pytest.mark.parametrize("legs", [6.22, 6.47, 8.69, 3.6, 3.5, 3])
+def test_the_fouling_point_that_is_advised_is_one_of_which_the_signal_stands_clear(legs: float) -> None:
+    """To the last centimetre, whatever floating point makes of 2.72 + 3.5; within the clearance itself none is."""
+    text = BARE.replace("legs: 6", f"legs: {legs}")
+    made = grown(text)
+    assert made is not None
+    (fix,) = [d.fix or "" for d in made[2].diagnostics if d.code == "IL4001" and "from P1.normal;" in d.message]
+    stated = re.search(r"`points: \{P1: \{fouling: (.*)\}\}`", fix)
+    assert (stated is not None) is (legs > 3.5) and "fouling: -" not in fix
+    if stated is not None:
+        done = grown(text.replace("legs:", f"fouling: {stated[1]}, legs:"))
+        assert done is not None and not done[2].has_errors, done and done[2].diagnostics
+
+
 def test_the_section_of_a_protecting_point_is_no_flank_space() -> None:
     layout, table, sink = derived("tests/layouts_for_tests/parallel")
     assert not sink.has_errors and audit(layout, table) == ()

@@ -603,3 +603,42 @@ def test_of_two_signals_that_protect_each_is_asked_for_the_lane_behind_it(legs: 
     told = [d.message for d in made[2].diagnostics if d.code == ALONE]
     assert any("signal Z2 at stop" in m and "off P.reverse, beside X2-E:" in m for m in told), told
     assert not any("signal Y2" in m for m in told)
+
+
+NEAR_LANE = (
+    LANE_BEHIND_A_TOE.replace("  U: {approach: ua 200, trains: in}\n", "")
+    .replace("tracks:", "buffers: [U]\ntracks:")
+    .replace("  Z1: {from: U, into: u1}\n  Z2: {from: u1, into: t}\n", "")
+    .replace("reverse: T.toe}", "reverse: T.toe, legs: 2}")
+    .replace("reverse: slope.end}", "reverse: slope.end, legs: 2}")
+)
+"""No signal keeps off what comes from u1, which begins 6 m from P; Y2 stands as near on the other leg of T."""
+TWO_LANES = (
+    NEAR_LANE.replace("  V: {approach: va 200, trains: in}\n", "")
+    .replace("[U]", "[U, V]")
+    .replace("side: [V, y1 100]", "side: [V, y1 100, y2 50]")
+    .replace("{u1: {lane", "{y1: {lane: inclined}, u1: {lane")
+    .replace("  Y1: {from: V, into: y1}\n  Y2: {from: y1, into: t}\n", "")
+)
+"""Nor from y1, which begins 56 m from P."""
+
+
+@pytest.mark.parametrize(
+    ("text", "advice"),
+    [
+        (NEAR_LANE, "add a derailer on each way that leads to P.reverse, before the inclined lane u1"),
+        (TWO_LANES, "add a derailer on each way that leads to P.reverse, before the inclined lanes u1 and y1"),
+        (
+            TWO_LANES.replace(", u1: {lane: inclined}", ""),
+            "add a signal or stop board, 11.5 m away or more, or a derailer on each way that leads to P.reverse, "
+            "before the inclined lane y1",
+        ),
+    ],
+    ids=["too near", "one of two too near", "far enough"],
+)
+def test_a_signal_is_advised_before_a_lane_where_it_would_stand_clear_of_the_points(text: str, advice: str) -> None:
+    """Not where the lane begins within 11.5 m; and that Y2 would do farther out is not said, since that leaves u1."""
+    made = grown(text)
+    assert made is not None
+    (fix,) = [d.fix for d in made[2].diagnostics if d.code == "IL4001" and "from P.reverse;" in d.message]
+    assert fix == advice
