@@ -136,6 +136,24 @@ def test_a_place_that_contradicts_its_own_routes_is_named_once_with_what_would_d
     assert "`points: {B: {fouling: 56.5}}`" in found[0].fix
 
 
+def test_a_place_that_contradicts_routes_both_ways_is_named_with_all_of_them() -> None:
+    text = Path("tests/diagnostics/IL4002.yaml").read_text("utf-8").replace("E: {trains: out}", "E: {approach: ae 600}")
+    made = grown(f"{text}  Z1: {{from: E, into: m5}}\n  Z2: {{from: m5, into: m4}}\n")
+    assert made is not None
+    found = [d.message for d in made[2].diagnostics if d.code == "IL4002" and "cannot be protected" in d.message]
+    assert found == [
+        "B.reverse cannot be protected in routes X2-E, Z2-W: P would have to lie N, and lies R for A.reverse"
+    ]
+
+
+def test_a_waiver_of_a_place_that_contradicts_its_routes_waives_something() -> None:
+    """Without it there is IL4002: who is told to remove it is led round in a circle."""
+    text = Path("tests/diagnostics/IL4002.yaml").read_text("utf-8")
+    made = grown(f"{text}waive:\n  - {{flank: B.reverse, reason: nobody comes}}\n")
+    assert made is not None and "IL2008" not in {d.code for d in made[2].diagnostics}
+    assert not any("B.reverse cannot be protected" in d.message for d in made[2].diagnostics)
+
+
 MOVED_OFF = """interlock: 1
 name: spur
 boundaries: {W: {approach: wa 600, trains: in}, E: {trains: out}}
