@@ -547,6 +547,45 @@ def test_a_derailer_behind_a_one_way_section_keeps_them_off() -> None:
     assert {"T-FLANK", "S-FLANK"} <= {c.id for c in found.claims if c.verdict is not Verdict.PROVED}
 
 
+BOARD_BEFORE_THE_LANE = (
+    AGAINST.lstrip().replace("LANE", "inclined").replace("q3 200, i1 100, N]", "q3 200, q5 100, i1 100, N]")
+    + "  R: {from: i1, into: q5, kind: board}\n"
+)
+"""Beyond the section that runs one way a board stands before the lane."""
+POINTS_BEFORE_THE_LANE = (
+    AGAINST.lstrip()
+    .replace("LANE", "inclined")
+    .replace("q3 200, i1 100, N]", "q3 200]\n  on: [i1 100, N]\n  yard: [y1 200, Y]")
+    .replace("tracks:", "buffers: [Y]\ntracks:")
+    .replace("sections:", "  6: {section: q5, toe: on.start, normal: loop.end, reverse: yard.start}\nsections:")
+    .replace("trains: out}", "trains: both}")
+    + "  NN: {from: N, into: i1}\n  Z: {from: y1, into: q5}\n  R: {from: i1, into: q5}\n"
+)
+"""Trains come from the lane, too, past R into a yard."""
+
+
+@pytest.mark.parametrize(
+    ("text", "protected", "alone"),
+    [(BOARD_BEFORE_THE_LANE, {"R"}, True), (POINTS_BEFORE_THE_LANE, {"6 R"}, False)],
+    ids=["a board", "points that turn away"],
+)
+def test_a_signal_between_a_one_way_section_and_a_lane_is_what_protects(
+    text: str, protected: set[str], alone: bool
+) -> None:
+    """The one way was told to protect, as if nothing ran away past the signal: of a signal alone nobody was told, and
+    points that turn wagons away were not laid."""
+    made = grown(text)
+    assert made is not None and not made[2].has_errors, made and made[2].diagnostics
+    layout, table, sink = made
+    assert audit(layout, table) == () and prove(System(layout, lower(layout, table)), Limits(search_s=0)).proved
+    assert agree(*written(text), shipped()).left == ()
+    assert {
+        str(p) for r in table.routes if r.id in ("AA-E", "BB-W") for c in r.locking.flank for p in c.providers
+    } == protected
+    told = [d.message for d in sink.diagnostics if d.code == ALONE]
+    assert any("signal R at stop" in m and "off 5.reverse, beside AA-E and BB-W" in m for m in told) is alone
+
+
 def test_a_signal_alone_before_an_inclined_lane_is_told_unless_a_condition_speaks_of_the_hoist() -> None:
     """The signal is the flank protection, and the proof trusts it; wagons that run away do not read it (IL7020)."""
     whole = Path("layouts/incline_hoist.yaml").read_text(encoding="utf-8")

@@ -213,8 +213,6 @@ class Protection(Added):
         if far in seen or far in self.r.drawn.buffers:
             return TRUE if derailer and (far in seen or far in self._stops) else FALSE
         g = self._holding(e, far, gone, x.needed)
-        if against and not derailer and (g is not None or far in self.r.drawn.boundaries):
-            return FALSE
         if g is not None:
             return self._lets_pass(g)
         if far in self.r.drawn.boundaries:

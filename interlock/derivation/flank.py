@@ -194,9 +194,6 @@ def _outward(
     signal = layout.signalling.facing.get((far, edge))
     held = signal is not None and gone >= r.clear_of and lane is None
     ended = far in layout.track.buffer_at or far in layout.track.boundary_at
-    if against and not spur and (held or ended):
-        yield (Provider(ProviderKind.ONE_WAY, e.section),)
-        return
     if held and signal is not None:
         yield (Provider(ProviderKind.SIGNAL, signal.id),)
         return
