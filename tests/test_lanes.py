@@ -586,6 +586,43 @@ def test_a_signal_between_a_one_way_section_and_a_lane_is_what_protects(
     assert any("signal R at stop" in m and "off 5.reverse, beside AA-E and BB-W" in m for m in told) is alone
 
 
+TWO_BEYOND = (
+    AGAINST.lstrip()
+    .replace("LANE", "inclined")
+    .replace(
+        "q3 200, i1 100, N]",
+        "q3 200, 7.toe]\n  on: [7.normal, q6 50, D.inner]\n  lane: [D.outer, i1 100, N]\n  yard: [7.reverse, y1 90, Y]",
+    )
+    .replace("tracks:", "buffers: [Y]\ntracks:")
+    .replace("sections:", "  7: {section: q5}\nsections:")
+    .replace("signals:", "derailers:\n  D: {section: q7}\nsignals:")
+)
+"""Beyond the section that runs one way one leg of 7 leads to a derailer before the lane, the other into a yard."""
+
+
+@pytest.mark.parametrize(
+    ("text", "space"),
+    [
+        (BOARD_BEFORE_THE_LANE, {("q3", False), ("q5", False), ("R", True)}),
+        (POINTS_BEFORE_THE_LANE, {("q3", False)}),
+        (TWO_BEYOND, {("q3", False), ("q5", False), ("q6", False)}),
+    ],
+    ids=["a board", "points that turn away", "a derailer behind one of two legs"],
+)
+def test_the_flank_space_goes_on_over_a_one_way_section_as_far_as_vehicles_may_run_away(
+    text: str, space: set[tuple[str, bool]]
+) -> None:
+    """The claim asked for what lies there; derivation, audit and second checker did not, so that nothing was proved of
+    such a layout.  What lies beyond 7 in the yard stays there: it does not run away."""
+    text += "principles: {flank_space: yes, flank_lamp: yes, lamp_proof: yes}\n"
+    made = grown(text)
+    assert made is not None and not made[2].has_errors, made and made[2].diagnostics
+    layout, table, _ = made
+    assert audit(layout, table) == () and prove(System(layout, lower(layout, table)), Limits(search_s=0)).proved
+    assert agree(*written(text), shipped()).left == ()
+    assert {(c.name, c.lamp) for c in table.route[RouteId("AA-E")].clear.space} == space
+
+
 def test_a_signal_alone_before_an_inclined_lane_is_told_unless_a_condition_speaks_of_the_hoist() -> None:
     """The signal is the flank protection, and the proof trusts it; wagons that run away do not read it (IL7020)."""
     whole = Path("layouts/incline_hoist.yaml").read_text(encoding="utf-8")

@@ -294,23 +294,28 @@ def reached(
     the track closes in a ring.
 
     Walks outward from the requester again and stops at the chosen providers; round a balloon loop it comes back the
-    other way, as a vehicle could.  The section of a protecting point (all its legs are in one) does not lie between the
-    point and its joint: a train that passes the point on its other leg is there, and does no harm.
+    other way, as a vehicle could; against one way it goes on towards what runs away, and nowhere else.  The section of
+    a protecting point (all its legs are in one) does not lie between the point and its joint: a train that passes the
+    point on its other leg is there, and does no harm.
     """
     between: dict[SectionId, None] = {}
     signals: dict[SignalId, None] = {}
     ring = not providers
-    todo: list[tuple[EdgeId, NodeId, float]] = [(r.edge, r.node, 0.0)]
-    seen: dict[tuple[EdgeId, NodeId], float] = {}  # by the shortest way: there a signal counts least
+    todo: list[tuple[EdgeId, NodeId, _Past]] = [(r.edge, r.node, _Past())]
+    seen: dict[tuple[EdgeId, NodeId, bool, bool], float] = {}  # by the shortest way: there a signal counts least
     while todo:
-        edge, node, gone = todo.pop()
+        edge, node, past = todo.pop()
         e = layout.track.edge[edge]
-        if seen.get((edge, node), inf) <= gone or e.nothing_comes_to(node):
+        against = past.against or e.nothing_comes_to(node)
+        if against and not past.spur and (edge, node) not in runaways(layout):
             continue
-        seen[edge, node] = gone
-        far = layout.track.far(edge, node)
-        gone += e.length
-        signal = layout.signalling.facing.get((far, edge))
+        here = edge, node, past.spur, against
+        if seen.get(here, inf) <= past.gone:
+            continue
+        seen[here] = past.gone
+        far, gone = layout.track.far(edge, node), past.gone + e.length
+        point, signal = layout.pointwork.point_at.get(far), layout.signalling.facing.get((far, edge))
+        kept = point is not None and point.derailer and point.toe != edge
         onward: Sequence[EdgeId] = ()
         if signal is not None and gone >= r.clear_of:
             between[e.section] = None
@@ -323,7 +328,7 @@ def reached(
         for x in onward:
             if layout.track.section_of(x) != e.section:
                 between[e.section] = None
-            todo.append((x, far, gone))
+            todo.append((x, far, _Past(gone, spur=past.spur or e.inclined or kept, against=against)))
     return between, signals, ring
 
 
