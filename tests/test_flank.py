@@ -251,6 +251,19 @@ def test_the_fouling_point_that_is_advised_is_one_of_which_the_signal_stands_cle
         assert done is not None and not done[2].has_errors, done and done[2].diagnostics
 
 
+def test_what_is_waived_is_protected_last_where_one_machine_could_protect_but_one_of_two() -> None:
+    """P turns away from A or from B.  The waiver gives A up; that P lay for it all the same would leave B open."""
+    text = CROSSED.replace("signals:", EXCLUDED + "signals:")
+    made = grown(f"{text}waive:\n  - {{flank: A.reverse, reason: nobody comes}}\n")
+    assert made is not None and not made[2].has_errors, made and made[2].diagnostics
+    cells = made[1].route[RouteId("X2-E")].locking.flank
+    assert {c.requester: [str(p) for p in c.providers] for c in cells} == {
+        "A.reverse": ["nobody comes"],
+        "B.reverse": ["P N"],
+    }
+    assert audit(made[0], made[1]) == ()
+
+
 def test_the_section_of_a_protecting_point_is_no_flank_space() -> None:
     layout, table, sink = derived("tests/layouts_for_tests/parallel")
     assert not sink.has_errors and audit(layout, table) == ()
