@@ -326,7 +326,7 @@ def test_a_demand_is_of_a_point_as_it_lies_or_of_a_section(demand: str, code: st
     assert [d.code for d in sink.diagnostics] == [code]
 
 
-@pytest.mark.parametrize(("section", "why"), [("T1", "on the way"), ("w1", "stands there")])
+@pytest.mark.parametrize(("section", "why"), [("T1", "on the way"), ("k1", "on the way"), ("w1", "stands there")])
 def test_what_cannot_be_clear_while_a_route_is_open_cannot_be_demanded_of_it(section: str, why: str) -> None:
     sink = Sink()
     text = BARE + f"demand:\n  - {{clear: {section}, routes: {{from: A, to: N1, kind: shunt}}, reason: none}}\n"
@@ -335,6 +335,20 @@ def test_what_cannot_be_clear_while_a_route_is_open_cannot_be_demanded_of_it(sec
     derive(layout, sink)
     (found,) = [d for d in sink.diagnostics if d.severity == "error"]
     assert found.code == "IL4019" and why in found.message
+
+
+@pytest.mark.parametrize(("lies", "codes"), [("reverse", ["IL4011"]), ("normal", [])])
+def test_a_hand_worked_point_that_no_way_passes_is_demanded_in_normal_alone(lies: str, codes: list[str]) -> None:
+    """Its key locks it there; reversed nothing holds it, and a route that demands it so would never be set."""
+    sink = Sink()
+    text = BARE.replace("reverse: yard.start}", "reverse: yard.start, work: hand}")
+    text = "".join(x for x in text.splitlines(keepends=True) if not x.startswith("  D: "))
+    text += f"demand:\n  - {{point: 3, lies: {lies}, routes: {{from: A, to: N2}}, reason: none}}\n"
+    layout, _ = load_text("by_hand.yaml", text, sink)
+    assert layout is not None
+    derive(layout, sink)
+    assert list(dict.fromkeys(d.code for d in sink.diagnostics if d.severity == "error")) == codes
+    assert all("worked by hand" in d.message for d in sink.diagnostics if d.severity == "error")
 
 
 # --- adding can only restrict ----------------------------------------------------------------------

@@ -20,7 +20,7 @@ from interlock.field.plc import Memory
 from interlock.frontend import load_text
 from interlock.logic.eval import Machine
 from interlock.logic.lower import lower
-from interlock.model.elements import MachineId, Position
+from interlock.model.elements import MachineId, Position, RouteId
 from interlock.model.layout import Layout
 from interlock.proof.engines.limits import Limits
 from interlock.proof.prover import prove
@@ -184,6 +184,14 @@ WRONG = {
         f"{TEXT}demand:\n  - {{point: D1, lies: reverse, routes: {{from: Y0}}, reason: air}}\n",
         "IL4022",
     ),
+    "doors of the second air lock on its way alone": (
+        TEXT.replace(
+            "signals:",
+            "  D3: {over: [lock], text: air door 3, air_lock: south}\n"
+            "  D4: {over: [b], text: air door 4, air_lock: south}\nsignals:",
+        ),
+        "IL4022",
+    ),
     "a train that waits under the other door": (TEXT.replace("over: [a]", "over: [a, lock]"), "IL4022"),
     "no signal between the doors": (
         "\n".join(x for x in TEXT.splitlines() if not x.startswith(("  X2", "  Y2"))),
@@ -209,6 +217,8 @@ def test_a_third_door_is_kept_apart_from_both_others() -> None:
     ends = "Y0: {from: E, into: f}\n  Y9: {from: f, into: d}\n  X9: {from: d, into: f}"
     text = text.replace("Y0: {from: E, into: d}", ends).split("overlaps:")[0]
     layout, table = derived(text)
+    lies = {p.machine: p.position for p in table.route[RouteId("X1-X2")].locking.points}
+    assert lies == {"D1": Position.REVERSE, "D2": Position.NORMAL, "D3": Position.NORMAL}
     result = prove(System(layout, lower(layout, table)), Limits(search_s=0))
     assert result.proved
     assert sum(c.id == "P-AIR-LOCK" for c in result.claims) == 1

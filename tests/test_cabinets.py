@@ -45,6 +45,7 @@ ALL = "a, b, c, p, wa, P, X, Y"
         ("substations: {one: [a, b, a], two: []}\n", ["a is wired to one and to one"]),
         (f"substations: {{one: [{ALL.replace(', wa', '')}]}}\n", ["no substation is wired to wa"]),
         (f"substations: {{one: [{ALL.replace(', P', '')}]}}\n", ["no substation is wired to P"]),
+        (f"substations: {{one: [{ALL}]}}\ndistants: {{V: {{of: X}}}}\n", ["no substation is wired to V"]),
         (f"substations: {{one: [{ALL}]}}\nhealth: {{main: {{}}}}\n", ["there is no substation main"]),
     ],
 )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+from pathlib import Path
 
 import pytest
 
@@ -210,6 +211,37 @@ def test_a_machine_that_works_three_ends_is_told_where_it_is_written() -> None:
     found = next(d for d in sink.diagnostics if d.code == "IL3014")
     line = text.splitlines()[found.span.line - 1]
     assert line[found.span.column - 1 :].startswith("3/Vk1") and "Vk1: {" in line
+
+
+WITH_A_SLIP = """interlock: 1
+name: with_a_slip
+buffers: [V]
+boundaries: {NW: {approach: a1 800}, SW: {approach: a2 800}, NE: {approach: a3 800}, SE: {approach: a4 800}}
+tracks: {nw: [NW, b1 150], sw: [SW, b2 150], mid: [b5 100], out: [V, b6 100], ne: [b3 150, NE], se: [b4 150, SE]}
+points: {9: {machine: M7, section: T9, toe: mid.start, normal: sw.end, reverse: out.end}}
+slips: {7: {section: T7, arms: [[nw.end, se.start], [mid.end, ne.start]], machines: [M7]}}
+signals:
+  A: {from: NW, into: b1}
+  B: {from: SW, into: b2}
+  C: {from: NE, into: b3}
+  D: {from: SE, into: b4}
+"""
+PAIR = Path("tests/diagnostics/IL3014.yaml").read_text("utf-8").replace("machine: M", "machine: P1")
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "about"),
+    [
+        (WITH_A_SLIP, "IL3014", "the machine M7 works 5 ends: 7"),
+        (PAIR, "IL2002", "the machine of P2 bears the name of the point P1"),
+    ],
+    ids=["a slip and a point", "a pair that is named after one of its points"],
+)
+def test_a_machine_that_cannot_be_meant_is_refused(text: str, code: str, about: str) -> None:
+    """Points beside a slip turn with it; and of P1 nobody knows whether it is the pair or the point."""
+    sink = Sink()
+    load_text("a.yaml", text, sink)
+    assert any(d.message.startswith(about) for d in sink.diagnostics if d.code == code), sink.diagnostics
 
 
 def test_a_route_whose_train_stands_on_the_derailer_that_must_turn_is_refused() -> None:

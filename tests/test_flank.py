@@ -136,6 +136,24 @@ def test_a_place_that_contradicts_its_own_routes_is_named_once_with_what_would_d
     assert "`points: {B: {fouling: 56.5}}`" in found[0].fix
 
 
+def test_a_place_that_contradicts_routes_both_ways_is_named_with_all_of_them() -> None:
+    text = Path("tests/diagnostics/IL4002.yaml").read_text("utf-8").replace("E: {trains: out}", "E: {approach: ae 600}")
+    made = grown(f"{text}  Z1: {{from: E, into: m5}}\n  Z2: {{from: m5, into: m4}}\n")
+    assert made is not None
+    found = [d.message for d in made[2].diagnostics if d.code == "IL4002" and "cannot be protected" in d.message]
+    assert found == [
+        "B.reverse cannot be protected in routes X2-E, Z2-W: P would have to lie N, and lies R for A.reverse"
+    ]
+
+
+def test_a_waiver_of_a_place_that_contradicts_its_routes_waives_something() -> None:
+    """Without it there is IL4002: who is told to remove it is led round in a circle."""
+    text = Path("tests/diagnostics/IL4002.yaml").read_text("utf-8")
+    made = grown(f"{text}waive:\n  - {{flank: B.reverse, reason: nobody comes}}\n")
+    assert made is not None and "IL2008" not in {d.code for d in made[2].diagnostics}
+    assert not any("B.reverse cannot be protected" in d.message for d in made[2].diagnostics)
+
+
 MOVED_OFF = """interlock: 1
 name: spur
 boundaries: {W: {approach: wa 600, trains: in}, E: {trains: out}}
@@ -217,6 +235,33 @@ def test_what_is_advised_where_nothing_protects_is_proved(
     assert done is not None and not done[2].has_errors, done and done[2].diagnostics
     assert audit(done[0], done[1]) == ()
     assert prove(System(done[0], lower(done[0], done[1])), Limits(search_depth=0)).proved
+
+
+@pytest.mark.parametrize("legs", [6.22, 6.47, 8.69, 3.6, 3.5, 3])
+def test_the_fouling_point_that_is_advised_is_one_of_which_the_signal_stands_clear(legs: float) -> None:
+    """To the last centimetre, whatever floating point makes of 2.72 + 3.5; within the clearance itself none is."""
+    text = BARE.replace("legs: 6", f"legs: {legs}")
+    made = grown(text)
+    assert made is not None
+    (fix,) = [d.fix or "" for d in made[2].diagnostics if d.code == "IL4001" and "from P1.normal;" in d.message]
+    stated = re.search(r"`points: \{P1: \{fouling: (.*)\}\}`", fix)
+    assert (stated is not None) is (legs > 3.5) and "fouling: -" not in fix
+    if stated is not None:
+        done = grown(text.replace("legs:", f"fouling: {stated[1]}, legs:"))
+        assert done is not None and not done[2].has_errors, done and done[2].diagnostics
+
+
+def test_what_is_waived_is_protected_last_where_one_machine_could_protect_but_one_of_two() -> None:
+    """P turns away from A or from B.  The waiver gives A up; that P lay for it all the same would leave B open."""
+    text = CROSSED.replace("signals:", EXCLUDED + "signals:")
+    made = grown(f"{text}waive:\n  - {{flank: A.reverse, reason: nobody comes}}\n")
+    assert made is not None and not made[2].has_errors, made and made[2].diagnostics
+    cells = made[1].route[RouteId("X2-E")].locking.flank
+    assert {c.requester: [str(p) for p in c.providers] for c in cells} == {
+        "A.reverse": ["nobody comes"],
+        "B.reverse": ["P N"],
+    }
+    assert audit(made[0], made[1]) == ()
 
 
 def test_the_section_of_a_protecting_point_is_no_flank_space() -> None:

@@ -144,6 +144,49 @@ def test_the_flank_space_goes_on_past_a_signal_that_stands_too_near_to_protect()
     assert {c.name for c in made[1].route[RouteId("X2-E")].clear.space} == {"y2"}
 
 
+@pytest.mark.parametrize(("legs", "lamps", "clear"), [("15.4", {"Z"}, {"y2"}), ("15.5", {"Y"}, set())])
+def test_the_signal_that_just_stands_clear_is_the_one_whose_lamp_must_be_intact(
+    legs: str, lamps: set[str], clear: set[str]
+) -> None:
+    """12 m to the fouling point and 3.5 m of clearance: at 15.5 m it is Y that protects, and not Z beyond it."""
+    text = TOO_NEAR.replace("legs: 6", f"legs: {legs}").replace("yes}", "yes, flank_lamp: yes, lamp_proof: yes}")
+    made = grown(text)
+    assert made is not None and not made[2].has_errors, made and made[2].diagnostics
+    layout, table, _ = made
+    assert audit(layout, table) == () and protection(table, "X2-E", "P.reverse") == lamps
+    space = table.route[RouteId("X2-E")].clear.space
+    assert {c.name for c in space if c.lamp} == lamps and {c.name for c in space if not c.lamp} == clear
+
+
+RING_BEHIND_POINTS = """
+interlock: 1
+name: ring_behind
+boundaries: {W: {approach: wa 600}, E: {trains: out}}
+tracks: {west: [W, m1 300], east: [m2 300, E], stem: [y1 100], ring: [r1 200, r2 200]}
+points:
+  P: {section: p, toe: west.end, normal: east.start, reverse: stem.start}
+  T: {section: t, toe: ring.start, normal: ring.end, reverse: stem.end}
+signals:
+  X1: {from: W, into: m1}
+  X2: {from: m1, into: p}
+  X3: {from: r1, into: r2}
+BACKexclude:
+  - {from: X3, to: X3, reason: own train}
+"""
+
+
+@pytest.mark.parametrize(("back", "protected"), [("", set()), ("  Y2: {from: y1, into: p}\n", {"Y2"})])
+def test_the_search_ends_where_it_has_gone_round_a_ring_behind_points(back: str, protected: set[str]) -> None:
+    """It comes to T over the stem, runs round the ring and comes to T again: nothing comes from outside, but what has
+    been brought there may, and of that the author is told."""
+    made = grown(RING_BEHIND_POINTS.replace("BACK", back))
+    assert made is not None and not made[2].has_errors, made and made[2].diagnostics
+    layout, table, sink = made
+    assert audit(layout, table) == () and protection(table, "X2-E", "P.reverse") == protected
+    said = [d for d in sink.diagnostics if "the ring in which the track closes protects P.reverse" in d.message]
+    assert bool(said) is (not protected)
+
+
 LANE_IN_A_SCISSORS = """
 interlock: 1
 name: lane_in_scissors

@@ -108,6 +108,18 @@ def test_what_passes_a_diamond_too_near_to_a_point_is_foul_of_its_other_leg(legs
     assert all(c.verdict is Verdict.PROVED for c in proved.claims)
 
 
+def test_of_a_diamond_too_near_to_two_points_each_is_told_with_its_own_distance() -> None:
+    text = NEAR.replace("LEGS", "3").replace("branch.start]}", "2.normal]}")
+    text = text.replace("  1: {", "  2: {section: AC, toe: branch.start, reverse: back.end, legs: 5}\n  1: {")
+    text = text.replace("branch: [", "back: [C, c1 300], branch: [").replace(
+        "  F: {", "  C: {approach: ca 800}\n  F: {"
+    )
+    made = grown(f"{text}  C1: {{from: C, into: c1}}\n  C2: {{from: c1, into: AC}}\n")
+    assert made is not None
+    told = [d.message.partition(",")[0] for d in made[2].diagnostics if d.code == "IL3042"]
+    assert {"diamond X lies only 6 m from point 1", "diamond X lies only 8 m from point 2"} <= {*told}
+
+
 @pytest.mark.parametrize(("fouling", "asked"), [(12, False), (45, True)])
 def test_a_point_whose_own_legs_are_still_too_near_where_the_diamond_lies_decides_nothing(
     fouling: float, asked: bool

@@ -3,6 +3,8 @@ decides where a vehicle goes that is in the section, and a point that is held to
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from interlock.audit import audit
@@ -119,6 +121,22 @@ def test_a_train_counts_as_foul_where_the_point_that_decides_is_held_towards_the
     assert audit(layout, table) == ()
     proved = prove(System(layout, lower(layout, table)))
     assert all(c.verdict is Verdict.PROVED for c in proved.claims)
+
+
+@pytest.mark.parametrize("which", HELD)
+def test_it_does_not_matter_which_of_the_two_has_the_lower_number(which: str) -> None:
+    """Routes are numbered in the order of their names: each of two ways says of the other that they are foul."""
+    text, one, other = HELD[which]
+    found: list[dict[str, set[str]]] = []
+    lower = set[bool]()
+    for name in ("R1", "S9"):
+        made = grown(re.sub(r"\bS1\b", name, text))
+        assert made is not None
+        ids = [r.id.replace(name, "S1") for r in made[1].routes]
+        lower.add(ids.index(one) < ids.index(other))
+        hostile = [{x.replace(name, "S1") for x in r.locking.hostile.routes} for r in made[1].routes]
+        found.append(dict(zip(ids, hostile, strict=True)))
+    assert lower == {True, False} and found[0] == found[1]
 
 
 def test_where_no_point_decides_whoever_is_in_the_section_counts_as_foul() -> None:

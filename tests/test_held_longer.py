@@ -433,6 +433,13 @@ def test_the_reason_of_a_demand_that_holds_no_longer_is_told_too(second: str) ->
     assert demand.hold == 30 and demand.because.text == "demanded: overrun; a steep grade; held 30 s longer"
 
 
+@pytest.mark.parametrize(("second", "idle"), [(45, False), (30, True), (20, True)])
+def test_a_second_demand_adds_something_where_it_holds_longer(second: int, idle: bool) -> None:
+    found = grown(TEXT + "  - " + HOLD.replace("30", f"{second}").replace("overrun", "a steep grade") + "\n")
+    assert found is not None and not found[2].has_errors
+    assert any(d.code == "IL4012" for d in found[2].diagnostics) is idle
+
+
 def test_zero_seconds_are_none() -> None:
     one, other = grown(TEXT.replace("hold: 30", "hold: 0")), grown(AT_ONCE)
     assert one is not None and other is not None and one[0].digest == other[0].digest

@@ -459,6 +459,13 @@ def test_no_wagons_run_from_a_lane_that_leads_to_a_trap_alone() -> None:
     assert head_on(text) == []
 
 
+def test_wagons_run_from_a_lane_on_which_trains_come_to_stand_before_a_trap() -> None:
+    """A board keeps them from the trap, which lies in the next section: there are wagons on the lane."""
+    text = BEYOND_AN_END.replace("i1 200, E]", "i1 200, r1 50, T]").replace("  E: {trains: out}\n", "")
+    text = text.replace("tracks:", "traps: [T]\ntracks:") + "  B: {from: i1, into: r1, kind: board}\n"
+    assert any("over q2, q3 to X2" in m for m in head_on(text))
+
+
 @pytest.mark.parametrize(
     ("text", "offered"),
     [
@@ -540,6 +547,82 @@ def test_a_derailer_behind_a_one_way_section_keeps_them_off() -> None:
     assert {"T-FLANK", "S-FLANK"} <= {c.id for c in found.claims if c.verdict is not Verdict.PROVED}
 
 
+BOARD_BEFORE_THE_LANE = (
+    AGAINST.lstrip().replace("LANE", "inclined").replace("q3 200, i1 100, N]", "q3 200, q5 100, i1 100, N]")
+    + "  R: {from: i1, into: q5, kind: board}\n"
+)
+"""Beyond the section that runs one way a board stands before the lane."""
+POINTS_BEFORE_THE_LANE = (
+    AGAINST.lstrip()
+    .replace("LANE", "inclined")
+    .replace("q3 200, i1 100, N]", "q3 200]\n  on: [i1 100, N]\n  yard: [y1 200, Y]")
+    .replace("tracks:", "buffers: [Y]\ntracks:")
+    .replace("sections:", "  6: {section: q5, toe: on.start, normal: loop.end, reverse: yard.start}\nsections:")
+    .replace("trains: out}", "trains: both}")
+    + "  NN: {from: N, into: i1}\n  Z: {from: y1, into: q5}\n  R: {from: i1, into: q5}\n"
+)
+"""Trains come from the lane, too, past R into a yard."""
+
+
+@pytest.mark.parametrize(
+    ("text", "protected", "alone"),
+    [(BOARD_BEFORE_THE_LANE, {"R"}, True), (POINTS_BEFORE_THE_LANE, {"6 R"}, False)],
+    ids=["a board", "points that turn away"],
+)
+def test_a_signal_between_a_one_way_section_and_a_lane_is_what_protects(
+    text: str, protected: set[str], alone: bool
+) -> None:
+    """The one way was told to protect, as if nothing ran away past the signal: of a signal alone nobody was told, and
+    points that turn wagons away were not laid."""
+    made = grown(text)
+    assert made is not None and not made[2].has_errors, made and made[2].diagnostics
+    layout, table, sink = made
+    assert audit(layout, table) == () and prove(System(layout, lower(layout, table)), Limits(search_s=0)).proved
+    assert agree(*written(text), shipped()).left == ()
+    assert {
+        str(p) for r in table.routes if r.id in ("AA-E", "BB-W") for c in r.locking.flank for p in c.providers
+    } == protected
+    told = [d.message for d in sink.diagnostics if d.code == ALONE]
+    assert any("signal R at stop" in m and "off 5.reverse, beside AA-E and BB-W" in m for m in told) is alone
+
+
+TWO_BEYOND = (
+    AGAINST.lstrip()
+    .replace("LANE", "inclined")
+    .replace(
+        "q3 200, i1 100, N]",
+        "q3 200, 7.toe]\n  on: [7.normal, q6 50, D.inner]\n  lane: [D.outer, i1 100, N]\n  yard: [7.reverse, y1 90, Y]",
+    )
+    .replace("tracks:", "buffers: [Y]\ntracks:")
+    .replace("sections:", "  7: {section: q5}\nsections:")
+    .replace("signals:", "derailers:\n  D: {section: q7}\nsignals:")
+)
+"""Beyond the section that runs one way one leg of 7 leads to a derailer before the lane, the other into a yard."""
+
+
+@pytest.mark.parametrize(
+    ("text", "space"),
+    [
+        (BOARD_BEFORE_THE_LANE, {("q3", False), ("q5", False), ("R", True)}),
+        (POINTS_BEFORE_THE_LANE, {("q3", False)}),
+        (TWO_BEYOND, {("q3", False), ("q5", False), ("q6", False)}),
+    ],
+    ids=["a board", "points that turn away", "a derailer behind one of two legs"],
+)
+def test_the_flank_space_goes_on_over_a_one_way_section_as_far_as_vehicles_may_run_away(
+    text: str, space: set[tuple[str, bool]]
+) -> None:
+    """The claim asked for what lies there; derivation, audit and second checker did not, so that nothing was proved of
+    such a layout.  What lies beyond 7 in the yard stays there: it does not run away."""
+    text += "principles: {flank_space: yes, flank_lamp: yes, lamp_proof: yes}\n"
+    made = grown(text)
+    assert made is not None and not made[2].has_errors, made and made[2].diagnostics
+    layout, table, _ = made
+    assert audit(layout, table) == () and prove(System(layout, lower(layout, table)), Limits(search_s=0)).proved
+    assert agree(*written(text), shipped()).left == ()
+    assert {(c.name, c.lamp) for c in table.route[RouteId("AA-E")].clear.space} == space
+
+
 def test_a_signal_alone_before_an_inclined_lane_is_told_unless_a_condition_speaks_of_the_hoist() -> None:
     """The signal is the flank protection, and the proof trusts it; wagons that run away do not read it (IL7020)."""
     whole = Path("layouts/incline_hoist.yaml").read_text(encoding="utf-8")
@@ -563,3 +646,75 @@ def test_a_signal_alone_before_an_inclined_lane_is_told_unless_a_condition_speak
 
 
 ALONE = "IL7020"
+
+
+LANE_BEHIND_A_TOE = """interlock: 1
+name: lane_behind_a_toe
+profile: mine
+boundaries:
+  W: {approach: wa 200, trains: in}
+  V: {approach: va 200, trains: in}
+  U: {approach: ua 200, trains: in}
+  E: {trains: out}
+tracks: {west: [W, m1 100], east: [m2 100, E], side: [V, y1 100], slope: [U, u1 100]}
+points:
+  P: {section: p, toe: east.start, normal: west.end, reverse: T.toe}
+  T: {section: t, normal: side.end, reverse: slope.end}
+sections: {u1: {lane: inclined}}
+signals:
+  X1: {from: W, into: m1}
+  X2: {from: m1, into: p}
+  Y1: {from: V, into: y1}
+  Y2: {from: y1, into: t}
+  Z1: {from: U, into: u1}
+  Z2: {from: u1, into: t}
+"""
+
+
+@pytest.mark.parametrize("legs", ["normal: side.end, reverse: slope.end", "normal: slope.end, reverse: side.end"])
+def test_of_two_signals_that_protect_each_is_asked_for_the_lane_behind_it(legs: str) -> None:
+    """P.reverse is protected by Y2 and Z2, behind the legs of T: wagons run past Z2, whichever of them it is."""
+    made = grown(LANE_BEHIND_A_TOE.replace("normal: side.end, reverse: slope.end", legs))
+    assert made is not None and not made[2].has_errors, made and made[2].diagnostics
+    told = [d.message for d in made[2].diagnostics if d.code == ALONE]
+    assert any("signal Z2 at stop" in m and "off P.reverse, beside X2-E:" in m for m in told), told
+    assert not any("signal Y2" in m for m in told)
+
+
+NEAR_LANE = (
+    LANE_BEHIND_A_TOE.replace("  U: {approach: ua 200, trains: in}\n", "")
+    .replace("tracks:", "buffers: [U]\ntracks:")
+    .replace("  Z1: {from: U, into: u1}\n  Z2: {from: u1, into: t}\n", "")
+    .replace("reverse: T.toe}", "reverse: T.toe, legs: 2}")
+    .replace("reverse: slope.end}", "reverse: slope.end, legs: 2}")
+)
+"""No signal keeps off what comes from u1, which begins 6 m from P; Y2 stands as near on the other leg of T."""
+TWO_LANES = (
+    NEAR_LANE.replace("  V: {approach: va 200, trains: in}\n", "")
+    .replace("[U]", "[U, V]")
+    .replace("side: [V, y1 100]", "side: [V, y1 100, y2 50]")
+    .replace("{u1: {lane", "{y1: {lane: inclined}, u1: {lane")
+    .replace("  Y1: {from: V, into: y1}\n  Y2: {from: y1, into: t}\n", "")
+)
+"""Nor from y1, which begins 56 m from P."""
+
+
+@pytest.mark.parametrize(
+    ("text", "advice"),
+    [
+        (NEAR_LANE, "add a derailer on each way that leads to P.reverse, before the inclined lane u1"),
+        (TWO_LANES, "add a derailer on each way that leads to P.reverse, before the inclined lanes u1 and y1"),
+        (
+            TWO_LANES.replace(", u1: {lane: inclined}", ""),
+            "add a signal or stop board, 11.5 m away or more, or a derailer on each way that leads to P.reverse, "
+            "before the inclined lane y1",
+        ),
+    ],
+    ids=["too near", "one of two too near", "far enough"],
+)
+def test_a_signal_is_advised_before_a_lane_where_it_would_stand_clear_of_the_points(text: str, advice: str) -> None:
+    """Not where the lane begins within 11.5 m; and that Y2 would do farther out is not said, since that leaves u1."""
+    made = grown(text)
+    assert made is not None
+    (fix,) = [d.fix for d in made[2].diagnostics if d.code == "IL4001" and "from P.reverse;" in d.message]
+    assert fix == advice

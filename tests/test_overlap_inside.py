@@ -277,6 +277,20 @@ BOTH: list[tuple[list[str], int | None]] = [(["a2"], 40), (N, None), (R, None)]
         (INSIDE, set(), BOTH),
         (INSIDE.replace("150", "150, entry_speed: 40"), {"IL2026"}, []),
         (INSIDE.replace("150", "150, entry_speed: 60"), set(), [(["a2"], 40), (N, 60), (R, 60)]),
+        (
+            INSIDE.replace("[{", "[{over: [b1], length: 300, entry_speed: 60}, {").replace(
+                "150}", "150, entry_speed: 40}"
+            ),
+            {"IL2026"},
+            [],
+        ),
+        (
+            INSIDE.replace("[{", "[{over: [b1], length: 300, entry_speed: 60}, {").replace(
+                "150}", "150, entry_speed: 50}"
+            ),
+            set(),
+            [(["a2"], 40), (N, 50), ([*N, "b1"], 60), (R, 50)],
+        ),
         ("{length: 150, ways: [{over: [T], length: 150}, {over: [a2], length: 60, entry_speed: 40}]}", set(), BOTH),
         ("{length: 150, ways: [{over: [a2], length: 60, entry_speed: 40}]}", {"IL2027"}, []),
         ("{length: 60, entry_speed: 40}", set(), [(["a2"], 40)]),

@@ -174,6 +174,44 @@ def test_only_what_leads_on_along_it_is_set_beside_it() -> None:
     assert {"2-3", "3-4.c"} <= mixed["M0-M"] and mixed["M0-M"].isdisjoint({"M-3", "3-4"})
 
 
+# the overlap of G leads past K and M; that of M goes on round the loop, and over the diamond under the first one
+EIGHT = """interlock: 1
+name: eight
+profile: mine
+principles: {line_speed_kmh: 20, overlap_m: 0}
+boundaries:
+  A: {approach: aa 300, trains: in}
+  B: {approach: bb 300, trains: in}
+  D: {trains: out}
+tracks:
+  in: [A, a1 100]
+  loop: [m0 30, m1 30, m2 30]
+  side: [B, b1 100]
+  out: [d1 100, D]
+points:
+  Q: {section: q, toe: loop.start, reverse: side.end}
+crossings:
+  X: {arms: [{section: x, ends: [in.end, Q.normal]}, {section: x, ends: [loop.end, out.start]}]}
+signals:
+  GA: {from: A, into: a1}
+  G: {from: a1, into: x}
+  GB: {from: B, into: b1}
+  H: {from: b1, into: q}
+  K: {from: m0, into: m1}
+  M: {from: m1, into: m2}
+overlaps:
+  G: {length: 150}
+  M: {length: 60}
+"""
+
+
+def test_two_overlaps_that_share_one_section_and_cross_in_another_are_not_held_together() -> None:
+    """What overruns G stands on the diamond, over which what overruns M comes round: that both lie in m2 the same way
+    is not enough.  Where that of M ends before the diamond, they are."""
+    assert "K-M" in hostile(EIGHT)["GA-G"]
+    assert "K-M" not in hostile(EIGHT.replace("M: {length: 60}", "M: {length: 30}"))["GA-G"]
+
+
 def test_what_swings_and_what_passes_an_identifier_light_stay_apart() -> None:
     longer = TEXT.replace("b 120", "b 240").replace("distants:", "overlaps:\n  2: {length: 300}\ndistants:")
     assert hostile(longer)["1-2"] == set()

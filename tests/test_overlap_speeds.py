@@ -279,6 +279,43 @@ def test_alternatives_that_come_together_go_on_as_far_as_the_longest() -> None:
     assert [t.section for t in overlap_paths(alone, SignalId("Y"))[1]] == ["a", "r1", "c"]
 
 
+COUPLED = """
+interlock: 1
+name: coupled
+boundaries:
+  W: {trains: in, approach: wa 1200}
+  V: {trains: in, approach: va 1200}
+  E: {trains: out}
+  F: {trains: out}
+tracks:
+  west: [W, q1 300]
+  other: [V, o1 300]
+  mid: [n1 60]
+  side: [s1 300, F]
+  east: [d 250, E]
+points:
+  P: {machine: M, section: a, toe: west.end, normal: mid.start, reverse: side.start}
+  Q: {machine: M, section: c, toe: east.start, normal: other.end, reverse: mid.end}
+signals:
+  X: {from: W, into: q1}
+  Y: {from: q1, into: a}
+  U: {from: V, into: o1}
+  Z: {from: o1, into: c}
+overlaps:
+  Y: {length: 200}
+  Z: {length: 0}
+"""
+
+
+def test_an_overlap_that_needs_one_machine_both_ways_is_none() -> None:
+    """Over n1 it would have P normal and Q reverse, which one machine works: whoever runs on over n1 trails Q."""
+    _, table = made(COUPLED)
+    over = {r.id: [s for s, _ in r.locking.overlap.ways] for r in table.routes if r.locking.overlap is not None}
+    assert over == {"X-Y": ["a", "s1"]}
+    apart, _ = made(COUPLED.replace("P: {machine: M, ", "P: {"))
+    assert [t.section for t in overlap_paths(apart, SignalId("Y"))[0]] == ["a", "n1", "c", "d"]
+
+
 def speeds_at_random(seed: int) -> str | None:
     """A layout that has grown at random, where each overlap with several alternatives states length and speed of one of
     them; None where none has several."""

@@ -185,6 +185,83 @@ def test_what_is_said_of_each_cause_and_what_helps(text: str, which: str, why: s
         assert [f.text for f in audit(layout, table) if (f.route, f.column) == (route, "route")] == seen
 
 
+TRAP_IN_REAR = """interlock: 1
+name: trap_in_rear
+profile: mine
+principles: {overlap_m: 0}
+boundaries: {W: {approach: wa 200}}
+traps: [T]
+tracks:
+  west: [W, w1 100]
+  stub: [r 40, T]
+  ring: [x1 200]
+points:
+  P: {section: p, toe: west.end, normal: ring.end, reverse: M.normal, legs: 5}
+  M: {section: r, toe: ring.start, reverse: stub.start, legs: 15}
+signals:
+  A: {from: W, into: w1}
+  B: {from: w1, into: p}
+  X: {from: r, into: x1}
+"""
+"""Round the loop a train comes back over P, beside which the section begins in which it has stood."""
+SIDING_IN_REAR = TRAP_IN_REAR.replace("traps", "buffers") + "exclude:\n  - {from: B, to: T, reason: not wanted}\n"
+DEMAND = "demand:\n  - {point: M, lies: normal, routes: {from: X}, reason: none}\n"
+JOINT = "the joint p|r is foul of point P, unless M lies R"
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        (TRAP_IN_REAR, JOINT),
+        (TRAP_IN_REAR.replace("stub: [r 40", "stub: [s1 40"), "x1 and r are foul beside point P"),
+        (SIDING_IN_REAR, "x1 and r are foul beside point P"),
+        (SIDING_IN_REAR + DEMAND, JOINT),
+    ],
+    ids=["out of a trap none comes", "nor out of a section before a trap", "no route over it", "held so by the route"],
+)
+def test_a_train_stands_foul_by_the_point_under_it_that_no_train_passed_the_other_way(text: str, why: str) -> None:
+    """M is under it, and lies normal; nothing tells who is in r that he does not stand at the joint beside P."""
+    layout, table, errors = made(text)
+    stands = "route X-W can never be set: its train stands before X in r"
+    assert [d.message for d in errors] == [f"{stands}, and r must be free: {why}"]
+    assert "X-W" in undrivable(layout, table)
+
+
+def past_k(text: str) -> str:
+    """Round the loop the train passes K at identifier light: what lies beyond is set with the route to K."""
+    text = text.replace("ring: [x1 200]", "ring: [x1 100, x2 100]").replace(
+        "overlap_m: 0", "overlap_m: 0, lamp_proof: yes"
+    )
+    return text.replace("  X: {", "  K: {from: x1, into: x2, identifier: yes}\n  X: {")
+
+
+PAST_Z = (
+    AHEAD.replace("name: ahead\n", "name: ahead\nprinciples: {lamp_proof: yes}\n")
+    .replace("into: q}", "into: q, identifier: yes}\n  Z2: {from: q, into: ra}")
+    .replace("Z: {length: 150}", "Z: {length: 0}, Z2: {length: 20}")
+)
+PAST_C = ZONE.replace("name: zone\n", "name: zone\nprinciples: {lamp_proof: yes}\n").replace(
+    "zones:", "  C: {from: q2, into: q3, identifier: yes}\nzones:"
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "route", "why"),
+    [
+        (past_k(TRAP_IN_REAR), "X-K-W", f"r must be free: {JOINT}"),
+        (past_k(TRAP_IN_REAR).replace("[r 40", "[s1 40"), "X-K-W", "r must be free: x2 and r are foul beside point P"),
+        (past_k(SIDING_IN_REAR + DEMAND.replace("X}", "K}")), "X-K-W", f"r must be free: {JOINT}"),
+        (PAST_Z, "X-Z-Z2", "ra must be free for its overlap"),
+        (PAST_C, "B-C-E", "zone Z has room for 1, and its train stands in it before B"),
+    ],
+    ids=["a foul joint", "ways that are foul", "what is demanded", "an overlap", "a zone"],
+)
+def test_what_is_set_with_a_route_past_a_signal_counts_as_its_own(text: str, route: str, why: str) -> None:
+    layout, table, errors = made(text)
+    told = next(d for d in errors if d.code == "IL4016" and d.message.startswith(f"route {route} "))
+    assert told.message.endswith(why) and route in undrivable(layout, table)
+
+
 # --- a train that never comes ---------------------------------------------------------------------
 
 NEVER = Path("tests/diagnostics/IL4018.yaml").read_text("utf-8")
@@ -224,6 +301,31 @@ def test_what_is_refused_cannot_be_driven_and_what_is_not_can() -> None:
         layout, table, errors = checked(text)
         runs = {w.route: w.ok for w in witnesses(closed_loop(layout, lower(layout, table)))}
         assert (errors == []) is good is runs[RouteId("G-B")]
+
+
+OTHER_ARM = """interlock: 1
+name: other_arm
+boundaries: {W: {approach: w0 600, trains: in}, E: {trains: out}, F: {trains: out}}
+buffers: [V]
+tracks:
+  m: [W, a1 600]
+  n: [b1 600, E]
+  o: [V, o1 600]
+  f: [c1 600, F]
+crossings:
+  D: {arms: [{section: T, ends: [m.end, n.start]}, {section: T, ends: [o.end, f.start]}]}
+signals:
+  A: {from: W,  into: a1}
+  X: {from: a1, into: T}
+  H: {from: T,  into: b1}
+  G: {from: T,  into: c1}
+"""
+
+
+def test_a_train_in_a_section_leaves_it_by_the_arm_of_the_diamond_on_which_it_stands() -> None:
+    """A route leads into T, to H; from there no train comes to G, which stands at the end of the other arm."""
+    layout, table, errors = checked(OTHER_ARM)
+    assert "IL4018" in errors and undrivable(layout, table) == {"G-F"}
 
 
 ROUND = """interlock: 1

@@ -20,7 +20,7 @@ buffers: [B]
   east: [c 300, E]
   siding: [{siding}]
 points:
-  P: {{section: b, toe: west.end, normal: east.start, legs: 30}}
+  P: {{section: b, toe: west.end, normal: east.start, legs: {legs}}}
 {derailer}signals:
   XW: {{from: W, into: a}}
   XE: {{from: E, into: c}}
@@ -34,12 +34,14 @@ TRAP = "  T: {section: t, toe: siding.start, reverse: P.reverse, normal: drag, l
 WRONG = "  T: {section: t, reverse: siding.start, toe: P.reverse, normal: drag, legs: 30}\n"
 
 
-def found(folder: Path, derailer: str, *, principles: str = "", siding: str = "s 100, B", shunt: str = "") -> list[str]:
+def found(
+    folder: Path, derailer: str, *, principles: str = "", siding: str = "s 100, B", shunt: str = "", legs: int = 30
+) -> list[str]:
     """What is said of a yard whose siding is kept off by a derailer or a trap point."""
     traps = "traps: [drag]\n" if "drag" in derailer else ""
     into = "t" if traps else "b"
     shunt = shunt or f"S: {{from: s, into: {into}, kind: combined}}"
-    text = YARD.format(principles=principles, traps=traps, siding=siding, derailer=derailer, shunt=shunt)
+    text = YARD.format(principles=principles, traps=traps, siding=siding, derailer=derailer, shunt=shunt, legs=legs)
     path = folder / "yard.yaml"
     path.write_text(text, "utf-8")
     done = check_file(str(path))
@@ -76,6 +78,14 @@ def test_a_signal_between_the_points_and_the_derailer(tmp_path: Path) -> None:
     shunt = "S: {from: n, into: b, kind: combined}\n  SS: {from: s, into: d, kind: shunt}"
     (said,) = found(tmp_path, inside, siding="s 100, B]\n  near: [P.reverse, n 60", shunt=shunt)
     assert "signal S stands between it and P.reverse" in said and "set S further out than D" in said
+
+
+def test_a_signal_too_near_to_the_points_is_not_the_one_that_is_trusted(tmp_path: Path) -> None:
+    """S stands 10 m from P, where 15.5 m are needed: it is past S2, which protects, that the derailer lies idle."""
+    inside = "derailers:\n  D: {section: d, inner: near.end, outer: siding.start}\n"
+    shunt = "S: {from: n, into: b, kind: combined}\n  S2: {from: n2, into: n}\n  SS: {from: s, into: d, kind: shunt}"
+    (said,) = found(tmp_path, inside, siding="s 100, B]\n  near: [P.reverse, n 60, n2 60", shunt=shunt, legs=10)
+    assert "signal S2 stands between it and P.reverse" in said and "set S2 further out than D" in said
 
 
 def test_the_trap_of_a_running_line_is_for_those_that_come_to_its_toe() -> None:

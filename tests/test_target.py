@@ -42,6 +42,8 @@ def test_a_target_is_a_cpu_or_limits_of_ones_own() -> None:
     over = loaded("target: {cpu: s7-313, memory_kb: 64}")[0]
     assert over is not None and over.hardware.target is not None
     assert (over.hardware.target.blocks, over.hardware.target.memory_bytes) == (128, 64 * KB)
+    small = loaded("target: {cpu: s7-313, block_kb: 4}")[0]
+    assert small is not None and small.hardware.target is not None and small.hardware.target.block_bytes == 4 * KB
 
 
 @pytest.mark.parametrize("text", ["{cpu: s7-9}", "{blocks: 0}", "{blocks: many}", "{memory: 5}", "s7-313"])

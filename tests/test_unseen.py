@@ -3,6 +3,7 @@ overlap is given up under a train that runs (A-STAND), and where one stands foul
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -69,6 +70,26 @@ def test_speed_length_and_delay_decide() -> None:
     assert warned(LINE + "principles: {line_speed_kmh: 90}\nsections: {q2: {speed: 80}}\n") == []
     assert warned(LINE + "principles: {line_speed_kmh: 90, detection_delay_s: 0.4}\n") == []
     assert len(warned(LINE + "principles: {detection_delay_s: 20}\n")) == 2  # sections in a group, and the approach
+
+
+@pytest.mark.parametrize(("metres", "seen"), [(11.1, False), (11.12, True)])
+def test_a_section_is_seen_where_the_delay_is_over_before_its_end(metres: float, seen: bool) -> None:
+    """At 80 km/h 11.1 m take 0.4995 s, and a scan may not have read it for 0.5 s."""
+    assert (warned(LINE.replace("q2 12", f"q2 {metres}")) == []) is seen
+
+
+def test_a_length_that_is_hardly_meant_hides_no_other_section() -> None:
+    (found,) = warned(LINE.replace("q2 12, q3 100", "q2 10, q3 100, q4 2"))
+    assert found.startswith("section q2 may be run through unseen")
+
+
+@pytest.mark.parametrize("metres", [12.05, 12.2, 13.7])
+def test_at_the_speed_that_is_advised_a_section_is_seen(metres: float) -> None:
+    sink, text = Sink(), LINE.replace("q2 12", f"q2 {metres}") + "principles: {line_speed_kmh: 120}\n"
+    load_text("a.yaml", text, sink)
+    (fix,) = [d.fix or "" for d in sink.diagnostics if d.code == "IL3037"]
+    stated = re.search(r"`(sections: .*?\}\})`", fix)
+    assert stated is not None and warned(f"{text}{stated[1]}\n") == []
 
 
 def test_verify_says_where_the_assumption_cannot_hold() -> None:

@@ -14,7 +14,6 @@ from interlock.audit.walk import (
     rolled_from,
     signal_distance,
     signal_facing,
-    steps_to,
 )
 from interlock.model.elements import BoundaryKind, BufferKind, EdgeId, MachineId, NodeId, Position, SectionId
 from interlock.model.layout import Layout, of_layout
@@ -213,31 +212,60 @@ def _between(layout: Layout, place: Place, frozen: Frozen) -> Space:
     if not rules.flank_space and not (rules.flank_lamp and rules.lamp_proof):
         return set()
     found: Space = set()
-    todo = [Move(place.edge, place.node)]
-    seen: set[Move] = set()
+    todo = [(Move(place.edge, place.node), False, False)]
+    seen: set[tuple[Move, bool, bool]] = set()
     while todo:
-        here = todo.pop()
+        here, spur, against = todo.pop()
         e = layout.track.edge[here.edge]
-        if here in seen or nothing_comes(e, here.node):
+        if (here, spur, against) in seen or not _rolls(layout, here, spur, against):
             continue
-        seen.add(here)
+        seen.add((here, spur, against))
         rear = layout.track.far(here.edge, here.node)
         ended = rear in (place.node, *layout.track.buffer_at, *layout.track.boundary_at) or _stops(
             layout, rear, here.edge, place
         )
-        ways = () if ended else steps_to(layout, here)
-        before = [m for m, faced in ways if faced is None or frozen.get(*faced) is faced[1]]
+        ways = () if ended else rolled_from(layout, here)
+        against, spur = against or nothing_comes(e, here.node), spur or e.inclined
+        before = [
+            (m, spur or (faced is not None and layout.pointwork.point_at[rear].derailer))
+            for m, faced in ways
+            if faced is None or frozen.get(*faced) is faced[1]
+        ]
         point = layout.pointwork.point_at.get(rear)
         turned = not ended and not before and point is not None and layout.track.section_of(point.toe) == e.section
-        inside = bool(before) and all(layout.track.section_of(m.edge) == e.section for m in before)
+        inside = bool(before) and all(layout.track.section_of(m.edge) == e.section for m, _ in before)
         if rules.flank_space and e.section not in layout.track.undetected and not turned and not inside:
             found.add((e.section, False))
         if _stops(layout, rear, here.edge, place):
             g = signal_facing(layout, rear, here.edge)
             if g is not None and rules.flank_lamp and rules.lamp_proof:
                 found.add((g.id, True))
-        todo += before
+        todo += [(m, away, against) for m, away in before]
     return found
+
+
+def _rolls(layout: Layout, here: Move, spur: bool, against: bool) -> bool:
+    """Whether anything comes over an edge: against its one way, or beyond a section that runs so, only what runs away
+    from an inclined lane, or from behind a derailer."""
+    return spur or not (against or nothing_comes(layout.track.edge[here.edge], here.node)) or _runs_away(layout, here)
+
+
+@of_layout
+def _runs_away(layout: Layout, here: Move) -> bool:
+    """Whether what stands on an inclined lane, or behind a derailer, can come over an edge, as points may lie."""
+    todo, seen = [here], set[Move]()
+    while todo:
+        at = todo.pop()
+        if at in seen:
+            continue
+        seen.add(at)
+        rear = layout.track.far(at.edge, at.node)
+        before = rolled_from(layout, at)
+        derailer = rear in layout.pointwork.point_at and layout.pointwork.point_at[rear].derailer
+        if layout.track.edge[at.edge].inclined or (derailer and any(faced is not None for _, faced in before)):
+            return True
+        todo += [m for m, _ in before]
+    return False
 
 
 def _stops(layout: Layout, node: NodeId, onto: EdgeId, place: Place) -> bool:

@@ -145,14 +145,9 @@ def nothing_comes(e: Edge, node: NodeId) -> bool:
 
 
 @of_layout
-def steps_to(layout: Layout, here: Move) -> tuple[tuple[Move, tuple[MachineId, Position] | None], ...]:
-    """Where a vehicle can have come from, and the position of a point that it met at its toe on the way here."""
-    return () if nothing_comes(layout.track.edge[here.edge], here.node) else rolled_from(layout, here)
-
-
-@of_layout
 def rolled_from(layout: Layout, here: Move) -> tuple[tuple[Move, tuple[MachineId, Position] | None], ...]:
-    """The same of vehicles that run away, against the one way of a section, too."""
+    """Where a vehicle can have come from, against the one way of a section, too, as vehicles do that run away; and the
+    position of a point that it met at its toe on the way here."""
     rear = layout.track.far(here.edge, here.node)
     before = [Move(e.id, rear) for e in layout.track.edges_at[rear] if e.id != here.edge]
     return tuple(

@@ -14,6 +14,10 @@ from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, no, som
 from interlock.checker.railway import Calling, Path, Signal
 from interlock.checker.track import Way
 
+_Past = tuple[bool, bool]
+"""Whether a derailer, or an inclined lane, has been passed, behind which nothing is trusted to stand; and whether a
+section that runs the other way."""
+
 
 @dataclass(frozen=True)
 class Shown:
@@ -213,8 +217,6 @@ class Protection(Added):
         if far in seen or far in self.r.drawn.buffers:
             return TRUE if derailer and (far in seen or far in self._stops) else FALSE
         g = self._holding(e, far, gone, x.needed)
-        if against and not derailer and (g is not None or far in self.r.drawn.boundaries):
-            return FALSE
         if g is not None:
             return self._lets_pass(g)
         if far in self.r.drawn.boundaries:
@@ -284,7 +286,7 @@ class Protection(Added):
         beside = frozenset(s for s, those in self._movements.items() if any(own not in over for over in those))
         looked_at = frozenset(self.r.track.sections) - {own, *self.r.track.undetected, *beside}
         asked = looked_at if self.r.drawn.asks("flank_space") else frozenset()
-        return self._silent(asked, x.edge, x.node, 0.0, x.needed, frozenset({x.node}))
+        return self._silent(asked, x.edge, x.node, 0.0, x.needed, frozenset({x.node}), (False, False))
 
     @cached_property
     def _movements(self) -> dict[str, list[frozenset[str]]]:
@@ -303,11 +305,11 @@ class Protection(Added):
         return found
 
     def _silent(
-        self, asked: frozenset[str], e: Edge, node: str, gone: float, needed: float, seen: frozenset[str]
+        self, asked: frozenset[str], e: Edge, node: str, gone: float, needed: float, seen: frozenset[str], past: _Past
     ) -> Formula:
         """asked: the sections that must be clear.  That of a point which turns vehicles away is no flank space."""
         d, far = self.r.drawn, e.far(node)
-        if e.none_to(node):
+        if not self._comes(e, node, past):
             return TRUE
         clear = self.w_steadily_clear(e.section) if e.section in asked else TRUE
         if far in seen or far in self.r.drawn.buffers:
@@ -318,24 +320,37 @@ class Protection(Added):
             return every((clear, leaf(f"RL_{g.safe}"))) if intact else clear
         if far in self.r.drawn.boundaries:
             return clear
-        onward = (
-            self._silent(asked, x, far, gone + e.length, needed, seen | {far}) for x in self.r.drawn.onward(far, e)
-        )
-        return some((self._points_turn_away(e, node, gone, needed, seen), every((clear, *onward))))
+        beyond, run = self._passed(e, node, past), gone + e.length
+        onward = (self._silent(asked, x, far, run, needed, seen | {far}, beyond) for x in self.r.drawn.onward(far, e))
+        return some((self._points_turn_away(e, node, gone, needed, seen, past), every((clear, *onward))))
 
-    def _points_turn_away(self, e: Edge, node: str, gone: float, needed: float, seen: frozenset[str]) -> Formula:
+    def _points_turn_away(
+        self, e: Edge, node: str, gone: float, needed: float, seen: frozenset[str], past: _Past
+    ) -> Formula:
         """Points of the very section turn a vehicle away, wherever it could come from."""
         far = e.far(node)
-        if e.none_to(node):
+        if not self._comes(e, node, past):
             return TRUE
         held = self._holding(e, far, gone + e.length, needed) is not None
         if far in seen or far in self.r.drawn.buffers or far in self.r.drawn.boundaries or held:
             return FALSE
+        beyond, run = self._passed(e, node, past), gone + e.length
         inside = every(
-            self._points_turn_away(x, far, gone + e.length, needed, seen | {far}) if x.section == e.section else FALSE
+            self._points_turn_away(x, far, run, needed, seen | {far}, beyond) if x.section == e.section else FALSE
             for x in self.r.drawn.onward(far, e)
         )
         return some((self.after(self._turned_away(e, far)), inside))
+
+    def _comes(self, e: Edge, node: str, past: _Past) -> bool:
+        """Something comes over an edge: against its one way, or from beyond a section that runs so, only what runs away
+        from an inclined lane, or from behind a derailer."""
+        derailer, against = past
+        return derailer or not (against or e.none_to(node)) or (e.name, node) in self._untrusted
+
+    def _passed(self, e: Edge, node: str, past: _Past) -> _Past:
+        derailer, against = past
+        kept = e.far(node) in self._derailers and self.r.drawn.points[e.far(node)].position(e.name) is not None
+        return derailer or e.inclined or kept, against or e.none_to(node)
 
     def _holding(self, e: Edge, node: str, gone: float, needed: float) -> Signal | None:
         """The signal that holds a vehicle there, far enough away."""

@@ -103,7 +103,7 @@ def _next_point(layout: Layout, node: NodeId, edge: EdgeId) -> tuple[Point | Non
         if node in layout.pointwork.point_at:
             return layout.pointwork.point_at[node], edge
         onward = [e.id for e in layout.track.edges_at[node] if e.id != edge]
-        if node in layout.pointwork.crossing_at or len(onward) != 1:
+        if len(onward) != 1:
             break
         edge = onward[0]
     return None, edge
@@ -194,9 +194,6 @@ def _outward(
     signal = layout.signalling.facing.get((far, edge))
     held = signal is not None and gone >= r.clear_of and lane is None
     ended = far in layout.track.buffer_at or far in layout.track.boundary_at
-    if against and not spur and (held or ended):
-        yield (Provider(ProviderKind.ONE_WAY, e.section),)
-        return
     if held and signal is not None:
         yield (Provider(ProviderKind.SIGNAL, signal.id),)
         return
@@ -232,7 +229,7 @@ def _over_point(
     first = next(beyond, None)
     preferred = _BY_SIGNAL if _signal_before(layout, r, point, position.other) else _PASSIVE
     ends = first is not None and any(p.kind is ProviderKind.BUFFER for p in first)  # vehicles may stand before it
-    if first is not None and all(p.kind in preferred for p in first) and (turned is None or not ends):
+    if first is not None and all(p.kind in preferred for p in first) and not ends:
         yield first
         first = None
     if turned is not None:
@@ -255,12 +252,11 @@ def _signal_before(layout: Layout, r: Requester, point: Point, position: Positio
 
 def end_of_leg(layout: Layout, point: Point, position: Position) -> NodeId:
     """Where plain track over a leg of a point ends."""
-    edge, node, met = point.leg(position), point.node, set[EdgeId]()
+    edge, node = point.leg(position), point.node
     while True:
-        met.add(edge)
         node = layout.track.far(edge, node)
         onward = [e.id for e in layout.track.edges_at[node] if e.id != edge]
-        if len(onward) != 1 or onward[0] in met:
+        if len(onward) != 1:
             return node
         edge = onward[0]
 
@@ -298,23 +294,28 @@ def reached(
     the track closes in a ring.
 
     Walks outward from the requester again and stops at the chosen providers; round a balloon loop it comes back the
-    other way, as a vehicle could.  The section of a protecting point (all its legs are in one) does not lie between the
-    point and its joint: a train that passes the point on its other leg is there, and does no harm.
+    other way, as a vehicle could; against one way it goes on towards what runs away, and nowhere else.  The section of
+    a protecting point (all its legs are in one) does not lie between the point and its joint: a train that passes the
+    point on its other leg is there, and does no harm.
     """
     between: dict[SectionId, None] = {}
     signals: dict[SignalId, None] = {}
     ring = not providers
-    todo: list[tuple[EdgeId, NodeId, float]] = [(r.edge, r.node, 0.0)]
-    seen: dict[tuple[EdgeId, NodeId], float] = {}  # by the shortest way: there a signal counts least
+    todo: list[tuple[EdgeId, NodeId, _Past]] = [(r.edge, r.node, _Past())]
+    seen: dict[tuple[EdgeId, NodeId, bool, bool], float] = {}  # by the shortest way: there a signal counts least
     while todo:
-        edge, node, gone = todo.pop()
+        edge, node, past = todo.pop()
         e = layout.track.edge[edge]
-        if seen.get((edge, node), inf) <= gone or e.nothing_comes_to(node):
+        against = past.against or e.nothing_comes_to(node)
+        if against and not past.spur and (edge, node) not in runaways(layout):
             continue
-        seen[edge, node] = gone
-        far = layout.track.far(edge, node)
-        gone += e.length
-        signal = layout.signalling.facing.get((far, edge))
+        here = edge, node, past.spur, against
+        if seen.get(here, inf) <= past.gone:
+            continue
+        seen[here] = past.gone
+        far, gone = layout.track.far(edge, node), past.gone + e.length
+        point, signal = layout.pointwork.point_at.get(far), layout.signalling.facing.get((far, edge))
+        kept = point is not None and point.derailer and point.toe != edge
         onward: Sequence[EdgeId] = ()
         if signal is not None and gone >= r.clear_of:
             between[e.section] = None
@@ -327,7 +328,7 @@ def reached(
         for x in onward:
             if layout.track.section_of(x) != e.section:
                 between[e.section] = None
-            todo.append((x, far, gone))
+            todo.append((x, far, _Past(gone, spur=past.spur or e.inclined or kept, against=against)))
     return between, signals, ring
 
 

@@ -57,7 +57,7 @@ def _in_its_way(layout: Layout, parts: Sequence[RouteRow], locks: Locks) -> Iter
     """Why a route is not free while its train stands before its signal, and what would help; nothing where it is."""
     r, topo = parts[0], topology(layout)
     rear = topo.beyond(r.path.section_ids[0], r.path.entry_node)
-    for c in (c for p in parts for c in p.conditions.zones):
+    for c in r.conditions.zones:  # of all that is set with it
         zone = next(z for z in layout.declared.zones if z.id == c.zone)
         if c.entries > zone.trains - (rear in zone.sections):
             train = f"its train stands in it before {r.entry}" if rear in zone.sections else "its train comes in twice"

@@ -46,7 +46,7 @@ def report_flanks(
     unprotected |= {settled.places[at].requester.name for at in settled.impossible}
     for w in layout.declared.waivers:
         name = f"{w.point}.{'normal' if w.leg is Position.NORMAL else 'reverse'}"
-        if name not in unprotected or all(p.requester.name != name for p in places):
+        if name not in unprotected:
             sink.add(
                 "IL2008",
                 f"the waiver of {name} waives nothing: it is protected, or no route passes there",

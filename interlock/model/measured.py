@@ -135,8 +135,6 @@ def _beyond(
     signal = facing.id if facing is not None and gone >= start.needed else None
     boundary = layout.track.boundary_at.get(far)
     if signal is not None or boundary is not None:
-        if against and not spur:
-            return Beyond(e.section, one_way=True, lane=lane)
         kind = boundary.kind if boundary is not None else None
         return Beyond(e.section, signal=signal, boundary=kind, spur=spur, lane=lane)
     point, crossing, trailed = layout.pointwork.point_at.get(far), layout.pointwork.crossing_at.get(far), None

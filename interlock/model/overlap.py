@@ -110,8 +110,8 @@ def two_ways(layout: Layout, ways: Ways) -> tuple[SectionId, ...]:
 
 def _apart_or_along(a: Ways, b: Ways) -> bool:
     """Alternative b comes to no section of a but along a, from the signal on."""
-    at = {t.section: i for i, t in enumerate(a)}
-    return all(at.get(t.section, i) == i and (t.section not in at or b[:i] == a[:i]) for i, t in enumerate(b))
+    own = {t.section for t in a}
+    return all(t.section not in own or b[:i] == a[:i] for i, t in enumerate(b))
 
 
 def own_way(layout: Layout, signal: SignalId, ways: Iterable[Traversal]) -> OverlapWay | None:
