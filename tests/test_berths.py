@@ -140,3 +140,34 @@ def test_another_movement_is_set_into_a_berth_when_the_section_in_rear_is_steadi
     b.go(4, CLR_l1=1)
     b.ask("S1-D3.s")
     assert b.outputs["YW_S1"]
+
+
+HALVES = """interlock: 1
+name: halves
+boundaries:
+  W: {approach: wa 800}
+  E: {approach: ea 800}
+tracks: {line: [W, w1 250, pA 200, pB 200, e1 250, E]}
+signals:
+  X0: {from: W, into: w1}
+  X1: {from: w1, into: pA, kind: combined}
+  MA: {from: pA, into: pB, kind: combined}
+  MB: {from: pB, into: pA, kind: combined}
+  X3: {from: pB, into: e1, kind: combined}
+  Y0: {from: E, into: e1}
+  Y1: {from: e1, into: pB, kind: combined}
+  Y3: {from: pA, into: w1, kind: combined}
+"""
+
+
+def test_a_shunt_route_over_a_berth_alone_asks_for_it_clear_and_one_over_a_section_before_it_does_not() -> None:
+    """R2 said of every berth that it need not be clear.  Nothing but ways before the berth is locked for the route."""
+    drawn = HALVES.replace("pA 200, pB", "pA 180, pc 20, pB").replace("from: pA, into: pB", "from: pA, into: pc")
+    drawn = drawn.replace("from: pB, into: pA", "from: pB, into: pc")
+    for text, over, clear, berth in ((HALVES, ("pB",), ["pB"], None), (drawn, ("pc", "pB"), ["pc"], "pB")):
+        made = grown(text)
+        assert made is not None and not made[2].has_errors and audit(made[0], made[1]) == ()
+        route = made[1].route[RouteId("MA-X3.s")]
+        assert (route.path.section_ids, [c.section for c in route.clear.sections]) == (over, clear)
+        assert route.path.berth == berth and len(route.path.locked) == 1
+        assert prove(System(made[0], lower(made[0], made[1])), Limits(search_depth=0)).proved

@@ -8,6 +8,9 @@ from pathlib import Path
 import pytest
 
 from interlock.audit import audit
+from interlock.derivation import derive
+from interlock.diag import Sink
+from interlock.frontend import load_text
 from interlock.logic.lower import lower
 from interlock.model.elements import RouteId
 from interlock.proof.induction.verdict import Verdict
@@ -205,3 +208,111 @@ def test_where_the_legs_are_drawn_as_long_as_they_are_nothing_is_foul() -> None:
     assert made is not None
     assert "V0-V1" not in made[1].route[RouteId("S0-S1")].locking.hostile.routes
     assert foul(made[1], "S0-S1") == []
+
+
+SLIP = """interlock: 1
+name: slip
+boundaries:
+  A: {approach: aa 800}
+  B: {approach: ab 800}
+  C: {approach: ac 800}
+  D: {approach: ad 800}
+slips:
+  K: {section: XX, arms: [[A, B], [C, D]], legs: 10}
+signals:
+  A1: {from: A, into: XX}
+  B1: {from: B, into: XX}
+  C1: {from: C, into: XX}
+  D1: {from: D, into: XX}
+"""
+"""A double slip right at the boundaries, its signals 10 m from its points."""
+JOINTS = """interlock: 1
+name: joints
+boundaries:
+  A: {trains: in, approach: aa 800}
+  B: {trains: out}
+  C: {trains: in, approach: ac 800}
+  D: {trains: out}
+tracks: {a: [A, a1 200], b: [b1 200, B], c: [C, c1 200], d: [d1 200, D]}
+slips:
+  K: {section: XX, arms: [[a.end, b.start], [c.end, d.start]], legs: 10}
+signals:
+  A0: {from: A, into: a1}
+  A1: {from: a1, into: XX}
+  C0: {from: C, into: c1}
+  C1: {from: c1, into: XX}
+"""
+SQUARE = """interlock: 1
+name: square
+boundaries:
+  N1: {trains: in, approach: n1a 800}
+  N2: {trains: in, approach: n2a 800}
+  S1: {trains: out}
+  S2: {trains: out}
+  W1: {trains: in, approach: w1a 800}
+  W2: {trains: in, approach: w2a 800}
+  E1: {trains: out}
+  E2: {trains: out}
+tracks: {n1: [N1, nn1 200, V1 15], s1: [V1 15, ss1 200, S1], n2: [N2, nn2 200, V2 15], s2: [V2 15, ss2 200, S2],
+  w1: [W1, ww1 200, H1 15], e1: [H1 15, ee1 200, E1], w2: [W2, ww2 200, H2 15], e2: [H2 15, ee2 200, E2]}
+crossings:
+  X11: {legs: 3, arms: [{section: V1, ends: [n1.end, X12.1a]}, {section: H1, ends: [w1.end, X21.2a]}]}
+  X12: {legs: 3, arms: [{section: V1, ends: [X11.1b, s1.start]}, {section: H2, ends: [w2.end, X22.2a]}]}
+  X21: {legs: 3, arms: [{section: V2, ends: [n2.end, X22.1a]}, {section: H1, ends: [X11.2b, e1.start]}]}
+  X22: {legs: 3, arms: [{section: V2, ends: [X21.1b, s2.start]}, {section: H2, ends: [X12.2b, e2.start]}]}
+signals:
+  A2: {from: nn1, into: V1}
+  B2: {from: nn2, into: V2}
+  C2: {from: ww1, into: H1}
+  D2: {from: ww2, into: H2}
+  A1: {from: N1, into: nn1}
+  B1: {from: N2, into: nn2}
+  C1: {from: W1, into: ww1}
+  D1: {from: W2, into: ww2}
+"""
+"""Two double tracks cross at right angles, 6 m apart."""
+ON_A_LEG = """interlock: 1
+name: derailer
+boundaries:
+  W: {approach: wa 300}
+  E: {approach: ea 300}
+tracks: {west: [W, w1 200], east: [e1 200, E]}
+derailers:
+  D: {section: d, inner: west.end, outer: east.start, legs: 3}
+signals:
+  X: {from: W, into: w1}
+  A: {from: w1, into: d}
+  Y: {from: E, into: e1}
+  B: {from: e1, into: d}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "codes", "key", "applied"),
+    [
+        (SLIP, {"IL3041", "IL4001"}, "slips: {K: {fouling: ", ("legs: 10", "legs: 10, fouling: 6.5")),
+        (JOINTS, {"IL3018", "IL3045"}, "slips: {K: {fouling: ", ("legs: 10", "legs: 10, fouling: 6.5")),
+        (SQUARE, {"IL3042", "IL3045"}, "principles: {fouling_m: ", ("name:", "principles: {fouling_m: 2}\nname:")),
+        (ON_A_LEG, {"IL3018"}, "", ("legs: 3", "legs: 4.5")),
+    ],
+    ids=["slip at boundaries", "slip before joints", "square of diamonds", "derailer"],
+)
+def test_what_states_a_fouling_point_is_a_key_of_the_language(
+    text: str, codes: set[str], key: str, applied: tuple[str, str]
+) -> None:
+    """`points: {Ka: {fouling: ...}}` was offered for a slip K, and `fouling` for a diamond and a derailer; the place
+    was that of the layout's name."""
+    sink = Sink()
+    layout, _ = load_text("it.yaml", text, sink)
+    assert layout is not None
+    derive(layout, sink)
+    found = [d for d in sink.diagnostics if d.code in codes]
+    assert {d.code for d in found} == codes
+    for d in found:
+        assert (f"`{key}" in str(d.fix)) if key else ("fouling" not in str(d.fix)), d
+        assert d.span is not None and d.span.line > 3, d
+    after = Sink()
+    mended, _ = load_text("it.yaml", text.replace(*applied), after)
+    assert mended is not None
+    derive(mended, after)
+    assert codes.isdisjoint({d.code for d in after.diagnostics}), after.diagnostics

@@ -450,6 +450,66 @@ def test_wagons_that_run_head_on_into_a_train_at_the_end_of_its_route(text: str,
     assert told is None or any(told in m for m in found)
 
 
+BEHIND_A_DERAILER = """interlock: 1
+name: siding
+boundaries:
+  W: {approach: wa 300}
+  E: {approach: ea 300}
+buffers: [Z]
+tracks:
+  west: [W, w1 200]
+  east: [e1 200, E]
+  sid: [s1 150, Z]
+points:
+  P: {section: p, toe: west.end, normal: east.start, reverse: D.inner}
+derailers:
+  D: {section: d, outer: sid.start}
+signals:
+  X: {from: W, into: w1}
+  A: {from: w1, into: p, kind: combined}
+  Y: {from: E, into: e1}
+  B: {from: e1, into: p, kind: combined}
+"""
+"""X-A ends before the points of the siding; the derailer is off after a movement into it."""
+BARE_SIDING = BEHIND_A_DERAILER.replace("reverse: D.inner", "reverse: sid.start").replace(
+    "derailers:\n  D: {section: d, outer: sid.start}\n", ""
+)
+RING = BEHIND_A_DERAILER.replace("buffers: [Z]\n", "").replace(
+    "s1 150, Z]\n", "s1 150]\n  loop: [Q.normal, s2 150, Q.reverse]\n"
+)
+RING = RING.replace("points:\n", "points:\n  Q: {section: q, toe: sid.end}\n")
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        (BEHIND_A_DERAILER, "roll from section s1, behind derailer D while it is off, come over p, d to A"),
+        (RING, "behind derailer D while it is off, come over p, d, s1, s2 to A"),
+        (BEHIND_A_DERAILER.replace("buffers: [Z]", "traps: [Z]"), None),
+        (BEHIND_A_DERAILER + "  S: {from: s1, into: d, kind: shunt}\n", None),
+        (BEHIND_A_DERAILER + "overlaps: {A: {length: 10}}\n", "that comes there by X-A.o2:"),
+        (BARE_SIDING, None),
+        (demanded(BEHIND_A_DERAILER, "D", "normal", "A"), None),
+        (demanded(BEHIND_A_DERAILER, "D", "reverse", "A"), "behind derailer D"),
+        (demanded(BEHIND_A_DERAILER, "P", "normal", "A"), "behind derailer D"),
+    ],
+    ids=["a siding", "a ring", "a trap", "a signal", "an overlap", "no derailer", "laid on", "laid off", "the point"],
+)
+def test_vehicles_behind_a_derailer_that_no_route_lays_run_head_on_into_a_train(text: str, told: str | None) -> None:
+    """It was told of inclined lanes alone; a derailer stands where vehicles may roll, and no rule lays it for X-A."""
+    found = head_on(text)
+    assert bool(found) is (told is not None), found
+    assert told is None or any(told in m for m in found), found
+
+
+def test_the_demand_that_is_offered_for_a_derailer_helps() -> None:
+    found = grown(BEHIND_A_DERAILER)
+    assert found is not None
+    (told,) = [d for d in found[2].diagnostics if d.code == "IL7019"]
+    line = re.search(r"`(demand: .*)`$", told.fix or "")
+    assert line is not None and head_on(f"{BEHIND_A_DERAILER}{line[1]}\n") == []
+
+
 def test_no_wagons_run_from_a_lane_that_leads_to_a_trap_alone() -> None:
     turned = "toe: up.start, normal: in.end, reverse: side.start"
     text = TURNED.replace(turned, "toe: in.end, normal: side.start, reverse: up.start").replace(

@@ -461,7 +461,8 @@ def _wanted(layout: Layout, g: str) -> str:
 
 
 def _ends_in_berth(layout: Layout, f: _Found) -> bool:
-    """A route over the berth alone keeps it clear: nothing else would be locked for it."""
+    """A route over the berth alone asks for it clear (R2): the ways before a berth tell that a movement is under way
+    into it, since the berth may be locked for what stands there, and nothing else would be locked for this one."""
     return f.kind is RouteKind.SHUNT and len(f.ways) > 1 and f.ways[-1].section in topology(layout).berths
 
 

@@ -1,8 +1,9 @@
-"""Inclined lanes from which nothing but a signal, or nothing at all, keeps wagons off (R5).
+"""Inclined lanes and tracks behind derailers from which nothing, or nothing but a signal, keeps wagons off (R5).
 
 Warning IL7019: beyond the end of a route, where no rule asks for protection, what runs away meets a train head-on.
 What keeps wagons off there is a signal that faces them, or a derailer or point that the route has turned away; an
-overlap moves the end on, since it is clear.
+overlap moves the end on, since it is clear.  A derailer that no route lays does not: it is off after the last movement
+over it, and it was put there because vehicles roll from behind it.
 
 Warning IL7020: beside a way the protection is a signal alone.  The proof trusts it (A-STANDS), wagons do not read it.
 """
@@ -28,17 +29,20 @@ SHOWN = 3
 
 @dataclass(frozen=True)
 class _Lane:
-    """An inclined lane that is met beyond the end of a route: over which sections, and over which point from a leg,
-    which would keep wagons off in the other position, and may be demanded there."""
+    """An inclined lane that is met beyond the end of a route, or a track behind a derailer: over which sections, and
+    over which point from a leg, which would keep wagons off in the other position, and may be demanded there."""
 
     section: SectionId
     over: tuple[SectionId, ...] = ()
     point: tuple[Point, Position] | None = None
+    derailer: Point | None = None
 
 
 def check_runaways(layout: Layout, paths: Sequence[Path], demands: Demands, sink: Sink) -> None:
-    """Report routes to whose ends wagons may run from an inclined lane, where no error hides routes."""
-    if sink.has_errors or not any(e.inclined for e in layout.track.edges):
+    """Report routes to whose ends wagons may run from an inclined lane or from behind a derailer, where no error hides
+    routes."""
+    rolls = any(e.inclined for e in layout.track.edges) or any(p.derailer for p in layout.pointwork.points)
+    if sink.has_errors or not rolls:
         return
     met: dict[tuple[SectionId, str], tuple[_Lane, list[Path]]] = {}
     for p in paths:
@@ -63,7 +67,8 @@ def check_signals_alone(layout: Layout, rows: Sequence[RouteRow], sink: Sink) ->
         for cell, signal in () if r.conditions.external else held:
             s = layout.signalling.signal[SignalId(signal)]
             for lane in _lanes(layout, _onward(layout, s.into, s.node), own, laid):
-                met.setdefault((lane.section, signal, cell.requester), []).append(r)
+                if lane.derailer is None:
+                    met.setdefault((lane.section, signal, cell.requester), []).append(r)
     for (section, signal, place), those in met.items():
         _report_alone(section, signal, place, those, sink)
 
@@ -87,10 +92,10 @@ def _from_end(layout: Layout, end: Traversal) -> list[_Start]:
 def _lanes(
     layout: Layout, starts: Sequence[_Start], own: Collection[SectionId], laid: Collection[tuple[MachineId, Position]]
 ) -> Iterator[_Lane]:
-    """The first inclined lanes from which wagons come, with no signal in between.  `own`: what is clear for the route;
-    `laid`: how it has machines lie."""
+    """The first inclined lanes from which wagons come, with no signal in between, and the tracks behind derailers that
+    are not laid on.  `own`: what is clear for the route; `laid`: how it has machines lie."""
     faced, todo = layout.signalling.facing, list(starts)
-    seen, found = set[tuple[EdgeId, NodeId]](), set[SectionId]()
+    seen, found, rolled = set[tuple[EdgeId, NodeId]](), set[SectionId](), set[SectionId]()
     while todo:
         edge, node, met = todo.pop()
         e = layout.track.edge[edge]
@@ -111,6 +116,36 @@ def _lanes(
         demanded = turned if turned is not None and _may_lie(layout, *turned) else None
         onward = _Lane(met.section, tuple(dict.fromkeys((*met.over, e.section))), met.point or demanded)
         todo += [(x, far, onward) for x in onward_edges(layout, far, edge)]
+        if point is not None and turned is not None and point.derailer:
+            for section, over in _behind(layout, far, edge, own, laid):
+                if section not in rolled:
+                    rolled.add(section)
+                    yield _Lane(section, tuple(dict.fromkeys((*onward.over, *over))), onward.point, point)
+
+
+def _behind(
+    layout: Layout, node: NodeId, edge: EdgeId, own: Collection[SectionId], laid: Collection[tuple[MachineId, Position]]
+) -> Iterator[tuple[SectionId, tuple[SectionId, ...]]]:
+    """Where vehicles are left behind a derailer, to which one comes over an edge, with no signal in between: the ends
+    of tracks, rings and boundaries (an inclined lane is told for itself), and the sections before."""
+    first = frozenset({node})
+    todo: list[tuple[EdgeId, NodeId, frozenset[NodeId], tuple[SectionId, ...]]]
+    todo = [(x, node, first, ()) for x in onward_edges(layout, node, edge)]
+    seen = set[tuple[EdgeId, NodeId, frozenset[NodeId]]]()
+    while todo:
+        here, near, path, over = todo.pop()
+        e, far = layout.track.edge[here], layout.track.far(here, near)
+        if (here, near, path) in seen or e.section in own or e.inclined or (far, here) in layout.signalling.facing:
+            continue
+        seen.add((here, near, path))
+        buffer, point = layout.track.buffer_at.get(far), layout.pointwork.point_at.get(far)
+        stand = buffer is not None and buffer.kind is BufferKind.STOP
+        if stand or far in path or far in layout.track.boundary_at:
+            yield e.section, tuple(s for s in over if s != e.section)
+            continue
+        position = None if point is None else point.position_of(here)
+        if point is None or position is None or (point.machine, position.other) not in laid:
+            todo += [(x, far, path | {far}, (*over, e.section)) for x in onward_edges(layout, far, here)]
 
 
 def _may_lie(layout: Layout, point: Point, position: Position) -> bool:
@@ -157,18 +192,24 @@ def _report_alone(section: SectionId, signal: str, place: str, those: Sequence[R
 def _report(lane: _Lane, end: str, those: Sequence[Path], sink: Sink) -> None:
     routes = _some(those)
     over = f"over {', '.join(lane.over)}" if lane.over else "at once"
-    fix = (
-        f"between {lane.section} and {end} put a signal that faces them, or a derailer or a point before a trap, which "
-    )
-    fix += "the routes have turned away by a `demand`"
+    section = called("section", lane.section)
+    if lane.derailer is None:
+        comes = f"wagons that run away from {section}, an inclined lane, come"
+        fix = (
+            f"between {lane.section} and {end} put a signal that faces them, or a derailer or a point before a trap, "
+            "which the routes have turned away by a `demand`"
+        )
+    else:
+        comes = f"vehicles that roll from {section}, behind derailer {lane.derailer.id} while it is off, come"
+        fix = f"between {lane.section} and {end} put a signal that faces them"
     if lane.point is not None:
         p, x = lane.point
         fix += f"; or have {p.id} turned away: `demand: [{{point: {p.id}, lies: {_WORD[x]}, "
         fix += f"routes: {{to: {end}}}, reason: runaways from {lane.section}}}]`"
     sink.add(
         "IL7019",
-        f"wagons that run away from {called('section', lane.section)}, an inclined lane, come {over} to {end} and meet "
-        f"a train head-on that comes there by {routes}: no signal, derailer or point turned away keeps them off",
+        f"{comes} {over} to {end} and meet a train head-on that comes there by {routes}: no signal, derailer or point "
+        "turned away keeps them off",
         None,
         fix,
         about=Element("sections", lane.section),

@@ -149,9 +149,10 @@ def _remedy(layout: Layout, options: Options, r: Requester, allowed: Allowed, he
         ]
         said.append(f"{'; '.join(there)}: lengthen the track between")
         if (room := _room(layout, r, at)) is not None:
-            point = r.name.partition(".")[0]
-            where = f"where the fouling point of {point} is, if no further"
-            said.append(f"state {where}: `points: {{{point}: {{fouling: {room:g}}}}}`")
+            point = PointId(r.name.partition(".")[0])
+            slip = layout.pointwork.slip_of.get(point)
+            key = f"points: {{{point}" if slip is None else f"slips: {{{slip}"
+            said.append(f"state where the fouling point of {point} is, if no further: `{key}: {{fouling: {room:g}}}}}`")
     else:
         signal = f"a signal or stop board, {r.clear_of:g} m away or more, or "
         room = min(lanes.values(), default=r.clear_of) >= r.clear_of

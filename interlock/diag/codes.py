@@ -181,7 +181,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL7016": (_W, "a derailer or trap point that no route lays where it protects"),
     "IL7017": (_W, "a way that only leads back, beside one that leads on"),
     "IL7018": (_W, "a name in a substation's list that two elements bear"),
-    "IL7019": (_W, "an inclined lane from which wagons run head-on into a train at the end of its route"),
+    "IL7019": (_W, "wagons from an inclined lane, or behind a derailer, meet a train head-on at the end of its route"),
     "IL7020": (_W, "a signal alone between an inclined lane and a place beside a route"),
     "IL7021": (_W, "a principle that has no effect in this layout"),
     "IL7022": (_W, "a zone that keeps no train out"),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 from functools import lru_cache
 from unicodedata import normalize
 
@@ -51,7 +51,7 @@ def did_you_mean(
 
 def nearest(name: str, known: Collection[str]) -> str | None:
     """The known name that is most like a name, upper and lower case alike, and full-width signs as others; None when
-    none is near."""
+    none is near, and where it would be a guess among opposites: of a negation (`abnormal`), of an end (`X.2c`)."""
     return _nearest(name, known if isinstance(known, tuple) else tuple(known))
 
 
@@ -64,8 +64,55 @@ def _nearest(name: str, known: tuple[str, ...]) -> str | None:
     same, wanted = {normalize("NFKC", n): n for n in lowered}, normalize("NFKC", own)
     if wanted in same:
         return lowered[same[wanted]]
+    head, dot, end = own.rpartition(".")
+    ends = [n[len(head) + 1 :] for n in lowered if n.startswith(f"{head}.")] if dot else []
+    if ends:
+        found = _nearest_end(end, ends)
+        return lowered[f"{head}.{found}"] if found is not None else None
     names = list(lowered)
     if len(names) > _MANY:
         names = [n for n in names if abs(len(n) - len(own)) <= 2 and (n[:1] == own[:1] or n[-1:] == own[-1:])]
+    near = _closest(own, names)
+    return lowered[near] if near is not None else None
+
+
+_BEGINNINGS = {"begin": "start", "beginning": "start"}
+_OPPOSITES = (("forward", "backward"), ("far", "near"), ("normal", "reverse"), ("left", "right"), ("inner", "outer"))
+_OPPOSITE = {a: b for pair in _OPPOSITES for a, b in (pair, pair[::-1])}
+_APART = 0.2
+"""By so much a word is nearer to what is proposed than to its opposite."""
+_NEGATIONS = ("un", "non", "not", "no", "ab", "in", "dis", "anti", "de")
+
+
+def _nearest_end(end: str, ends: Sequence[str]) -> str | None:
+    """The end of one element that is meant.  `a2` is `2a`, and nothing else of two signs is guessed: where they differ
+    in one sign, a misspelt one is as near to the opposite."""
+    turned = [e for e in ends if sorted(e) == sorted(end)]
+    if len(turned) == 1 or _BEGINNINGS.get(end) in ends:
+        return turned[0] if turned else _BEGINNINGS[end]
+    if all(len(e) <= 2 for e in ends):
+        return None
+    begun = [e for e in ends if end and e.startswith(end)]
+    return begun[0] if len(begun) == 1 else _closest(end, ends)
+
+
+def _closest(own: str, names: Sequence[str]) -> str | None:
+    """The name most like a word, unless the word denies it, or is about as near to its opposite."""
     near = difflib.get_close_matches(own, names, n=1, cutoff=0.6)
-    return lowered[near[0]] if near else None
+    if not near or _denies(own, near[0]):
+        return None
+    other = _OPPOSITE.get(near[0])
+    if other in names and _alike(own, near[0]) - _alike(own, str(other)) < _APART:
+        return None
+    return near[0]
+
+
+def _denies(own: str, name: str) -> bool:
+    """Whether a word is another one with a negation before or behind it, which is as good as its opposite."""
+    rests = [own[len(p) :] for p in _NEGATIONS if own.startswith(p) and not name.startswith(p)]
+    rests += [own[:-4]] if own.endswith("less") and not name.endswith("less") else []
+    return len(name) > 2 and any(_alike(r.strip("-_ "), name) > _alike(own, name) for r in rests)
+
+
+def _alike(one: str, other: str) -> float:
+    return difflib.SequenceMatcher(None, one, other).ratio()

@@ -6,6 +6,7 @@ places is one diagnostic, and what follows from a slip (a key that is missing be
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping as Map
 from typing import Any
 
@@ -253,9 +254,16 @@ def _quantity(path: Loc) -> str:
     return of.get(str(path[-1]).rpartition("_")[2], "") if path[0] == "principles" else ""
 
 
+_PAIR = re.compile(r"[12][ab]-[12][ab]")
+"""Two ends of a slip: in whichever order, and no other pair is as good as them."""
+
+
 def _one_of(value: str, known: tuple[str, ...]) -> str | Suggestion:
     """Which word is meant; all of them where there are few, and none is the very one in other letters."""
-    meant = nearest(value, known)
+    pairs = {frozenset(k.split("-")): k for k in known if _PAIR.fullmatch(k)}
+    meant = pairs.get(frozenset(value.strip().lower().split("-"))) if pairs else nearest(value, known)
+    if pairs and meant is None:
+        return f"known here: {', '.join(sorted(known))}"
     if meant is None or meant.lower() == value.strip().lower() or len(known) > 8:
         return did_you_mean(value, known)
     return f"did you mean {meant}?  Known here: {', '.join(sorted(known))}"

@@ -98,6 +98,11 @@ class Pointwork(Facts):
         return {p.id: p for p in self.points}
 
     @cached_property
+    def slip_of(self) -> dict[PointId, str]:
+        """The slips to which points belong that stand nowhere in the layout file: all their edges are named for it."""
+        return {b.point: str(self.point[b.point].toe).rpartition(".")[0] for b in self.blades}
+
+    @cached_property
     def crossing(self) -> dict[CrossingId, Crossing]:
         """Crossings by id."""
         return {c.id: c for c in self.crossings}

@@ -2,37 +2,75 @@
 
 from __future__ import annotations
 
+from interlock.dataclass import dataclass
+from interlock.diag.called import called
 from interlock.frontend.context import Context
-from interlock.model.elements import BoundaryKind, Position
+from interlock.model.elements import BoundaryKind, CrossingId, PointId
 from interlock.model.foul import crossed_sections, foul_beside, foul_boundaries, foul_joints
 from interlock.model.layout import Layout
+
+
+@dataclass(frozen=True)
+class _Written:
+    """A point or diamond as the layout file has it: under which key, what it is called, what else would help."""
+
+    key: tuple[str, str]
+    kind: str
+    name: str
+    fouling: str
+
+    @property
+    def side(self) -> str:
+        """What it has two of."""
+        return "arm" if self.kind == "diamond" else "leg"
+
+
+def _written(layout: Layout, element: PointId | CrossingId) -> _Written:
+    """A point, also of a slip, a derailer, or a diamond; `fouling` of diamonds is a principle, of derailers given."""
+    point = layout.pointwork.point.get(PointId(element))
+    slip = layout.pointwork.slip_of.get(PointId(element))
+    if point is None:
+        where = (
+            "where the fouling points of diamonds, and of points that state none, are: `principles: {fouling_m: ...}`"
+        )
+        slips = {*layout.pointwork.slip_of.values()}
+        key, kind = "slips" if element in slips else "crossings", "diamond"
+        name = f"the diamond of {called('slip', element)}" if element in slips else f"diamond {element}"
+        return _Written((key, element), kind, name, f", or state {where}")
+    if point.derailer:
+        return _Written(("derailers", element), "derailer", f"derailer {element}", "")
+    key, owner = ("points", str(element)) if slip is None else ("slips", slip)
+    name = f"point {element}" if slip is None else f"point {element} of {called('slip', slip)}"
+    where = f"where the fouling point of {element} is: `{key}: {{{owner}: {{fouling: ...}}}}`"
+    return _Written((key, owner), "point", name, f", or state {where}")
 
 
 def check_foul(ctx: Context, layout: Layout) -> None:
     """Report each foul joint; the derivation protects it."""
     for f in foul_joints(layout):
-        kind, side = ("points", "leg") if isinstance(f.side, Position) else ("crossings", "arm")
+        it = _written(layout, f.element)
         before = next((e.section for e in layout.track.edges_at[f.node] if e.section != f.neighbour), f.section)
         ctx.add(
             "IL3018",
-            f"the joint {before}|{f.neighbour} is foul of {f.name}: it lies {f.distance:g} m "
-            f"from the {kind[:-1]}, and {f.needed:g} m are needed; routes over the other {side} of {f.element} require "
-            f"{f.neighbour} clear"
+            f"the joint {before}|{f.neighbour} is foul of {it.name}: it lies {f.distance:g} m "
+            f"from the {it.kind}, and {f.needed:g} m are needed; routes over the other {it.side} of {f.element} "
+            f"require {f.neighbour} clear"
             + (f" unless {f.when[0]} is detected {f.when[1].other}" if f.when is not None else ""),
-            ctx.at_key(kind, f.element),
-            f"where it is to be free, draw the joint {f.needed - f.distance:g} m further out (`legs`)"
-            + (", or state where the fouling point is (`fouling`)" if kind == "points" else ""),
+            ctx.at_key(*it.key),
+            f"where it is to be free, draw the joint {f.needed - f.distance:g} m further out (`legs`){it.fouling}",
         )
         if f.near is not None:
-            it, metres, needed = f.near
+            near, metres, needed = f.near
+            fouling = (
+                it.fouling if needed == f.needed else f", or state where the fouling point of {near} is (`fouling`)"
+            )
             ctx.add(
                 "IL3042",
-                f"{it} leads to the joint {before}|{f.neighbour}, which is foul of {f.name}, and itself lies only "
-                f"{metres:g} m from {f.name}, where {needed:g} m are needed: whatever passes {it} comes too near, "
-                f"and {f.neighbour} is required clear however {it} lies",
-                ctx.at_key(kind, f.element),
-                f"draw {it} as far away as it is (`legs`), or state where the fouling point of {f.element} is "
-                "(`fouling`); if they are so near, nothing",
+                f"{near} leads to the joint {before}|{f.neighbour}, which is foul of {it.name}, and itself lies only "
+                f"{metres:g} m from {it.name}, where {needed:g} m are needed: whatever passes {near} comes too near, "
+                f"and {f.neighbour} is required clear however {near} lies",
+                ctx.at_key(*it.key),
+                f"draw {near} as far away as it is (`legs`){fouling}; if they are so near, nothing",
             )
     _near_diamonds(ctx, layout)
     _facing(ctx, layout)
@@ -41,20 +79,18 @@ def check_foul(ctx: Context, layout: Layout) -> None:
 
 def _facing(ctx: Context, layout: Layout) -> None:
     """Report points and diamonds on either side of which a section begins too near."""
-    found: dict[str, tuple[str, set[str]]] = {}
+    found: dict[PointId | CrossingId, set[str]] = {}
     for x in foul_beside(layout):
-        found.setdefault(x.element, (x.name, set()))[1].update((x.section, x.neighbour))
-    for element, (name, sections) in found.items():
-        point = name.startswith("point")
-        those = ", ".join(sorted(sections))
-        fouling = f", or state where its fouling point is: `points: {{{element}: {{fouling: ...}}}}`" if point else ""
+        found.setdefault(x.element, set()).update((x.section, x.neighbour))
+    for element, sections in found.items():
+        it = _written(layout, element)
         ctx.add(
             "IL3045",
-            f"{those} begin too near to {name}, on both of its {'legs' if point else 'arms'}: what stands at the one "
-            "joint is in the way of what stands at the other, or runs past it, and routes there require the other "
+            f"{', '.join(sorted(sections))} begin too near to {it.name}, on both of its {it.side}s: what stands at the "
+            "one joint is in the way of what stands at the other, or runs past it, and routes there require the other "
             "section clear",
-            ctx.at_key("points" if point else "crossings", element),
-            f"draw {element} as far away from them as it is (`legs`){fouling}; if they are so near, nothing",
+            ctx.at_key(*it.key),
+            f"draw {it.key[1]} as far away from them as it is (`legs`){it.fouling}; if they are so near, nothing",
         )
 
 
@@ -64,15 +100,14 @@ def _near_diamonds(ctx: Context, layout: Layout) -> None:
     for x in crossed_sections(layout):
         unless = f" unless {x.when[0]} is detected {x.when[1].other}" if x.when is not None else ""
         if x.element != x.crossing and told.setdefault((x.crossing, x.element), x.distance) == x.distance:
-            kind = "point" if x.element in layout.pointwork.point else "diamond"
+            met = _written(layout, x.element)
             ctx.add(
                 "IL3042",
-                f"diamond {x.crossing} lies only {x.distance:g} m from {kind} {x.element}, where {x.needed:g} m are "
+                f"diamond {x.crossing} lies only {x.distance:g} m from {met.name}, where {x.needed:g} m are "
                 "needed: whatever passes over its other arm comes too near, and "
                 f"{x.neighbour} is required clear{unless}",
                 ctx.at_key("crossings", x.crossing),
-                f"draw {x.crossing} as far away as it is (`legs`), or state where the fouling point of {x.element} is "
-                "(`fouling`); if they are so near, nothing",
+                f"draw {x.crossing} as far away as it is (`legs`){met.fouling}; if they are so near, nothing",
             )
         elif x.element == x.crossing and x.near is not None:
             it, metres, needed = x.near
@@ -87,15 +122,13 @@ def _near_diamonds(ctx: Context, layout: Layout) -> None:
 
 def _boundaries(ctx: Context, layout: Layout) -> None:
     for b in foul_boundaries(layout):
-        point = b.element in layout.pointwork.point
-        kind = "point" if point else "diamond"
-        fouling = f", or state where its fouling point is: `points: {{{b.element}: {{fouling: ...}}}}`" if point else ""
+        it = _written(layout, b.element)
         enters = layout.track.boundary_at[b.node].kind is BoundaryKind.IN
         ctx.add(
             "IL3041",
-            f"boundary {b.node} is foul of {kind} {b.element}: it lies {b.distance:g} m from it, and {b.needed:g} m "
+            f"boundary {b.node} is foul of {it.name}: it lies {b.distance:g} m from it, and {b.needed:g} m "
             f"are needed; a train that {'waits to come in' if enters else 'has left'} may {'' if enters else 'still '}"
             "stand there while another one passes",
             ctx.at_key("boundaries", str(b.node)),
-            f"draw the track on beyond the fouling point of {b.element}, in a section of its own{fouling}",
+            f"draw the track on beyond the fouling point of {b.element}, in a section of its own{it.fouling}",
         )
