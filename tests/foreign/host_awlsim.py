@@ -1,7 +1,7 @@
 """Runs the emitted STL in Awlsim (repository mbuesch/awlsim): one power-on, scans as `wiring` has them.
 
 python host_awlsim.py FOLDER NAME WIRING, under a Python that has awlsim.  WIRING: JSON with the bytes of both images,
-and the variables that are written (with their types) and read.  The clock is that of the recording.
+the variables that are written (with their types) and read, and the words.  The clock is that of the recording.
 
 Two things that the simulator does not take are said in another way before it reads the text: the output of a timer is
 handed over by its call, where the text reads it as a member; a data block of an instance is called by its number.
@@ -93,7 +93,8 @@ def main():
             value = int.from_bytes(asked.read(2), "little", signed=True)
             host.write(name, value & 0xFFFF if kind == "INT" else value)
         host.sim.runCycle()
-        out.write(host.image(wiring["image_q"]) + bytes(host.read(n) for n in wiring["read"]))
+        words = b"".join(host.read(n).to_bytes(2, "little") for n in wiring["words"])
+        out.write(host.image(wiring["image_q"]) + bytes(host.read(n) for n in wiring["read"]) + words)
 
 
 if __name__ == "__main__":
