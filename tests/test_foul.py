@@ -292,7 +292,7 @@ signals:
     [
         (SLIP, {"IL3041", "IL4001"}, "slips: {K: {fouling: ", ("legs: 10", "legs: 10, fouling: 6.5")),
         (JOINTS, {"IL3018", "IL3045"}, "slips: {K: {fouling: ", ("legs: 10", "legs: 10, fouling: 6.5")),
-        (SQUARE, {"IL3042", "IL3045"}, "principles: {fouling_m: ", ("name:", "principles: {fouling_m: 2}\nname:")),
+        (SQUARE, {"IL3042", "IL3045"}, "crossings: {X", ("{legs: 3", "{fouling: 2, legs: 3")),
         (ON_A_LEG, {"IL3018"}, "", ("legs: 3", "legs: 4.5")),
     ],
     ids=["slip at boundaries", "slip before joints", "square of diamonds", "derailer"],

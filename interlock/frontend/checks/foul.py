@@ -26,16 +26,14 @@ class _Written:
 
 
 def _written(layout: Layout, element: PointId | CrossingId) -> _Written:
-    """A point, also of a slip, a derailer, or a diamond; `fouling` of diamonds is a principle, of derailers given."""
+    """A point or diamond, also of a slip, or a derailer, whose fouling point nobody states."""
     point = layout.pointwork.point.get(PointId(element))
     slip = layout.pointwork.slip_of.get(PointId(element))
     if point is None:
-        where = (
-            "where the fouling points of diamonds, and of points that state none, are: `principles: {fouling_m: ...}`"
-        )
         slips = {*layout.pointwork.slip_of.values()}
         key, kind = "slips" if element in slips else "crossings", "diamond"
         name = f"the diamond of {called('slip', element)}" if element in slips else f"diamond {element}"
+        where = f"where the fouling point of {element} is: `{key}: {{{element}: {{fouling: ...}}}}`"
         return _Written((key, element), kind, name, f", or state {where}")
     if point.derailer:
         return _Written(("derailers", element), "derailer", f"derailer {element}", "")
