@@ -19,6 +19,7 @@ from interlock.logic.plant import ASSUMPTIONS, OF_PLC
 from interlock.proof.claims import CLAIMS, Claim, Facts, claims
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
+from interlock.st.dialects import BY_NAME
 from tests.layouts import built
 
 README = Path("README.md").read_text("utf-8")
@@ -49,6 +50,23 @@ def test_the_readme_names_every_claim() -> None:
 def test_the_readme_counts_the_claims() -> None:
     found = re.search(r"no two trains meet, that no point moves under a train, and (\d+) further claims", README)
     assert found is not None and int(found[1]) == len(CLAIMS) - 2
+
+
+def test_the_readme_counts_the_dialects_and_the_plc_page_has_a_line_for_each() -> None:
+    """Ladder diagrams are one of them, and no Structured Text."""
+    words = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
+    found = re.search(r"Structured Text in (\w+) dialects and ladder", README)
+    assert found is not None and found[1] == words[len(BY_NAME) - 2]
+    page = Path("interlock/docs/plc.md").read_text("utf-8")
+    for name in BY_NAME:
+        assert re.search(rf"^\| `{name}` ", page, re.MULTILINE), name
+
+
+def test_committed_outputs_are_of_the_layouts_as_they_are_read_now() -> None:
+    """A key that layouts do not state changes no digest: it stands in every text, and ties every certificate."""
+    for path in Path("layouts").glob("*.yaml"):
+        manifest = json.loads(Path(f"generated/{path.stem}/manifest.json").read_text("utf-8"))
+        assert interlock.load(str(path)).digest == manifest["layout_digest"], path
 
 
 def test_the_readme_tells_of_what_shipped_layouts_have_nothing_to_claim() -> None:
