@@ -6,6 +6,7 @@ import importlib
 import inspect
 import json
 import re
+import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -225,6 +226,18 @@ def test_the_library_page_names_every_function() -> None:
         value = getattr(interlock, name)
         assert value is getattr(importlib.import_module("interlock.app.library"), name, value)
         assert not inspect.isfunction(value) or f"`{name}(" in page, name
+
+
+def test_the_house_has_every_room_in_its_layer_and_the_module_with_which_it_begins() -> None:
+    page = Path("interlock/docs/house.md").read_text("utf-8")
+    rows = re.findall(r"^\| (\d+) \| `(\w+)/` \| [^|]+ \| ([^|]+) \|$", page, re.MULTILINE)
+    settings = tomllib.loads(Path("pyproject.toml").read_text("utf-8"))
+    contract = next(c for c in settings["tool"]["importlinter"]["contracts"] if "interlock.cli" in c.get("layers", ()))
+    layers = [{x.removeprefix("interlock.") for x in re.split(r"[ |]+", layer)} for layer in contract["layers"]]
+    assert [{room for n, room, _ in rows if int(n) == k} for k in range(1, len(layers) + 1)] == layers
+    for _, room, begins in rows:
+        for module in re.findall(r"`([\w/]+\.py)`", begins):
+            assert Path("interlock", room, module).is_file(), (room, module)
 
 
 def test_the_recipes_name_files_that_are_there() -> None:

@@ -90,7 +90,7 @@ class Block:
 
     @property
     def locals(self) -> dict[str, Variable]:
-        """What it keeps for itself: instances, timers (VAR)."""
+        """What it has of its own: structures, instances, timers (VAR)."""
         return self.parts["VAR"]
 
 
