@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import json
 import re
 import resource
@@ -17,7 +18,7 @@ from interlock.app.check import check_file
 from interlock.app.explain import explain
 from interlock.derivation import derive
 from interlock.diag import Severity, Sink, render
-from interlock.diag.codes import CODES
+from interlock.diag.codes import CODES, LINTS
 from interlock.frontend import load, load_text
 from interlock.frontend.examples import BARE, EXAMPLES, LISTS, WHOLE
 from interlock.frontend.schema import LayoutFile
@@ -50,6 +51,20 @@ ELSEWHERE = {
 def test_every_code_is_triggered_somewhere() -> None:
     assert set(TRIGGERS) | ELSEWHERE == set(CODES)
     assert len(TRIGGERS) >= 40
+
+
+def test_every_warning_of_usual_practice_names_the_element_at_which_it_can_be_allowed() -> None:
+    """`allow` finds a warning by the element that it is about: one about none could never be taken away."""
+    given = [
+        (path, call)
+        for path in Path("interlock").rglob("*.py")
+        for call in ast.walk(ast.parse(path.read_text("utf-8")))
+        if isinstance(call, ast.Call) and isinstance(call.func, ast.Attribute) and call.func.attr == "add"
+        if call.args and isinstance(call.args[0], ast.Constant) and call.args[0].value in LINTS
+    ]
+    assert len(given) >= len(LINTS)
+    for path, call in given:
+        assert "about" in {k.arg for k in call.keywords}, f"{path}:{call.lineno}"
 
 
 @pytest.mark.parametrize("code", sorted(CODES))

@@ -6,6 +6,7 @@ import importlib
 import inspect
 import json
 import re
+import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,7 @@ from interlock.logic.plant import ASSUMPTIONS, OF_PLC
 from interlock.proof.claims import CLAIMS, Claim, Facts, claims
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
+from interlock.st.dialects import BY_NAME
 from tests.layouts import built
 
 README = Path("README.md").read_text("utf-8")
@@ -49,6 +51,23 @@ def test_the_readme_names_every_claim() -> None:
 def test_the_readme_counts_the_claims() -> None:
     found = re.search(r"no two trains meet, that no point moves under a train, and (\d+) further claims", README)
     assert found is not None and int(found[1]) == len(CLAIMS) - 2
+
+
+def test_the_readme_counts_the_dialects_and_the_plc_page_has_a_line_for_each() -> None:
+    """Ladder diagrams are one of them, and no Structured Text."""
+    words = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
+    found = re.search(r"Structured Text in (\w+) dialects and ladder", README)
+    assert found is not None and found[1] == words[len(BY_NAME) - 2]
+    page = Path("interlock/docs/plc.md").read_text("utf-8")
+    for name in BY_NAME:
+        assert re.search(rf"^\| `{name}` ", page, re.MULTILINE), name
+
+
+def test_committed_outputs_are_of_the_layouts_as_they_are_read_now() -> None:
+    """A key that layouts do not state changes no digest: it stands in every text, and ties every certificate."""
+    for path in Path("layouts").glob("*.yaml"):
+        manifest = json.loads(Path(f"generated/{path.stem}/manifest.json").read_text("utf-8"))
+        assert interlock.load(str(path)).digest == manifest["layout_digest"], path
 
 
 def test_the_readme_tells_of_what_shipped_layouts_have_nothing_to_claim() -> None:
@@ -207,6 +226,18 @@ def test_the_library_page_names_every_function() -> None:
         value = getattr(interlock, name)
         assert value is getattr(importlib.import_module("interlock.app.library"), name, value)
         assert not inspect.isfunction(value) or f"`{name}(" in page, name
+
+
+def test_the_house_has_every_room_in_its_layer_and_the_module_with_which_it_begins() -> None:
+    page = Path("interlock/docs/house.md").read_text("utf-8")
+    rows = re.findall(r"^\| (\d+) \| `(\w+)/` \| [^|]+ \| ([^|]+) \|$", page, re.MULTILINE)
+    settings = tomllib.loads(Path("pyproject.toml").read_text("utf-8"))
+    contract = next(c for c in settings["tool"]["importlinter"]["contracts"] if "interlock.cli" in c.get("layers", ()))
+    layers = [{x.removeprefix("interlock.") for x in re.split(r"[ |]+", layer)} for layer in contract["layers"]]
+    assert [{room for n, room, _ in rows if int(n) == k} for k in range(1, len(layers) + 1)] == layers
+    for _, room, begins in rows:
+        for module in re.findall(r"`([\w/]+\.py)`", begins):
+            assert Path("interlock", room, module).is_file(), (room, module)
 
 
 def test_the_recipes_name_files_that_are_there() -> None:

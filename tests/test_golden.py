@@ -167,7 +167,7 @@ def test_an_overlap_that_is_released_while_the_fastest_train_runs_is_told(old: s
 def test_foul_joints_are_claimed_and_a_missing_exclusion_is_killed() -> None:
     from interlock.logic.lower import lower
     from interlock.proof.engines.limits import Limits
-    from interlock.proof.mutation.weakenings import Fate, run_mutants
+    from interlock.proof.mutation.movements import Fate, run_mutants
     from interlock.proof.prover import prove
     from interlock.proof.system.transition import System
 

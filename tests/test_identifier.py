@@ -24,7 +24,7 @@ from interlock.logic.cabinet import allocate
 from interlock.logic.lower import lower
 from interlock.model.elements import Position, RouteId
 from interlock.proof.engines.limits import Limits
-from interlock.proof.mutation.weakenings import run_mutants
+from interlock.proof.mutation.movements import run_mutants
 from interlock.proof.system.loop import closed_loop
 from interlock.proof.witnesses.availability import availability
 from interlock.simulate.run import simulate

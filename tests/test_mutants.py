@@ -7,8 +7,9 @@ import pytest
 from interlock.proof.claims import CLAIMS
 from interlock.proof.engines.limits import Limits
 from interlock.proof.mutation.judge import Fate as MutantFate
+from interlock.proof.mutation.movements import Fate, judge, run_mutants
 from interlock.proof.mutation.texts import TEXT_KINDS, text_mutants
-from interlock.proof.mutation.weakenings import KINDS, Fate, judge, run_mutants
+from interlock.proof.mutation.weakenings import KINDS
 from tests.layouts import built
 
 NO_SEARCH = Limits(search_depth=0)

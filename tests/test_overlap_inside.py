@@ -35,7 +35,8 @@ from interlock.proof.claims import Facts, claims
 from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.search import search
 from interlock.proof.induction.story import tell
-from interlock.proof.mutation.weakenings import KINDS, Fate, judge
+from interlock.proof.mutation.movements import Fate, judge
+from interlock.proof.mutation.weakenings import KINDS
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
 from interlock.simulate import simulate

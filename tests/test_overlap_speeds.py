@@ -27,7 +27,8 @@ from interlock.model.layout import Layout
 from interlock.model.overlap import entry_speed, overlap_paths, own_way
 from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.verdict import Verdict
-from interlock.proof.mutation.weakenings import KINDS, Fate, judge
+from interlock.proof.mutation.movements import Fate, judge
+from interlock.proof.mutation.weakenings import KINDS
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
 from interlock.table.columns import COLUMNS

@@ -6,8 +6,8 @@ import itertools
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from interlock.audit.walk import Move, Trip, in_rear, signal_facing, steps
-from interlock.model.elements import MachineId, NodeId, OverlapWay, Position, SectionId, Signal, SignalId
+from interlock.audit.walk import Lying, Move, Trip, in_rear, onward, signal_facing, steps
+from interlock.model.elements import NodeId, OverlapWay, SectionId, Signal, SignalId
 from interlock.model.layout import Layout, of_layout
 
 
@@ -84,8 +84,8 @@ def _passages(layout: Layout, over: tuple[Move, ...], section: SectionId) -> int
     while todo:
         moves = todo.pop()
         found += moves[-1].node == inside[-1].node
-        onward = (m for m, _ in steps(layout, moves[-1]) if layout.track.section_of(m.edge) == section)
-        todo += [(*moves, m) for m in onward if all(m.edge != x.edge for x in moves)]
+        within = (m for m, _ in steps(layout, moves[-1]) if layout.track.section_of(m.edge) == section)
+        todo += [(*moves, m) for m in within if all(m.edge != x.edge for x in moves)]
     return found
 
 
@@ -143,10 +143,9 @@ def _overruns(
     """Long enough paths beyond the signal that do not end where another one goes on from section to section, but for
     those inside longer ones that count by themselves."""
     e = layout.track.edge[g.into]
-    barred = {*trip.sections, *(in_rear(layout, trip) if trip.moves else ())}
     found: list[Trip] = []
     start = Move(g.into, e.b if e.a == g.node else e.a)
-    todo: list[tuple[tuple[Move, ...], tuple[tuple[MachineId, Position], ...], float]] = [((start,), (), e.length)]
+    todo: list[tuple[tuple[Move, ...], Lying, float]] = [((start,), (), e.length)]
     while todo:
         moves, positions, gone = todo.pop()
         here = moves[-1]
@@ -155,38 +154,45 @@ def _overruns(
             continue
         if here.node in layout.track.buffer_at and layout.track.buffer_at[here.node].kind == "derail":
             continue
-        ends = here.node in layout.track.boundary_at or here.node in layout.track.buffer_at
-        beside = () if here.node in layout.pointwork.crossing_at else layout.track.edges_at[here.node]
-        at_joint = ends or any(
-            layout.track.section_of(e.id) != section for e in beside
-        )  # even if no train goes on there
-        next_signal = [h for m, _ in steps(layout, here) if (h := signal_facing(layout, here.node, m.edge)) is not None]
-        through = length == float("inf") and any(h.kind != "shunt" for h in next_signal)
-        onward = {layout.track.section_of(m.edge) for m, _ in steps(layout, here)} - {section}
-        goes_on = any((here.node, s) in joined for s in onward)
+        others = {layout.track.section_of(m.edge) for m, _ in steps(layout, here)} - {section}
+        goes_on = any((here.node, s) in joined for s in others)
         goes_on &= not (moves in inside and gone >= _length_of(layout, trip, moves))
-        if ends or (at_joint and (gone >= length or through) and not goes_on):
-            wanted = dict(trip.positions)
-            clash = any(wanted.setdefault(m, x) is not x for m, x in positions)
-            over = {layout.track.section_of(m.edge) for m in moves}
-            if checked:
-                clash = clash or any(wanted.get(m) == "R" for m in layout.machines.by_hand)
-                clash = clash or bool(over & layout.track.undetected)
-            diamonds = [m.node for m in (*trip.moves, *moves) if m.node in layout.pointwork.crossing_at]
-            if not clash and not over & barred and len(diamonds) == len(set(diamonds)):
-                mine = tuple(sorted(dict(positions).items()))
-                found.append(replace(trip, over=moves, over_positions=mine))
+        ends = here.node in layout.track.boundary_at or here.node in layout.track.buffer_at
+        if ends or (_suffices(layout, here, gone, length) and not goes_on):
+            if _fits(layout, trip, moves, positions, checked):
+                found.append(replace(trip, over=moves, over_positions=tuple(sorted(dict(positions).items()))))
             continue
-        for m, needs in steps(layout, here):
-            beyond = layout.track.section_of(m.edge)
-            if any(m.edge == x.edge for x in moves):
-                continue
-            if beyond != section and any(layout.track.section_of(x.edge) == beyond for x in moves):
-                continue
-            todo.append(
-                ((*moves, m), (*positions, needs) if needs else positions, gone + layout.track.edge[m.edge].length)
-            )
+        todo += (
+            (on, (*positions, x) if x else positions, gone + layout.track.edge[on[-1].edge].length)
+            for on, x in onward(layout, moves)
+        )
     return found
+
+
+def _suffices(layout: Layout, here: Move, gone: float, length: float) -> bool:
+    """Whether an overlap that has come so far may end: at a joint, were it one over which no train goes on, after the
+    metres that are asked for, or, of a successive route (infinite), before a signal for trains."""
+    section = layout.track.section_of(here.edge)
+    beside = () if here.node in layout.pointwork.crossing_at else layout.track.edges_at[here.node]
+    if all(layout.track.section_of(e.id) == section for e in beside):
+        return False
+    ahead = (signal_facing(layout, here.node, m.edge) for m, _ in steps(layout, here))
+    return gone >= length or (length == float("inf") and any(g is not None and g.kind != "shunt" for g in ahead))
+
+
+def _fits(layout: Layout, trip: Trip, moves: tuple[Move, ...], positions: Lying, checked: bool) -> bool:
+    """Whether a train on the trip may overrun over these moves: no machine lies in two positions, no diamond is met
+    twice, and no section of the trip, or in rear of it, again; of what is `checked`, nothing by hand in reverse and
+    nothing without detection."""
+    lying = dict(trip.positions)
+    clash = any(lying.setdefault(m, x) is not x for m, x in positions)
+    over = {layout.track.section_of(m.edge) for m in moves}
+    if checked:
+        clash = clash or any(lying.get(m) == "R" for m in layout.machines.by_hand)
+        clash = clash or bool(over & layout.track.undetected)
+    diamonds = [m.node for m in (*trip.moves, *moves) if m.node in layout.pointwork.crossing_at]
+    barred = {*trip.sections, *(in_rear(layout, trip) if trip.moves else ())}
+    return not clash and not over & barred and len(diamonds) == len(set(diamonds))
 
 
 def _length_of(layout: Layout, trip: Trip, moves: tuple[Move, ...]) -> float:

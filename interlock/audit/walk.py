@@ -16,6 +16,8 @@ from interlock.model.elements import BoundaryKind, Edge, EdgeId, MachineId, Node
 from interlock.model.layout import Layout, of_layout
 
 Frozen = Mapping[MachineId, Position]
+Lying = tuple[tuple[MachineId, Position], ...]
+"""How points must lie for a way, in the order in which they are met or of their machines."""
 
 
 class Move(NamedTuple):
@@ -35,9 +37,9 @@ class Trip:
     berth: SectionId | None
     moves: tuple[Move, ...]
     sections: tuple[SectionId, ...]
-    positions: tuple[tuple[MachineId, Position], ...]
+    positions: Lying
     over: tuple[Move, ...] = ()
-    over_positions: tuple[tuple[MachineId, Position], ...] = ()
+    over_positions: Lying = ()
     call_on: bool = False
     identifier: bool = False
     """What a train that passes its signal at identifier light runs over."""
@@ -201,54 +203,75 @@ def trips(layout: Layout, g: Signal, shunt: bool) -> list[Trip]:
     if e.one_way and first.node != e.b:
         return []
     found: list[Trip] = []
-    todo: list[tuple[tuple[Move, ...], tuple[tuple[MachineId, Position], ...]]] = [((first,), ())]
+    todo: list[tuple[tuple[Move, ...], Lying]] = [((first,), ())]
     while todo:
         moves, positions = todo.pop()
         here = moves[-1]
-        boundary = layout.track.boundary_at.get(here.node)
-        section = layout.track.section_of(here.edge)
-        leaves_section = boundary is not None or any(e.section != section for e in layout.track.edges_at[here.node])
-        place = shunt and leaves_section and standing_place(layout, section)
-        place = place or (shunt and boundary is not None and turning_place(layout, section))
-        if boundary is not None and not place and (shunt or boundary.kind is BoundaryKind.IN):
+        place = shunt and _stops_here(layout, here)
+        if _shut(layout, here, shunt, place):
             continue
-        if here.node in layout.track.buffer_at and layout.track.buffer_at[here.node].kind != "stop":
-            continue
-        ending = here.node in layout.track.boundary_at or here.node in layout.track.buffer_at
-        options = list(steps(layout, here))
-        ahead = next((signal_facing(layout, here.node, m.edge) for m, _ in options), None)
-        if ahead is not None and not shunt and not ahead.main:
-            ahead = None
-        if ending or place or ahead is not None:
-            exit_ = (
-                str(ahead.id)
-                if ahead
-                else str(here.node)
-                if here.node in layout.track.buffer_at or not place
-                else section
-            )
-            sections = tuple(dict.fromkeys(layout.track.section_of(m.edge) for m in moves))
-            runs = [layout.track.section_of(m.edge) for m in moves]
-            split = sum(1 for a, b in itertools.pairwise(runs) if a != b) + 1 != len(sections)
-            wanted: dict[MachineId, Position] = {}
-            clash = any(wanted.setdefault(m, x) is not x for m, x in positions)
-            clash = clash or any(wanted.get(m) == "R" for m in layout.machines.by_hand)
-            diamonds = [m.node for m in moves[:-1] if m.node in layout.pointwork.crossing_at]
-            if not split and not clash and len(diamonds) == len(set(diamonds)):
-                blind = [s for s in sections if s in layout.track.undetected]
-                stands = shunt and len(sections) > 1 and standing_place(layout, section)
-                if blind and not (stands and blind == [section]):
-                    continue
-                positions_ = tuple(sorted(wanted.items()))
-                found.append(Trip(g.id, exit_, shunt, section if stands else None, moves, sections, positions_))
-            continue
-        for m, needs in options:
-            beyond = layout.track.section_of(m.edge)
-            again = beyond != section and any(layout.track.section_of(x.edge) == beyond for x in moves)
-            if again or any(m.edge == x.edge for x in moves):
-                continue
-            todo.append(((*moves, m), (*positions, needs) if needs else positions))
+        exit_ = _exit(layout, here, shunt, place)
+        if exit_ is None:
+            todo += ((on, (*positions, x) if x else positions) for on, x in onward(layout, moves))
+        else:
+            found += _trip(layout, Trip(g.id, exit_, shunt, None, moves, (), positions))
     return found
+
+
+def _stops_here(layout: Layout, here: Move) -> bool:
+    """Whether a shunting movement that has come to the end of a section ends in it."""
+    section, end = layout.track.section_of(here.edge), here.node in layout.track.boundary_at
+    leaves = end or any(e.section != section for e in layout.track.edges_at[here.node])
+    return (leaves and standing_place(layout, section)) or (end and turning_place(layout, section))
+
+
+def _shut(layout: Layout, here: Move, shunt: bool, place: bool) -> bool:
+    """Whether no path leads so far: into a trap or off the rails, or out over a boundary where trains only come in, or,
+    shunting, over any."""
+    boundary, buffer = layout.track.boundary_at.get(here.node), layout.track.buffer_at.get(here.node)
+    out = boundary is not None and not place and (shunt or boundary.kind is BoundaryKind.IN)
+    return out or (buffer is not None and buffer.kind != "stop")
+
+
+def _exit(layout: Layout, here: Move, shunt: bool, place: bool) -> str | None:
+    """Where a path ends that has come so far: at a signal that the movement obeys, at a buffer, in a section where it
+    stops (`place`), at a boundary; None where it leads on."""
+    ahead = next((signal_facing(layout, here.node, m.edge) for m, _ in steps(layout, here)), None)
+    if ahead is not None and (shunt or ahead.main):
+        return str(ahead.id)
+    if place and here.node not in layout.track.buffer_at:
+        return layout.track.section_of(here.edge)
+    return str(here.node) if here.node in layout.track.boundary_at or here.node in layout.track.buffer_at else None
+
+
+def onward(
+    layout: Layout, moves: tuple[Move, ...]
+) -> Iterator[tuple[tuple[Move, ...], tuple[MachineId, Position] | None]]:
+    """How a path goes on, each with what a point must lie for it: over no edge twice, and back into no section that it
+    has left."""
+    section = layout.track.section_of(moves[-1].edge)
+    for m, needs in steps(layout, moves[-1]):
+        beyond = layout.track.section_of(m.edge)
+        again = beyond != section and any(layout.track.section_of(x.edge) == beyond for x in moves)
+        if not again and all(m.edge != x.edge for x in moves):
+            yield (*moves, m), needs
+
+
+def _trip(layout: Layout, walked: Trip) -> Iterator[Trip]:
+    """What was walked as a trip with its sections and berth, if a movement can take it: each section in one piece, no
+    machine in two positions or by hand in reverse, no diamond twice, and nothing without detection but a berth."""
+    runs = [layout.track.section_of(m.edge) for m in walked.moves]
+    sections = tuple(dict.fromkeys(runs))
+    in_one_piece = sum(1 for a, b in itertools.pairwise(runs) if a != b) + 1 == len(sections)
+    lying: dict[MachineId, Position] = {}
+    clash = any(lying.setdefault(m, x) is not x for m, x in walked.positions)
+    clash = clash or any(lying.get(m) == "R" for m in layout.machines.by_hand)
+    diamonds = [m.node for m in walked.moves[:-1] if m.node in layout.pointwork.crossing_at]
+    stands = walked.shunt and len(sections) > 1 and standing_place(layout, sections[-1])
+    berth = sections[-1] if stands else None
+    blind = [s for s in sections if s in layout.track.undetected]
+    if in_one_piece and not clash and len(diamonds) == len(set(diamonds)) and blind in ([], [berth]):
+        yield replace(walked, berth=berth, sections=sections, positions=tuple(sorted(lying.items())))
 
 
 def distances(layout: Layout, node: NodeId, leg: EdgeId, limit: float) -> dict[tuple[EdgeId, NodeId], float]:

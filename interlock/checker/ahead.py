@@ -118,6 +118,7 @@ class Ahead(Topology):
         return [] if g is None else self.lengths.overlaps.get(g.name, [])
 
     def entry(self, p: Path, o: Path) -> float | None:
+        """The speed (km/h) for which an overlap beyond a path is made; None if for none."""
         g = self.r.main_into.get((p.last.exit, self.r.track.beyond(p.last.section, p.last.exit) or ""))
         return None if g is None else self.lengths.entry_kmh(g, o)
 

@@ -19,6 +19,7 @@ class Lamps(Ahead):
     """Words of lamps."""
 
     def lamps(self, g: Signal, kinds: tuple[str, ...]) -> list[str]:
+        """The outputs of a signal with these beginnings, of those that the written system has."""
         return [f"{k}_{g.safe}" for k in kinds if f"{k}_{g.safe}" in self.state]
 
     def w_lit(self, lamp: str) -> Formula:

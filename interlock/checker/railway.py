@@ -60,18 +60,22 @@ class Calling:
 
     @property
     def name(self) -> str:
+        """The signal's."""
         return self.signal.name
 
     @property
     def go(self) -> str:
+        """A movement has accepted it (state)."""
         return "gos" if self.shunt else "go"
 
     @property
     def accept(self) -> str:
+        """A driver accepts it in this step (event)."""
         return "accepts" if self.shunt else "accept"
 
     @property
     def lamp(self) -> str:
+        """It was shown a scan ago (state)."""
         return "lamps" if self.shunt else "lamp"
 
 
@@ -84,6 +88,7 @@ class Path:
 
     @property
     def last(self) -> Way:
+        """The way through its last section."""
         return self.ways[-1]
 
 
@@ -96,6 +101,7 @@ class Run:
 
     @property
     def last(self) -> Path:
+        """The path past the last signal."""
         return self.parts[-1]
 
     @property

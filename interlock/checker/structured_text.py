@@ -85,10 +85,12 @@ class Block:
 
     @property
     def handed(self) -> dict[str, Variable]:
+        """The structures that whoever calls it hands on (VAR_IN_OUT)."""
         return self.parts["VAR_IN_OUT"]
 
     @property
     def locals(self) -> dict[str, Variable]:
+        """What it has of its own: structures, instances, timers (VAR)."""
         return self.parts["VAR"]
 
 

@@ -19,6 +19,7 @@ class Demand:
 
     @property
     def opposite(self) -> str:
+        """The other position."""
         return "R" if self.position == "N" else "N"
 
 

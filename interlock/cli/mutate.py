@@ -20,10 +20,10 @@ from interlock.model.layout import Layout
 from interlock.proof.engines.limits import Limits
 from interlock.proof.mutation.campaign import Campaign, Judged
 from interlock.proof.mutation.judge import Fate, Verdict
+from interlock.proof.mutation.movements import judge as searched
 from interlock.proof.mutation.points import Mutation
 from interlock.proof.mutation.survivors import listed, off_the_list
 from interlock.proof.mutation.texts import TEXT_FAMILIES, text_mutants
-from interlock.proof.mutation.weakenings import judge as searched
 from interlock.table.rows import InterlockingTable
 
 DEPTH = 20

@@ -65,7 +65,7 @@ class Dispatcher:
         self.railway, self._symbols = railway, symbols
         self.stages = stages(railway.table, symbols)
         self._look_ahead, self._priorities, self._wait_ms = look_ahead, priorities, wait_ms
-        self._rule, self._policy, self._budget = rule, policy, budget
+        self._rule, self._policy = rule, policy
         self._started = 0
         self.runs: list[Run] = []
         self.pending: list[Run] = []

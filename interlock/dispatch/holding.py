@@ -94,6 +94,7 @@ class Holding:
         return False
 
     def answer(self, state: int) -> Answer:
+        """Whether all can go on from a state (`state`), as the planner has it; each is asked once."""
         assert self._planner is not None
         if state not in self._answers:
             self._answers[state] = self._planner.solve(state)
@@ -137,6 +138,7 @@ class Holding:
         return nodes.get(way.places[before], nodes[run.place])  # one that is caught has one node
 
     def state(self, without: Sequence[str] | set[str] = ()) -> int:
+        """Where every train will come for certain, and what is in the way: a bit for each of their nodes."""
         assert self.built is not None
         own = sum(self._certain(r) for r in self.runs if r.name not in without)
         return own | sum(b for x in self.built.bits[len(self.runs) :] for b in x.values())
@@ -176,6 +178,7 @@ class Holding:
         return f", with {', '.join(dict.fromkeys(things))} in the way" if things else ""
 
     def make(self) -> None:
+        """The problem as it is now; who is caught is in it as one that stands still."""
         drafts: list[Draft] = []
         for k, run in enumerate(self.runs):
             if run.caught:

@@ -437,6 +437,7 @@ class Wirer:
     # --- building ------------------------------------------------------------------------------
 
     def node(self, port: Port) -> NodeId:
+        """The node of an end and of what it is joined to, one name whichever is asked for."""
         other = self.mate[port][0]
         for p in (port, other):
             if p.kind in ("boundary", "buffer"):
@@ -462,6 +463,7 @@ class Wirer:
         return f.crossings[port.name].arms[int(port.end[0]) - 1].section
 
     def edge(self, name: str, a: NodeId, b: NodeId, length: float, section: str) -> EdgeId:
+        """Adds an edge of so many metres; where the section is one way backward, from b to a."""
         spec = self.ctx.file.sections.get(section)
         one_way = spec.one_way if spec is not None else None
         inclined = spec is not None and spec.lane == "inclined"

@@ -42,7 +42,8 @@ class BadText(Exception):
 
 
 class Algebra(Protocol[V]):
-    """Operators over some kind of value."""
+    """Operators over some kind of value (numbers, formulas).  `choose`: a where c, else b; `timer`: Q of the TON at a
+    path; `assigned`: what a variable holds from then on, when x was assigned to it."""
 
     def literal(self, x: Bool | Int | Time) -> V: ...
     def neg(self, x: V) -> V: ...

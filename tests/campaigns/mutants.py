@@ -8,7 +8,8 @@ from concurrent.futures import ProcessPoolExecutor
 
 from interlock.app.check import check_file
 from interlock.proof.engines.limits import Limits
-from interlock.proof.mutation.weakenings import KINDS, Fate, Outcome, run_mutants
+from interlock.proof.mutation.movements import Fate, Outcome, run_mutants
+from interlock.proof.mutation.weakenings import KINDS
 from tests.campaigns.origin import origin
 
 LAYOUTS = (

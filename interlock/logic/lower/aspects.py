@@ -6,7 +6,7 @@ opens: clear only while the next main signal shows proceed, where the principle 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from interlock.diag.called import called
 from interlock.logic import names
@@ -109,58 +109,10 @@ def speeds(d: Draft, g: SignalId) -> dict[int, names.Name]:
 
 
 def outputs(d: Draft) -> None:
-    """The lamps of every signal: stop, caution, clear, shunt, call-on; what a distant signal shows."""
+    """The lamps of every signal from which a route leads, and what distant signals show."""
     for signal in d.layout.signalling.signals:
-        routes = d.routes.of_signal[signal.id]
-        if not routes:
-            continue
-        said = called("signal", signal.id)
-        mains = disj((_opens(d, signal.id, names.SHOWING), *_passing(routes, RouteKind.MAIN)))
-        whites = [var(names.SHOWING(r.number)) for r in routes if r.kind is RouteKind.SHUNT]
-        shunts = disj([*whites, *_passing(routes, RouteKind.SHUNT)])
-        if signal.main and d.layout.signalling.opens(signal.id, False):
-            clear = _clear(d, signal.id)
-            d.outputs.append(Output(names.CLEAR_ASPECT(signal.id), clear, False, f"{said}: clear (green)"))
-            if cautions(d):
-                caution = conj((mains, neg(clear)))
-                d.outputs.append(
-                    Output(
-                        names.CAUTION_ASPECT(signal.id),
-                        caution,
-                        False,
-                        f"{said}: caution (yellow)",
-                    )
-                )
-        two = [r for r in routes if r.signal.aspect.shows is Shows.TWO_YELLOWS]
-        if two:
-            shown = disj([*(var(names.SHOWING(r.number)) for r in two), *_passing(two, RouteKind.MAIN)])
-            note = f"{said}: second yellow lamp, over points reversed"
-            d.outputs.append(Output(names.SECOND_YELLOW(signal.id), shown, False, note))
-        if branching := _indicated(d, signal.id):
-            shown = disj([*(var(names.SHOWING(r.number)) for r in branching), *_passing(branching, RouteKind.MAIN)])
-            d.outputs.append(Output(names.ROUTE_INDICATOR(signal.id), shown, False, f"{said}: route indicator"))
-        for kmh, name in speeds(d, signal.id).items():
-            over = [r for r in routes if r.kind is RouteKind.MAIN and r.signal.speed.kmh == kmh]
-            shown = disj([*(var(names.SHOWING(r.number)) for r in over), *_passing(over, RouteKind.MAIN)])
-            d.outputs.append(Output(name, shown, False, f"{said}: speed indicator {kmh} km/h"))
-        if signal.shunt:
-            d.outputs.append(Output(names.SHUNT_ASPECT(signal.id), shunts, False, f"{said}: shunt (white)"))
-        calls = [var(names.SHOWING(r.number)) for r in routes if r.kind is RouteKind.CALL_ON]
-        if calls:
-            d.outputs.append(
-                Output(
-                    names.CALL_ASPECT(signal.id),
-                    disj(calls),
-                    False,
-                    f"{said}: call-on, beside stop",
-                )
-            )
-        identified = disj(var(names.SHOWING(r.number)) for r in routes if r.kind is RouteKind.IDENTIFIER)
-        if d.routes.identifies(signal.id):
-            note = f"{said}: identifier light, neither stop nor proceed"
-            d.outputs.append(Output(names.IDENTIFIER_ASPECT(signal.id), identified, False, note))
-        stop = neg(disj((mains, shunts, identified)))
-        d.outputs.append(Output(names.STOP_ASPECT(signal.id), stop, True, f"{said}: stop"))
+        if routes := d.routes.of_signal[signal.id]:
+            d.outputs += _lamps(d, signal, routes)
     for distant in d.layout.signalling.distants:
         clear = _clear(d, distant.of)
         d.outputs.append(
@@ -169,14 +121,62 @@ def outputs(d: Draft) -> None:
         d.outputs.append(Output(names.DISTANT_CAUTION(distant.id), neg(clear), True, f"distant {distant.id}: caution"))
 
 
+def _lamps(d: Draft, signal: Signal, routes: Sequence[RouteRow]) -> Iterator[Output]:
+    """The lamps of a signal, stop last: it is lit when no main, white or identifier lamp is."""
+    g, said = signal.id, called("signal", signal.id)
+    main, white = (_lit(_of_kind(routes, kind)) for kind in (RouteKind.MAIN, RouteKind.SHUNT))
+    identified = disj(_showing(_of_kind(routes, RouteKind.IDENTIFIER)))
+    if signal.main and d.layout.signalling.opens(g, False):
+        clear = _clear(d, g)
+        yield Output(names.CLEAR_ASPECT(g), clear, False, f"{said}: clear (green)")
+        if cautions(d):
+            yield Output(names.CAUTION_ASPECT(g), conj((main, neg(clear))), False, f"{said}: caution (yellow)")
+    yield from _beside_main(d, g, routes)
+    if signal.shunt:
+        yield Output(names.SHUNT_ASPECT(g), white, False, f"{said}: shunt (white)")
+    if calls := _of_kind(routes, RouteKind.CALL_ON):
+        yield Output(names.CALL_ASPECT(g), disj(_showing(calls)), False, f"{said}: call-on, beside stop")
+    if d.routes.identifies(g):
+        note = f"{said}: identifier light, neither stop nor proceed"
+        yield Output(names.IDENTIFIER_ASPECT(g), identified, False, note)
+    yield Output(names.STOP_ASPECT(g), neg(disj((main, white, identified))), True, f"{said}: stop")
+
+
+def _beside_main(d: Draft, g: SignalId, routes: Sequence[RouteRow]) -> Iterator[Output]:
+    """What is lit beside a main lamp for some routes alone: second yellow, route indicator, speed indicators."""
+    said = called("signal", g)
+    if turned := [r for r in routes if r.signal.aspect.shows is Shows.TWO_YELLOWS]:
+        note = f"{said}: second yellow lamp, over points reversed"
+        yield Output(names.SECOND_YELLOW(g), _lit(turned), False, note)
+    if branching := _indicated(d, g):
+        yield Output(names.ROUTE_INDICATOR(g), _lit(branching), False, f"{said}: route indicator")
+    for kmh, name in speeds(d, g).items():
+        over = [r for r in _of_kind(routes, RouteKind.MAIN) if r.signal.speed.kmh == kmh]
+        yield Output(name, _lit(over), False, f"{said}: speed indicator {kmh} km/h")
+
+
+def _showing(routes: Sequence[RouteRow]) -> list[Expr]:
+    """The signal shows its aspect for one of these routes."""
+    return [var(names.SHOWING(r.number)) for r in routes]
+
+
+def _lit(routes: Sequence[RouteRow]) -> Expr:
+    """The same, or stays open for the movement that passes over one."""
+    return disj((*_showing(routes), *_passing(routes)))
+
+
+def _of_kind(routes: Sequence[RouteRow], kind: RouteKind) -> list[RouteRow]:
+    return [r for r in routes if r.kind is kind]
+
+
 def _clear(d: Draft, g: SignalId) -> Expr:
     if g not in d.routes.open_for_trains:
         return disj(())
     if cautions(d):
         return var(names.SHOWS_CLEAR(g))
-    return disj((_opens(d, g, names.SHOWING), *_passing(d.routes.of_signal[g], RouteKind.MAIN)))
+    return _lit(_of_kind(d.routes.of_signal[g], RouteKind.MAIN))
 
 
-def _passing(routes: Sequence[RouteRow], kind: RouteKind) -> list[Expr]:
+def _passing(routes: Sequence[RouteRow]) -> list[Expr]:
     """Open for the movement that passes: a main signal with three aspects shows caution."""
-    return [var(names.PASSING(r.number)) for r in routes if r.kind is kind and r.signal.closing.whole is not None]
+    return [var(names.PASSING(r.number)) for r in routes if r.signal.closing.whole is not None]

@@ -268,11 +268,6 @@ class SectionIndex:
         return {s.id: names.HEALTHY(s.id) for s in self._layout.track.sections if asked and s.detected}
 
     @cached_property
-    def lockable(self) -> tuple[SectionId, ...]:
-        """Sections that some route or overlap locks."""
-        return tuple(s for s in self.all if self.locks_of[s])
-
-    @cached_property
     def blockable(self) -> tuple[SectionId, ...]:
         """Sections that an operator may block: those that some route or overlap locks, and those of points."""
         machines = self._layout.machines

@@ -195,6 +195,7 @@ def turned_inside(f: Facts, path: SignalPath) -> bool:
 
 
 def distants(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    """A distant shows clear only while its main signal does."""
     for d in f.layout.signalling.distants:
         shown = f.after(var(f.sym.aspects.distant_clear[d.id]))
         yield "S-ASPECT", d.id, implies(shown, clear_aspect(f, d.of))

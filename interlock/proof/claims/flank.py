@@ -58,6 +58,7 @@ def _kept(lane: Beyond) -> Expr:
 
 
 def flank(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    """Nothing rolls in at the flank of a way that a train, a proceed or an overlap uses (T-FLANK, S-FLANK)."""
     over: dict[tuple[SectionId, int], dict[tuple[SignalId, bool], None]] = {}
     for g in f.layout.signalling.signals:
         for k in f.track.functions(g.id):

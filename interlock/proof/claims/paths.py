@@ -122,6 +122,7 @@ class Ground:
 
 
 def ground_of(f: Facts) -> Ground:
+    """What every signal shows to trains, and to shunting movements, over each way of each of its paths."""
     ground = Ground({}, {})
     for who in ((g.id, k) for g in f.layout.signalling.signals for k in f.track.functions(g.id)):
         for path in signal_paths(f, *who):

@@ -43,7 +43,7 @@ def one_of_each(every: Sequence[Mutation]) -> list[Mutation]:
 @dataclass(frozen=True)
 class Campaign:
     """made: the layouts' controllers, by name.  names: of which, and whether all of their mutants are judged.
-    families: only these; none: all.  weakened: the named weakenings of `proof.mutate` too."""
+    families: only these; none: all.  weakened: the named weakenings of `weakenings` too."""
 
     made: Made
     names: Mapping[str, bool]

@@ -1,4 +1,6 @@
-"""Controllers of another layout: something that the author forbids is forgotten, all else derived as always."""
+"""Something is forgotten: what the author forbids, with all else derived as always; a lamp that tells a driver to run
+slower or where he is led; what a release, a berth or a trailed point has to ask; how long an addition is held.
+"""
 
 from __future__ import annotations
 

@@ -54,7 +54,7 @@ class Fate(StrEnum):
     OPERATOR = "an operator notices"
     """What an operator could do with a route does not work any more, or works where it must not."""
     TEXT = "refuted as text"
-    """An emitted text that does not compute the proved controller (`proof.text_mutants`)."""
+    """An emitted text that does not compute the proved controller (`texts`)."""
     EQUIVALENT = "equivalent"
     """Whatever happens from power-up on, all outputs are the same; of a text: it computes the same."""
     SURVIVES = "survives"

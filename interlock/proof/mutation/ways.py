@@ -31,6 +31,7 @@ def other_direction(layout: Layout, table: InterlockingTable) -> Iterator[Mutant
 
 
 def shorter(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A route without its last section, and without all that is locked and asked there."""
     for r in table.routes:
         if len(r.path.traversals) > 1 and r.path.berth is None:
             less: RouteRow = replace(

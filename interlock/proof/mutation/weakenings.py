@@ -1,14 +1,12 @@
-"""Mutants: a proof that cannot fail proves nothing.
+"""Weakenings with a name: each kind weakens the table or the controller in one place.
 
-Each kind weakens the table or the controller in one place.  A mutant is *killed* when a claim no longer follows; the
-search then looks for a real train movement.  It is *redundant* when all are still proved: other conditions protect.
+A proof that cannot fail proves nothing: what becomes of each is told by `movements.py`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from enum import StrEnum
 from functools import partial
 from itertools import islice
 
@@ -19,11 +17,6 @@ from interlock.logic.expr import FALSE, TRUE, Expr, Substitution
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.model.traversal import path_speed, topology
-from interlock.proof.claims import Facts, claims
-from interlock.proof.engines.limits import Limits
-from interlock.proof.induction.inductive import inductive, open_claims
-from interlock.proof.induction.search import search
-from interlock.proof.induction.story import tell
 from interlock.proof.mutation import asked, blocked, forgotten, sharing
 from interlock.proof.mutation.points import Mutation
 from interlock.proof.mutation.swinging import swings_at_another_number, swung_at_once
@@ -36,30 +29,10 @@ from interlock.proof.mutation.ways import (
     past_the_board,
     shorter,
 )
-from interlock.proof.system.transition import System
 from interlock.table.cells import PointDemand, RouteKind
 from interlock.table.rows import InterlockingTable, RouteRow, TraversalRow
 
 Make = Callable[[Layout, InterlockingTable], Iterator[Mutant]]
-
-
-class Fate(StrEnum):
-    """What became of a mutant."""
-
-    KILLED = "killed by a train movement"
-    STRICT = "killed, no movement found"
-    REDUNDANT = "redundant"
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """One mutant's fate: the claims that fail, and a story when one was found."""
-
-    kind: str
-    place: str
-    fate: Fate
-    claims: tuple[str, ...]
-    story: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -520,41 +493,3 @@ def weakenings(layout: Layout, table: InterlockingTable, every: bool) -> Iterato
 
 def _made(controller: Controller) -> Controller:
     return controller
-
-
-def run_mutants(
-    layout: Layout,
-    table: InterlockingTable,
-    sample: int,
-    limits: Limits,
-    report: Callable[[Outcome], None] = lambda outcome: None,
-    only: tuple[str, ...] = (),
-) -> Iterator[Outcome]:
-    """Up to `sample` evenly spread mutants of each kind (0: all), each judged when it is asked for."""
-    for kind in KINDS:
-        if only and kind.name not in only:
-            continue
-        mutants = list(kind.make(layout, table))
-        step = max(1, -(-len(mutants) // sample)) if sample else 1
-        for place, controller in mutants[::step]:
-            outcome = judge(layout, kind.name, place, controller, limits)
-            report(outcome)
-            yield outcome
-
-
-def judge(layout: Layout, kind: str, place: str, controller: Controller, limits: Limits) -> Outcome:
-    """Prove a mutant; when a claim fails, look for the train movement."""
-    system = System(layout, controller)
-    kept, _, _ = inductive(system, limits)
-    wanted = claims(Facts(system))
-    open_ = open_claims(system, kept, wanted, limits)
-    initial = {s.name: s.initial for s in controller.state}
-    at_restart = [n for n in system.loop.controller.symbols.sections.restart.values() if not initial[n]]
-    failing = [*open_, *(["P-START"] if at_restart else [])]
-    if not failing:
-        return Outcome(kind, place, Fate.REDUNDANT, (), ())
-    run = search(system, [c for cs in open_.values() for c in cs], limits.search_depth, limits.search_s)
-    if run is None:
-        return Outcome(kind, place, Fate.STRICT, tuple(failing), ())
-    order = [run.claim.id, *(f for f in failing if f != run.claim.id)]
-    return Outcome(kind, place, Fate.KILLED, tuple(order), tell(system.loop, run).steps)

@@ -1,6 +1,6 @@
 """Operations: what an operator may do with every route, and what has to work then.
 
-Witnesses (`proof.witness`) show that trains get through.  These runs show the rest of what the rules promise, on the
+Witnesses (`routes`) show that trains get through.  These runs show the rest of what the rules promise, on the
 same controller and plant: a route that lost a condition stays at stop until it is asked for again (R14); a trailed
 point keeps its routes back until somebody has looked at it (R10); a cancelled route is given back after its delay,
 asked for by one touch of a button (R8); sections whose detection is not relied on any more are given back by hand

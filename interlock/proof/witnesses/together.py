@@ -213,6 +213,8 @@ def _exit(railway: ClosedLoop, r: RouteSymbols) -> NodeId:
 
 
 def opens_alone(railway: ClosedLoop, r: RouteSymbols, moved: int, lane: Lane) -> Driver:
+    """A route is asked for with nothing else set; `moved`: machines that it has to move.  Ends with why its signal does
+    not open within the scans that this may take, or None."""
     yield from settling(railway, [r])
     return (yield from _opens(railway, lane, r, opening.steps(railway, r, lane.lanes.dt_ms, moved)))
 
