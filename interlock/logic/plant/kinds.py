@@ -166,8 +166,9 @@ ASSUMPTIONS: dict[str, str] = {
     "A-NEIGHBOUR": "The neighbour at the other end of a line with a direction token follows the token's rules; what he "
     "tells comes late, or reads as nothing, but in order: no word arrives that the last telegram did not have.",
     "A-AGREED": "The hand of the special manual change of direction is held for the agreed time only as agreed by "
-    "telephone: the line is empty, the neighbour has no direction, gives none and reads none as given to him, and no "
-    "telegram that gives it, or that says he has it, is under way.",
+    "telephone: the line is empty, no train of the neighbour for which a signal towards it was open is on its way, he "
+    "holds no hand of his own, has no direction, gives none and reads none as given to him, and no telegram that gives "
+    "it, or that says he has it, is under way.",
     "A-LINE": "A line is not reported clear while a train is on it before and after a step.",
     "A-STANDS": "A vehicle inside the layout that is not on a route stands still, except behind a derailer or on an "
     "inclined lane, from where it may roll at any time; others may roll in only from beyond the next stop signal; a "
