@@ -229,6 +229,16 @@ def test_a_point_that_nobody_drives_away_from_a_foul_joint_is_told_and_the_advic
     assert helped is not None and "IL7011" not in {d.code for d in helped[2].diagnostics}
 
 
+def test_a_point_in_an_overlap_cannot_move_either() -> None:
+    """The overlap of X1 lies over P1 in normal and locks s1, in which P2 lies, as a route over P1 does."""
+    text = Path("tests/diagnostics/IL7011.yaml").read_text("utf-8")
+    text += "overlaps: {X1: {length: 3, not_over: [P1.reverse]}}\n"
+    layout, table, sink = grown(text) or pytest.fail("refused")
+    (told,) = [d for d in sink.diagnostics if d.code == "IL7011"]
+    assert told.message.startswith("P2 lies in s1, and cannot move once X-X1 or X1-A has locked it: then Y1-C (N) or")
+    assert audit(layout, table) == () and availability(closed_loop(layout, lower(layout, table)), table).shown
+
+
 def test_a_pair_of_which_one_refuses_the_other_fails_though_a_train_stands_in_the_way_as_well() -> None:
     layout, table, _ = built("../tests/layouts_for_tests/foul_berth")
     (a, b) = (table.route[r].path.locked[0] for r in ("G-W", "H-N"))  # type: ignore[index]

@@ -646,6 +646,19 @@ def test_a_signal_between_a_one_way_section_and_a_lane_is_what_protects(
     assert any("signal R at stop" in m and "off 5.reverse, beside AA-E and BB-W" in m for m in told) is alone
 
 
+@pytest.mark.parametrize("one_way", ["  q3: {one_way: forward}\n", ""], ids=["one way", "both ways"])
+def test_of_a_derailer_behind_the_signal_that_is_trusted_it_is_told_that_it_lies_idle(one_way: str) -> None:
+    """Beyond a section that runs one way nobody looked for it: it keeps off what runs away, if a route lays it."""
+    text = BOARD_BEFORE_THE_LANE.replace("q5 100, i1 100, N]", "q5 100, q6 50]\n  lane: [i1 100, N]")
+    text = text.replace("from: i1, into: q5", "from: q6, into: q5").replace("  q3: {one_way: forward}\n", one_way)
+    made = grown(
+        text.replace("signals:", "derailers:\n  D: {section: q7, inner: loop.end, outer: lane.start}\nsignals:")
+    )
+    assert made is not None and not made[2].has_errors, made and made[2].diagnostics
+    (told,) = [d.message for d in made[2].diagnostics if d.code == "IL7016"]
+    assert told.endswith("signal R stands between it and 5.reverse, and is trusted instead")
+
+
 TWO_BEYOND = (
     AGAINST.lstrip()
     .replace("LANE", "inclined")

@@ -16,7 +16,7 @@ from interlock.diag import Element, Sink
 from interlock.diag.called import called
 from interlock.model.elements import BufferKind, EdgeId, MachineId, NodeId, Point, Position, SignalId
 from interlock.model.layout import Layout
-from interlock.model.traversal import onward_edges, topology
+from interlock.model.traversal import onward_edges, runaways, topology
 from interlock.table.cells import Provider, ProviderKind
 
 
@@ -69,7 +69,7 @@ def _outward(
     while todo:
         edge, node, gone, past = todo.pop()
         e = layout.track.edge[edge]
-        if (edge, node) in seen or e.nothing_comes_to(node):
+        if (edge, node) in seen or (e.nothing_comes_to(node) and (edge, node) not in runaways(layout)):
             continue
         seen.add((edge, node))
         far, gone = layout.track.far(edge, node), gone + e.length
