@@ -15,7 +15,7 @@ from interlock.model.measured import Beyond
 from interlock.model.places import Approach
 from interlock.model.traversal import Traversal
 from interlock.proof.claims import Facts
-from interlock.proof.claims.reasons import first_behind
+from interlock.proof.claims.reasons import first_behind, met
 
 Way = tuple[SectionId, int]
 
@@ -96,6 +96,11 @@ class SectionWords:
         """The same, and nothing stands before a signal that leads there (R2)."""
         before = (self._before(s, j) for j in self._w.topo.ends[s] if self.main_at(s, j))
         return conj((self.wholly_in(s), neg(disj(before))))
+
+    def stood(self, s: SectionId) -> Expr:
+        """A train that is to stand before a signal from where shunting comes towards it has stood by time (R2)."""
+        timer = self._w.sym.overlaps.timer
+        return conj(disj((neg(towards), var(timer[g]) if g in timer else FALSE)) for g, towards in met(self._w.f, s))
 
     def _before(self, s: SectionId, j: NodeId) -> Expr:
         """A section is locked from an end, and something stands in rear of that."""
