@@ -334,8 +334,9 @@ def wholly_in(d: Draft, s: SectionId, rear: list[Term], alone: bool = False) -> 
 
 
 def _arrival(d: Draft, s: SectionId, rear: list[Term]) -> list[Term]:
-    """A train stands in its last section: from now on vehicles may be shunted to it."""
-    terms = wholly_in(d, s, rear, alone=True)
+    """A train is in its last section: from now on vehicles may be shunted to it, or from when it stands.  Until then
+    the next train may come to the signal in rear."""
+    terms = wholly_in(d, s, rear, alone=s not in d.signals.met)
     for node in d.topo.ends[s]:
         ahead = d.topo.beyond(s, node)
         if ahead is None or d.signals.main_at(ahead, node) is not None:

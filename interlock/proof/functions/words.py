@@ -92,15 +92,13 @@ class SectionWords:
                 out.append(neg(self._before(s, j)))
         return conj(out)
 
-    def wholly_in_alone(self, s: SectionId) -> Expr:
-        """The same, and nothing stands before a signal that leads there (R2)."""
-        before = (self._before(s, j) for j in self._w.topo.ends[s] if self.main_at(s, j))
-        return conj((self.wholly_in(s), neg(disj(before))))
-
-    def stood(self, s: SectionId) -> Expr:
-        """A train that is to stand before a signal from where shunting comes towards it has stood by time (R2)."""
-        timer = self._w.sym.overlaps.timer
-        return conj(disj((neg(towards), var(timer[g]) if g in timer else FALSE)) for g, towards in met(self._w.f, s))
+    def arrived(self, s: SectionId) -> Expr:
+        """The same, and nothing stands before a signal that leads there; or, where shunting movements come in towards
+        the train, it has stood before its signal by time (R2)."""
+        timer, there = self._w.sym.overlaps.timer, met(self._w.f, s)
+        stood = (disj((neg(towards), var(timer[g]) if g in timer else FALSE)) for g, towards in there)
+        before = (self._before(s, j) for j in self._w.topo.ends[s] if self.main_at(s, j) and not there)
+        return conj((self.wholly_in(s), *stood, neg(disj(before))))
 
     def _before(self, s: SectionId, j: NodeId) -> Expr:
         """A section is locked from an end, and something stands in rear of that."""
