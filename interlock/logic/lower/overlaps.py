@@ -25,6 +25,11 @@ def timed(d: Draft) -> list[SignalId]:
     return sorted({*(g for g, _ in d.overlaps.ways), *met})
 
 
+def stands_s(d: Draft, g: SignalId) -> Fraction:
+    """Seconds for which a train must have been before a signal until it counts as standing."""
+    return max(stated(overlap_release_s(d.layout, g)), Fraction(d.arrive.get(g, 0), 1000))
+
+
 def standing(d: Draft) -> None:
     """Overlaps are held until no route leads to their signal, or the train before it stands (R4); before that nobody is
     shunted towards it either (R2)."""
@@ -47,8 +52,8 @@ def standing(d: Draft) -> None:
         )
     for g in timed(d):
         rule = rules.OVERLAPS if g in signals else rules.KINDS_OF_ROUTES
-        seconds = max(stated(overlap_release_s(d.layout, g)), Fraction(d.arrive.get(g, 0), 1000))
-        d.timer(names.STANDING(g), names.STANDING_RUNS(g), seconds, f"{g}: the train before it stands ({rule})")
+        note = f"{g}: the train before it stands ({rule})"
+        d.timer(names.STANDING(g), names.STANDING_RUNS(g), stands_s(d, g), note)
     for g in signals:
         b = d.signals.before(g)
         to = d.sections.locked_out(b, d.layout.signalling.signal[g].node)

@@ -105,11 +105,16 @@ def _kept(f: Facts, s: SectionId, ended: Expr) -> Iterator[tuple[str, str, Expr]
     yield "L-REASON", f"{s} missed", implies(missed, disj((lost, *called)))
     signals = [g for j in f.topo.ends[s] if (g := f.topo.signal_into.get((j, s))) is not None]
     cancelled = (var(c) for g in signals if (c := f.sym.cancellation.cancelling.get(g)) is not None)
+    yield "L-REASON", f"{s} in order", implies(conj((ended, neg(disj(cancelled)))), neg(_led_into(f, s)))
+
+
+def _led_into(f: Facts, s: SectionId) -> Expr:
+    """A section is locked from an end at which another leads into it."""
     leading = []
     for j, rear, past in f.track.passed_into(s):
         leads = f.locking.locked_out(rear, j)
         leading.append(conj((f.locking.locked_in(s, j), leads, *([f.locking.train(rear)] if past else []))))
-    yield "L-REASON", f"{s} in order", implies(conj((ended, neg(disj(cancelled)))), neg(disj(leading)))
+    return disj(leading)
 
 
 def met(f: Facts, s: SectionId) -> list[tuple[SignalId, Expr]]:
@@ -128,16 +133,19 @@ def met(f: Facts, s: SectionId) -> list[tuple[SignalId, Expr]]:
 
 
 def _stood(f: Facts, s: SectionId) -> Iterator[tuple[str, str, Expr]]:
-    """R2: where shunting movements come in towards a train, it counts as arrived only when it stands by time."""
-    gone = conj(
-        (f.locking.any_lock(s), f.locking.train(s), f.after(f.locking.any_lock(s)), neg(f.after(f.locking.train(s))))
-    )
+    """R2: where shunting movements come in towards a train, it counts as arrived only when it stands by time; and that
+    counts from when it is wholly in."""
+    train, any_lock, cleared = f.locking.train(s), f.locking.any_lock(s), f.sym.cancellation.rear_cleared.get(s)
+    gone = conj((any_lock, train, f.after(any_lock), neg(f.after(train))))
+    whole = [] if cleared is None else [implies(locked, var(cleared)) for _, locked in first_behind(f, s)]
     for g, towards in met(f, s):
         timer = f.sym.overlaps.timer.get(g)
         yield "L-REASON", f"{s} before {g}", implies(conj((gone, towards)), FALSE if timer is None else var(timer))
-        runs = FALSE if timer is None else var(f.timers[timer].input)
-        there = conj((var(f.sym.valid), f.seen.used(s), neg(f.seen.clear(s)), towards))
-        yield "L-REASON", f"{s} before {g} timed", implies(runs, there)
+        if timer is not None:
+            there = conj(
+                (var(f.sym.valid), f.seen.used(s), neg(f.seen.clear(s)), towards, neg(_led_into(f, s)), *whole)
+            )
+            yield "L-REASON", f"{s} before {g} timed", implies(var(f.timers[timer].input), there)
 
 
 def _rear(f: Facts, s: SectionId, j: NodeId) -> SectionId | None:
