@@ -82,6 +82,7 @@ ON = {
     "berth-from-both-ends": SHUNT,
     "berth-read-once": SHUNT,
     "arrived-early": SHUNT,
+    "arrived-running": "../tests/layouts_for_tests/berth_before",
     "berth-released-early": SHUNT,
     "driven-while-locked": "../tests/layouts_for_tests/driven",
     "foul-not-checked": "../tests/layouts_for_tests/foul_joint",

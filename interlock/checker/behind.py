@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
 from interlock.checker.formula import FALSE, TRUE, Formula, every, no, some
 from interlock.checker.lamps import CALL_ON, IDENTIFIER, MAIN, WHITE
-from interlock.checker.lengths import Approach
+from interlock.checker.lengths import Approach, until_arrived
 from interlock.checker.railway import Signal, safe
 from interlock.checker.terminals import Terminals
 from interlock.checker.words import fact
@@ -71,11 +73,32 @@ class Behind(Terminals):
     def w_rear_detected(self, g: Signal) -> Formula:
         return fact(self.lengths.before(g) not in {None, *self.r.track.undetected})
 
+    @cached_property
+    def _met(self) -> list[Signal]:
+        """See `w_met`."""
+        those = [self.run_of(r) for r in self.w_routes()]
+        ends = {(p.last.section, p.last.exit) for c, p in those if not c.shunt}
+        begins = {(p.last.section, p.last.entry) for _, p in those if p.berth}
+        return [g for g in self.w_signals() if g.main and (self.lengths.before(g), g.node) in ends & begins]
+
+    def w_met(self) -> list[Signal]:
+        """The signals before which train routes end in a berth, and over whose joint shunt routes end there."""
+        return self._met
+
+    def w_met_without_overlap(self) -> list[Signal]:
+        return [g for g in self._met if g.name not in self.lengths.overlaps]
+
+    def w_until_arrived(self, g: Signal) -> int:
+        return until_arrived(self.lengths, g)
+
     def w_is_one_of_these(self, t: str) -> Formula:
         """Something says how long the timer must be."""
         sections = (*self.w_sections(), *self.w_approaches())
         known = {self.w_restart_timer(), *self.w_start_timers(), *map(self.w_release_timer, sections)}
         known |= {*map(self.w_alone_timer, self.w_seen_alone())}
         known |= {*map(self.w_late_timer, self.w_machines()), *map(self.w_approach_timer, self.w_opening())}
-        known |= {*map(self.w_standing_timer, self.w_standing_timed()), *map(self.w_hand_timer, self.w_tokens())}
+        known |= {
+            *map(self.w_standing_timer, (*self.w_standing_timed(), *self._met)),
+            *map(self.w_hand_timer, self.w_tokens()),
+        }
         return fact(t in known)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from graphlib import CycleError, TopologicalSorter
-from math import ceil
+from math import ceil, isqrt
 
 from interlock.checker.drawing import Diamond, Edge
 from interlock.checker.kilometres import item_parts
@@ -75,6 +75,20 @@ def fastest_told(lengths: Lengths, g: Signal) -> float:
         fastest = max(fastest, lengths.kmh(None if x.ends_early else x.section))
         todo += [y for _, y in x.further]
     return fastest
+
+
+def until_arrived(lengths: Lengths, g: Signal) -> int:
+    """Until a train that is wholly in the section before a signal stands, in milliseconds: one that brakes at once, and
+    one that runs through all of it at the highest speed and brakes as late as it can."""
+    before = lengths.before(g)
+    ways = [w for w in lengths.r.track.ways[before] if w.exit == g.node] if before else []
+    metres = max((lengths._exact(w) for w in ways), default=Fraction(0))
+    v, b = _a_second(lengths.kmh(before)), _decimal(lengths.r.drawn.rule("braking_ms2"))
+    if metres * 2 * b >= v * v:
+        return max(lengths.halt(lengths.kmh(before)), ceil(1000 * (metres / v + v / b / 2)))
+    needed = 2_000_000 * metres / b  # the square of the milliseconds
+    ms = isqrt(int(needed))
+    return max(lengths.halt(lengths.kmh(before)), ms if ms * ms >= needed else ms + 1)
 
 
 def whole_ms(seconds: float) -> int:

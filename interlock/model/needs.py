@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from math import ceil, isqrt
 
 from interlock.dataclass import dataclass
 from interlock.model.approach import TooManyWays, approach
@@ -32,7 +33,8 @@ class Needs:
 
     stop: by signal, until a train that was told of it has passed it or stands once stop is shown without a break.
     shunt: the same for shunting movements, anywhere.  stand: by signal, until a train wholly in the section before it
-    stands.  agreed: how long the hand of the special manual change of direction is held, as agreed by telephone.
+    stands.  arrive: by main signal without overlap at the end of a berth, the same, if that train runs on to the signal
+    (`arrival`).  agreed: how long the hand of the special manual change of direction is held, as agreed by telephone.
     run: the running time of a point machine.  restart: until whatever ran at a power cut stands.  swings: the signals
     with an overlap that swings of which a train cannot come through the section before them while the points of the
     overlap turn, which may take until supervision ends.
@@ -41,6 +43,7 @@ class Needs:
     stop: Mapping[SignalId, int]
     shunt: int
     stand: Mapping[SignalId, int]
+    arrive: Mapping[SignalId, int]
     agreed: int
     run: int
     restart: int
@@ -95,6 +98,7 @@ def needs(layout: Layout) -> Needs:
         stop={g: halt_ms(rules, told_at(layout, g)) for g in signals},
         shunt=halt_ms(rules, rules.shunt_speed_kmh),
         stand={g: halt_ms(rules, _speed(layout, _rear(layout, g))) for g in signals},
+        arrive=arrival(layout),
         agreed=whole_ms(rules.token_agreed_s),
         run=whole_ms(rules.point_run_s),
         restart=_restart(layout),
@@ -178,6 +182,30 @@ def standing_s(layout: Layout, g: SignalId) -> float:
     if metres < speed**2 / (2 * braking):  # it has begun to brake before
         return float((2 * metres / braking) ** 0.5)
     return metres / speed + speed / (2 * braking)
+
+
+def arrival(layout: Layout) -> dict[SignalId, int]:
+    """Milliseconds until a train stands that has come wholly into a berth and is to stop before a main signal at its
+    end that has no overlap: it may still run through all of it at the highest speed there, and brake as late as it can
+    (R2).  Of a signal with an overlap that is what `overlap_release_s` is for, and what is said of it (R4)."""
+    overlapped = {o.signal for o in layout.overlaps.all}
+    found = {}
+    for g in (x.id for x in layout.signalling.signals if x.main and x.id not in overlapped):
+        way = _ways_to(layout, g)
+        if way is not None and way[0] in topology(layout).berths:
+            found[g] = max(halt_ms(layout.principles, _speed(layout, way[0])), _running_ms(layout, g, way[0]))
+    return found
+
+
+def _running_ms(layout: Layout, g: SignalId, before: SectionId) -> int:
+    """The same time as `standing_s`, of numbers as they are stated, rounded up."""
+    node, braking = layout.signalling.signal[g].node, stated(layout.principles.braking_ms2)
+    ways = (exact_m(layout, t) for t in topology(layout).traversals[before] if t.exit == node)
+    metres, speed = max(ways, default=Fraction(0)), stated(_speed(layout, before)) / Fraction(18, 5)
+    if metres >= speed**2 / (2 * braking):
+        return whole_ms(metres / speed + speed / (2 * braking))
+    squared = 2 * metres / braking * 1_000_000
+    return isqrt(max(ceil(squared) - 1, 0)) + (squared > 0)
 
 
 def turning_s(layout: Layout, g: SignalId) -> float:

@@ -39,7 +39,7 @@ MORE = {
     "tests/layouts_for_tests/overlap_flank.yaml": ("overlap-flank-not-held",),
     "tests/layouts_for_tests/indicator.yaml": ("route-not-indicated",),
     "tests/layouts_for_tests/two_before.yaml": ("approach-not-asked",),
-    "tests/layouts_for_tests/berth_before.yaml": ("arrived-unseen", "order-not-asked"),
+    "tests/layouts_for_tests/berth_before.yaml": ("arrived-unseen", "arrived-running", "order-not-asked"),
     "tests/layouts_for_tests/speeds.yaml": ("speed-too-high", "speed-not-shown"),
     "tests/layouts_for_tests/bare_signal.yaml": ("excluded-offered",),
     "tests/layouts_for_tests/trap_beyond.yaml": ("trap-entered",),

@@ -39,6 +39,7 @@ from interlock.logic.symbols import (
 from interlock.model.elements import MachineId, Position, SignalId
 from interlock.model.foul import foul_joints
 from interlock.model.layout import Layout
+from interlock.model.needs import arrival
 from interlock.model.principles import Local
 from interlock.table.cells import RouteKind
 from interlock.table.rows import InterlockingTable, RouteRow
@@ -89,9 +90,9 @@ PASSES = (
 
 
 def lower(layout: Layout, table: InterlockingTable) -> Controller:
-    """The controller of a table; of lengths no more is looked at than which joints are foul.  Raises
-    `MalformedController` only for a defect of this package."""
-    d = Draft(layout.bare, table.bare, foul_joints(layout))
+    """The controller of a table; of lengths no more is looked at than which joints are foul, and how long a train runs
+    on to a signal at the end of a berth.  Raises `MalformedController` only for a defect of this package."""
+    d = Draft(layout.bare, table.bare, foul_joints(layout), arrival(layout))
     for add in PASSES:
         add(d)
     return Controller(
@@ -231,7 +232,7 @@ def _overlaps(d: Draft) -> OverlapSymbols:
         held={o: names.OVERLAP(o[0], o[1]) for o in d.overlaps.ways},
         ways=dict(d.overlaps.ways),
         firm={g: names.OVERLAP_FIRM(g) for g in owners},
-        timer={g: names.STANDING(g) for g in owners},
+        timer={g: names.STANDING(g) for g in overlaps.timed(d)},
         swings={g: names.OVERLAP_SWINGS(g) for g in d.overlaps.swinging},
         swing_request={g: d.overlaps.swing_number(g) for g in d.overlaps.swinging},
     )

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
 
 from interlock.logic.controller import Equation, Input, Join, Output, StateVar, Step, Term, Timer
 from interlock.logic.expr import Expr, var
 from interlock.logic.lower.index import MachineIndex, OverlapIndex, RouteIndex, SectionIndex, SignalIndex
 from interlock.logic.names import Name
+from interlock.model.elements import SignalId
 from interlock.model.foul import FoulJoint
 from interlock.model.layout import Layout
 from interlock.model.times import whole_ms
@@ -18,9 +20,13 @@ from interlock.table.rows import InterlockingTable
 class Draft:
     """A controller in the making, with what it is made from."""
 
-    def __init__(self, layout: Layout, table: InterlockingTable, fouls: Sequence[FoulJoint]) -> None:
-        """`layout`, `table`: without lengths, of which `fouls` tells the foul joints."""
+    def __init__(
+        self, layout: Layout, table: InterlockingTable, fouls: Sequence[FoulJoint], arrive: Mapping[SignalId, int]
+    ) -> None:
+        """`layout`, `table`: without lengths, of which `fouls` tells the foul joints, and `arrive` how long a train
+        runs on to a signal at the end of a berth."""
         self.layout = layout
+        self.arrive = arrive
         self.table = table
         self.topo: Topology = topology(layout)
         self.routes = RouteIndex(layout, table)
@@ -39,7 +45,7 @@ class Draft:
         self.steps.append(Equation(name, join, tuple(terms), group, note))
         return var(name)
 
-    def timer(self, name: Name, input_: Name, seconds: float, note: str) -> Expr:
+    def timer(self, name: Name, input_: Name, seconds: float | Fraction, note: str) -> Expr:
         """Add an on-delay timer, never shorter than so many seconds; returns its output."""
         self.steps.append(Timer(name, input_, whole_ms(seconds), note))
         return var(name)

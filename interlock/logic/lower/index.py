@@ -375,6 +375,25 @@ class SignalIndex:
         assert rear is not None
         return rear
 
+    @cached_property
+    def met(self) -> Mapping[SectionId, tuple[SignalId, ...]]:
+        """By berth the main signals at its ends before which trains come to a stand, and over whose joint shunting
+        movements come in, towards such a train (R2)."""
+        out: dict[SectionId, tuple[SignalId, ...]] = {}
+        ends = {(t.section, t.exit) for t, train in self._last if train}
+        begins = {(t.section, t.entry) for t, train in self._last if not train}
+        for s in sorted(self._routes.berths):
+            met = [node for node in self._topo.ends[s] if (s, node) in ends & begins]
+            ahead = [(node, b) for node in met if (b := self._topo.beyond(s, node)) is not None]
+            out[s] = tuple(g for node, b in ahead if (g := self.main_at(b, node)) is not None)
+        return {s: those for s, those in out.items() if those}
+
+    @cached_property
+    def _last(self) -> list[tuple[TraversalRow, bool]]:
+        """The last way of each train route, and the way of each shunt route in the berth where it ends."""
+        ends = (r for r in self._table.routes if r.train or r.path.berth is not None)
+        return [(self._table.lock[r.path.traversals[-1]], r.train) for r in ends]
+
     def first_section(self, g: SignalId) -> SectionId:
         """The section just beyond a signal."""
         return self._layout.track.section_of(self._layout.signalling.signal[g].into)

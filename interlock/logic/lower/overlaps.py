@@ -1,10 +1,12 @@
-"""Overlaps (R4): how long one is held, and when the train before its signal stands.
+"""Overlaps (R4): how long one is held, and when the train before its signal stands, which is asked of berths, too (R2).
 
 V one bit for each alternative of a signal; VF firm, the route that holds it is locked and its points are detected.
 What an overlap must find free is in `routes`, with everything else that a grant needs.
 """
 
 from __future__ import annotations
+
+from fractions import Fraction
 
 from interlock.logic import names, rules
 from interlock.logic.controller import Join, Term
@@ -13,13 +15,26 @@ from interlock.logic.lower import requests, sections, ways
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import SignalId
 from interlock.model.overlap import may_be_short
-from interlock.model.times import overlap_release_s
+from interlock.model.times import overlap_release_s, stated
+
+
+def timed(d: Draft) -> list[SignalId]:
+    """The signals before which a train is timed until it stands: those with an overlap, and those at the end of a berth
+    into which shunting movements come from there, towards the train."""
+    met = (g for those in d.signals.met.values() for g in those)
+    return sorted({*(g for g, _ in d.overlaps.ways), *met})
+
+
+def stands_s(d: Draft, g: SignalId) -> Fraction:
+    """Seconds for which a train must have been before a signal until it counts as standing."""
+    return max(stated(overlap_release_s(d.layout, g)), Fraction(d.arrive.get(g, 0), 1000))
 
 
 def standing(d: Draft) -> None:
-    """Overlaps are held until no route leads to their signal, or the train before it stands (R4)."""
-    signals = sorted({g for g, _ in d.overlaps.ways})
-    for g in signals:
+    """Overlaps are held until no route leads to their signal, or the train before it stands (R4); before that nobody is
+    shunted towards it either (R2)."""
+    signals = sorted(d.overlaps.of_signal)
+    for g in timed(d):
         b = d.signals.before(g)
         node = d.layout.signalling.signal[g].node
         to = d.sections.locked_out(b, node)
@@ -32,14 +47,13 @@ def standing(d: Draft) -> None:
             names.STANDING_RUNS(g),
             Join.ALL,
             terms,
-            f"overlap {g}",
-            f"the train before {g} is wholly in {b} ({rules.OVERLAPS})",
+            f"overlap {g}" if g in signals else f"signal {g}",
+            f"the train before {g} is wholly in {b} ({rules.OVERLAPS if g in signals else rules.KINDS_OF_ROUTES})",
         )
-    for g in signals:
-        seconds = overlap_release_s(d.layout, g)
-        d.timer(
-            names.STANDING(g), names.STANDING_RUNS(g), seconds, f"{g}: the train before it stands ({rules.OVERLAPS})"
-        )
+    for g in timed(d):
+        rule = rules.OVERLAPS if g in signals else rules.KINDS_OF_ROUTES
+        note = f"{g}: the train before it stands ({rule})"
+        d.timer(names.STANDING(g), names.STANDING_RUNS(g), stands_s(d, g), note)
     for g in signals:
         b = d.signals.before(g)
         to = d.sections.locked_out(b, d.layout.signalling.signal[g].node)

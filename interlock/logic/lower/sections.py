@@ -334,8 +334,9 @@ def wholly_in(d: Draft, s: SectionId, rear: list[Term], alone: bool = False) -> 
 
 
 def _arrival(d: Draft, s: SectionId, rear: list[Term]) -> list[Term]:
-    """A train stands in its last section: from now on vehicles may be shunted to it."""
-    terms = wholly_in(d, s, rear, alone=True)
+    """A train is in its last section: from now on vehicles may be shunted to it, or from when it stands.  Until then
+    the next train may come to the signal in rear."""
+    terms = wholly_in(d, s, rear, alone=s not in d.signals.met)
     for node in d.topo.ends[s]:
         ahead = d.topo.beyond(s, node)
         if ahead is None or d.signals.main_at(ahead, node) is not None:
@@ -403,12 +404,23 @@ def _keep_locks(d: Draft, s: SectionId, locks: Expr, stays: Term) -> None:
         d.kept(name, False, f"{s} locked from {t.entry} to {t.exit}", Join.ALL, (held, stays), group)
     if d.signals.shunting:
         over = [r for t in d.sections.locks_of[s] for r in d.routes.over.get(t.key, ()) if r.train]
-        arrived = [Term(neg(var(names.ARRIVED(s))), "not arrived")] if s in d.routes.berths else []
+        arrived = [_runs(d, s)] if s in d.routes.berths else []
         name = names.TRAIN_LOCK(s)
         held = Term(disj((var(name), *(var(names.GRANTED(r.number)) for r in over))), "held or granted")
         d.kept(name, False, f"{s} locked for a train movement", Join.ALL, (held, stays, *arrived), group)
     held = Term(disj((var(names.FIRM(s)), *firmer)), "held or locked")
     d.kept(names.FIRM(s), False, f"{s} firmly locked", Join.ALL, (held, stays), group)
+
+
+def _runs(d: Draft, s: SectionId) -> Term:
+    """A train has not come to its end: it is not wholly in the berth, or not proved at a stand by time, where shunting
+    movements may come towards it (R2)."""
+    stands, timed = [var(names.ARRIVED(s))], d.signals.met.get(s, ())
+    for g in timed:
+        towards = d.sections.locked_out(s, d.layout.signalling.signal[g].node)
+        stands.append(disj((neg(towards), var(names.STANDING(g)))))
+    note = f"wholly in, and standing before {' or '.join(timed)} by time" if timed else ""
+    return Term(neg(conj(stands)), "not arrived", note)
 
 
 def _keep_passage(d: Draft, s: SectionId, stays: Term) -> None:

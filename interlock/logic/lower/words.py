@@ -14,7 +14,7 @@ from interlock.diag.called import called
 from interlock.logic import names, rules
 from interlock.logic.controller import Equation, Join, Term
 from interlock.logic.expr import AND, FALSE, NOT, OR, TRUE, VAR, Expr, conj, disj, neg, parts_of, var, variables
-from interlock.logic.lower import ways
+from interlock.logic.lower import overlaps, ways
 from interlock.logic.lower.draft import Draft
 from interlock.logic.names import Family, Name, computed
 from interlock.logic.sentences import RULES, SENTENCES, about, sentence
@@ -178,6 +178,8 @@ class _Writer:
             said = self._sentence(name, x.op is NOT)
             if name.family is names.LOCK:
                 return said + self._way(name)
+            if name.family is names.TRAIN_LOCK:
+                return said + self._until_it_stands(SectionId(str(name.at[0])))
             if name.family is names.HOLDS_ADDED:
                 return self._of_added(next(r for r in self.d.table.routes if r.number == name.number), held)
         if t.kind == "zone not full":
@@ -205,6 +207,12 @@ class _Writer:
         if t.kind == "rear device closed":
             return ", and ".join(self._sentence(n, is_true) for n, is_true in named)
         return ""
+
+    def _until_it_stands(self, s: SectionId) -> str:
+        """How long a berth is locked for a train, where shunting movements may come in towards it."""
+        times = sorted({overlaps.stands_s(self.d, g) for g in self.d.signals.met.get(s, ())})
+        seconds = " or ".join(f"{float(x):g}" for x in times)
+        return f", until it stands: {seconds} s after it has come in wholly" if times else ""
 
     def _onward(self, lock: Name) -> str:
         """Which routes may lie where an overlap is asked for: those from its signal, or from others on its way, too."""

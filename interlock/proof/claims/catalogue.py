@@ -133,7 +133,8 @@ CLAIMS: dict[str, str] = {
     "signal was cancelled, or somebody releases it by hand, alone or with all that may have missed a train; after a "
     "restart by hand, or behind a train that stood there.  No reason is recorded unless its event happened; what a "
     "section remembers of its train ends with its lock, and a lock once firm, with its points detected, stays so; and "
-    "none ends, but by its own signal, before the one in rear that leads into it.",
+    "none ends, but by its own signal, before the one in rear that leads into it; and a berth into which shunting "
+    "movements come towards a train stays locked for the train until it has stood by time, or the berth is released.",
     "L-CLEAR": "No section is released, however it is, before it has been reported clear with valid inputs, without a "
     "break, for the release delay.",
     "L-APPROACH": "A route whose signal has been open is not given up before its train came, unless none can be on "

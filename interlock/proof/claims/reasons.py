@@ -51,6 +51,7 @@ def _ends(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         ended = conj((f.locking.any_lock(s), neg(after(f.locking.any_lock(s)))))
         yield "L-REASON", s, implies(ended, disj(reasons))
         yield from _kept(f, s, ended)
+        yield from _stood(f, s)
         if s in f.sym.cancellation.rear_cleared:
             yield from _cleared(f, s)
         yield "L-REASON", f"{s} used", implies(conj((after(f.seen.used(s)), neg(f.seen.used(s)))), _came_in(f, s))
@@ -104,11 +105,47 @@ def _kept(f: Facts, s: SectionId, ended: Expr) -> Iterator[tuple[str, str, Expr]
     yield "L-REASON", f"{s} missed", implies(missed, disj((lost, *called)))
     signals = [g for j in f.topo.ends[s] if (g := f.topo.signal_into.get((j, s))) is not None]
     cancelled = (var(c) for g in signals if (c := f.sym.cancellation.cancelling.get(g)) is not None)
+    yield "L-REASON", f"{s} in order", implies(conj((ended, neg(disj(cancelled)))), neg(_led_into(f, s)))
+
+
+def _led_into(f: Facts, s: SectionId) -> Expr:
+    """A section is locked from an end at which another leads into it."""
     leading = []
     for j, rear, past in f.track.passed_into(s):
         leads = f.locking.locked_out(rear, j)
         leading.append(conj((f.locking.locked_in(s, j), leads, *([f.locking.train(rear)] if past else []))))
-    yield "L-REASON", f"{s} in order", implies(conj((ended, neg(disj(cancelled)))), neg(disj(leading)))
+    return disj(leading)
+
+
+def met(f: Facts, s: SectionId) -> list[tuple[SignalId, Expr]]:
+    """The main signals at the ends of a berth before which train routes end, and over whose joint shunt routes end in
+    it, towards such a train; each with that the berth is locked towards it."""
+    routes = f.sym.routes
+    ends = {f.track.way(*r.path.ways[-1])[1] for r in routes if not r.shunt and r.path.ways[-1][0] == s}
+    begins = {f.track.way(*r.path.berth)[0] for r in routes if r.path.berth is not None and r.path.berth[0] == s}
+    found = []
+    for j in f.topo.ends[s]:
+        ahead = f.topo.beyond(s, j)
+        g = None if ahead is None else f.topo.main_into.get((j, ahead))
+        if g is not None and j in ends & begins:
+            found.append((g, f.locking.locked_out(s, j)))
+    return found
+
+
+def _stood(f: Facts, s: SectionId) -> Iterator[tuple[str, str, Expr]]:
+    """R2: where shunting movements come in towards a train, it counts as arrived only when it stands by time; and that
+    counts from when it is wholly in."""
+    train, any_lock, cleared = f.locking.train(s), f.locking.any_lock(s), f.sym.cancellation.rear_cleared.get(s)
+    gone = conj((any_lock, train, f.after(any_lock), neg(f.after(train))))
+    whole = [] if cleared is None else [implies(locked, var(cleared)) for _, locked in first_behind(f, s)]
+    for g, towards in met(f, s):
+        timer = f.sym.overlaps.timer.get(g)
+        yield "L-REASON", f"{s} before {g}", implies(conj((gone, towards)), FALSE if timer is None else var(timer))
+        if timer is not None:
+            there = conj(
+                (var(f.sym.valid), f.seen.used(s), neg(f.seen.clear(s)), towards, neg(_led_into(f, s)), *whole)
+            )
+            yield "L-REASON", f"{s} before {g} timed", implies(var(f.timers[timer].input), there)
 
 
 def _rear(f: Facts, s: SectionId, j: NodeId) -> SectionId | None:

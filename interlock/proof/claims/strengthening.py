@@ -32,7 +32,7 @@ from interlock.proof.claims.block import token_invariants
 from interlock.proof.claims.kinds import Facts, Invariant
 from interlock.proof.claims.overlaps import against_of, overlap_invariants, overrun, running_into
 from interlock.proof.claims.points import machine_invariants
-from interlock.proof.claims.reasons import first_behind
+from interlock.proof.claims.reasons import first_behind, met
 from interlock.proof.claims.slow import slow_invariants
 
 
@@ -405,6 +405,8 @@ def _signal(f: Facts, g: SignalId, shunt: bool) -> Iterator[tuple[str, Expr]]:
             if h == g and t in f.sym.cancellation.rear_cleared:
                 come = conj((train, var(f.sym.cancellation.rear_cleared[t])))
                 yield "G-NOBODY-MORE", implies(come, neg(disj((shown, went))))
+                if met(f, t):  # what came in runs, or is a train that overran the signal, and stands
+                    yield "G-WHOLLY-IN", implies(conj((come, neg(rests(t)))), neg(across(j, rear)))
     if rear in f.sym.sections.restart:
         yield f"{mark}-REAR", _from_rear(f, j, SectionId(rear), disj((shown, went)))
     active = disj(var(r.active) for r in routes)

@@ -98,14 +98,15 @@ def _delays(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """Each preset against what the principles order and what the world needs: settled by comparing numbers."""
     rules, needs = f.layout.principles, f.measured.needs
     ordered: dict[Name, list[float]] = {}
-    own = dict(f.layout.signalling.releases)
+    released = dict(f.layout.signalling.releases)
     for g, name in f.sym.cancellation.approach_timer.items():
         kinds = {r.shunt for r in f.sym.routes.of_signal.get(g, ())}
-        trains = [own.get(g, rules.approach_release_s), needs.stop[g] / 1000] if False in kinds else []
-        shunts = [own.get(g, rules.shunt_release_s), needs.shunt / 1000] if True in kinds else []
+        trains = [released.get(g, rules.approach_release_s), needs.stop[g] / 1000] if False in kinds else []
+        shunts = [released.get(g, rules.shunt_release_s), needs.shunt / 1000] if True in kinds else []
         ordered[name] = [*trains, *shunts]
     for g, name in f.sym.overlaps.timer.items():
-        ordered[name] = [overlap_release_s(f.layout, g), needs.stand[g] / 1000]
+        own = [] if g in f.sym.overlaps.firm else [needs.arrive[g] / 1000]
+        ordered[name] = [overlap_release_s(f.layout, g), needs.stand[g] / 1000, *own]
     ordered |= {x.timer: [rules.token_delay_s, needs.agreed / 1000] for x in f.sym.token.values()}
     ordered |= {name: [supervision_s(f.layout, m), needs.run / 1000] for m, name in f.sym.machines.late_timer.items()}
     ordered |= {name: [rules.release_delay_s] for name in f.sym.sections.release_timer.values()}

@@ -55,7 +55,7 @@ def _memory(w: Words, s: SectionId) -> Iterator[tuple[str, str, Expr]]:
         trains = disj(w.signals.set_now(r) for r in over if not r.shunt)
         yield "F-MODE", s, iff(w.rises(mode), conj((neg(mode), trains)))
         if w.sections.ends_shunts(s):
-            here = conj((w.sections.wholly_in_alone(s), *_ends_here(w, s)))
+            here = conj((w.sections.arrived(s), *_ends_here(w, s)))
             yield "F-MODE", f"{s} arrived", implies(here, neg(after(mode)))
             yield "F-MODE", f"{s} stays", implies(conj((w.ends(mode), after(f.locking.locked(s)))), here)
         else:

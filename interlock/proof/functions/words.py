@@ -15,7 +15,7 @@ from interlock.model.measured import Beyond
 from interlock.model.places import Approach
 from interlock.model.traversal import Traversal
 from interlock.proof.claims import Facts
-from interlock.proof.claims.reasons import first_behind
+from interlock.proof.claims.reasons import first_behind, met
 
 Way = tuple[SectionId, int]
 
@@ -92,10 +92,13 @@ class SectionWords:
                 out.append(neg(self._before(s, j)))
         return conj(out)
 
-    def wholly_in_alone(self, s: SectionId) -> Expr:
-        """The same, and nothing stands before a signal that leads there (R2)."""
-        before = (self._before(s, j) for j in self._w.topo.ends[s] if self.main_at(s, j))
-        return conj((self.wholly_in(s), neg(disj(before))))
+    def arrived(self, s: SectionId) -> Expr:
+        """The same, and nothing stands before a signal that leads there; or, where shunting movements come in towards
+        the train, it has stood before its signal by time (R2)."""
+        timer, there = self._w.sym.overlaps.timer, met(self._w.f, s)
+        stood = (disj((neg(towards), var(timer[g]) if g in timer else FALSE)) for g, towards in there)
+        before = (self._before(s, j) for j in self._w.topo.ends[s] if self.main_at(s, j) and not there)
+        return conj((self.wholly_in(s), *stood, neg(disj(before))))
 
     def _before(self, s: SectionId, j: NodeId) -> Expr:
         """A section is locked from an end, and something stands in rear of that."""

@@ -249,3 +249,14 @@ def not_anew(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
                 for s in c.steps
             )
             yield r.id, replace(c, steps=steps)
+
+
+def stand(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A train counts as arrived although it may still run towards what is shunted into its berth."""
+    c = lower(layout, table)
+    for e in c.next:
+        for g, timer in c.symbols.overlaps.timer.items() if e.name.family is names.TRAIN_LOCK else ():
+            over = Substitution({timer: TRUE})
+            runs = replace(e, terms=tuple(t._replace(expr=over(t.expr)) for t in e.terms))
+            if runs.terms != e.terms:
+                yield f"{e.name} before {g}", replace(c, next=tuple(runs if x is e else x for x in c.next))

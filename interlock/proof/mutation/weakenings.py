@@ -377,9 +377,8 @@ KINDS: tuple[Kind, ...] = (
         without("G AD", "no other movement into the berth"),
     ),
     Kind("berth-read-once", "in rear of one who comes in clear is read once", forgotten.berth_read_once),
-    Kind(
-        "arrived-early", "a train counts as arrived before it is wholly in", without("AR", "wholly in", "rear released")
-    ),
+    Kind("arrived-early", "a train has arrived before it is wholly in", without("AR", "wholly in", "rear released")),
+    Kind("arrived-running", "a train has arrived while it may run on to where others come in", forgotten.stand),
     Kind(
         "berth-released-early",
         "a berth is released in the scan in which a movement is set into it",
