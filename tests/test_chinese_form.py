@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from interlock.model.elements import MachineId, PointId, Position
+from interlock.model.elements import MachineId, PointId, Position, RouteId
 from interlock.model.layout import Layout
 from interlock.table.cells import HostileClass, RouteKind
 from interlock.table.national.cn import _Form, chinese_table
@@ -94,6 +94,41 @@ def test_the_other_function_of_the_own_signal_is_hostile_too() -> None:
         chinese_rows(chinese_table(layout, table)), 信号机名称="11L", 进路="至11LT股道", 方向="11LT|42ﾛT@42ﾛ.toe发车"
     )
     assert "11LD" in row["敌对信号"].split("、")
+
+
+CROSSOVERS = """interlock: 1
+name: crossovers
+profile: cn
+boundaries: {DW: {approach: da 800}, DE: {approach: db 800}, UW: {approach: ua 800}, UE: {approach: ub 800}}
+tracks: {d: [DW, d1 200], dm: [d3 200], de: [d5 200, DE], u: [UW, u1 200], um: [u3 200], ue: [u5 200, UE]}
+points:
+  1A: {section: dT1, machine: 1, toe: d.end, normal: dm.start, reverse: 1B.reverse}
+  1B: {section: uT1, machine: 1, toe: um.start, normal: u.end}
+  2A: {section: dT2, machine: 2, toe: dm.end, normal: de.start, reverse: 2B.reverse}
+  2B: {section: uT2, machine: 2, toe: ue.start, normal: um.end}
+signals:
+  D0: {from: DW, into: d1}
+  D1: {from: d1, into: dT1}
+  U0: {from: UW, into: u1}
+  U1: {from: u1, into: uT1}
+  D8: {from: DE, into: d5}
+  D9: {from: d5, into: dT2}
+  U8: {from: UE, into: u5}
+  U9: {from: u5, into: uT2}
+"""
+
+
+def test_a_signal_that_is_hostile_over_either_crossover_and_not_straight_on_stands_under_both_conditions() -> None:
+    """D1 leads to UE over 1 or over 2, and to DE over neither: no position is common to the two, and D1 was told to be
+    hostile to U8-U9 whatever it leads to."""
+    made = grown(CROSSOVERS)
+    assert made is not None
+    layout, table, _ = made
+    found = chinese_rows(chinese_table(layout, table))
+    assert "D1-DE" not in table.route[RouteId("U8-U9")].locking.hostile.routes
+    assert only(found, 信号机名称="U8")["敌对信号"] == "U1、<(1A)>D1、<(2A)>D1"
+    assert only(found, 信号机名称="D0")["敌对信号"] == "D9、<(1B)>U9、<(2B)>U9"
+    assert only(found, 信号机名称="D8")["敌对信号"] == "<1A、2A>D1"
 
 
 def test_facing_routes_are_told_of_a_track_that_is_left_on_a_signal_alone() -> None:

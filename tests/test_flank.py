@@ -668,3 +668,44 @@ def test_the_stop_lamps_of_all_signals_behind_a_toe_are_asked_for() -> None:
     assert made is not None
     lamps = {c.name for c in made[1].route[RouteId("XL1-XT3")].clear.space if c.lamp}
     assert lamps >= {"XT7", "XL2"} and audit(made[0], made[1]) == ()
+
+
+EXCHANGED = """interlock: 1
+name: exchanged
+boundaries:
+  W1: {approach: wa 800}
+  W2: {approach: wb 800}
+  E: {approach: ea 800}
+tracks: {a: [W1, a1 200], b: [W2, b1 200], e: [e1 200, E]}
+points:
+  11A: {machine: 11, section: TA, toe: a.end, normal: 12B.normal}
+  12A: {machine: 12, section: TB, toe: b.end, normal: 11B.normal}
+  12B: {machine: 12, section: TA, toe: J.normal}
+  11B: {machine: 11, section: TB, toe: J.reverse}
+  J: {section: TJ, toe: e.start}
+crossings:
+  X: {arms: [{section: TA, ends: [11A.reverse, 12A.reverse]}, {section: TB, ends: [11B.reverse, 12B.reverse]}]}
+signals:
+  S1: {from: W1, into: a1}
+  S2: {from: W2, into: b1}
+  A1: {from: a1, into: TA}
+  B1: {from: b1, into: TB}
+  N0: {from: E, into: e1}
+  E1: {from: e1, into: TJ}
+"""
+"""A scissors before a point; each arm of its diamond joins the two ends that lie on the same side."""
+
+
+def test_a_scissors_whose_arms_join_ends_of_two_crossovers_is_told_that_they_are_exchanged() -> None:
+    """A machine of its own for 11B was all the advice."""
+    made = grown(EXCHANGED)
+    assert made is not None
+    found = [d for d in made[2].diagnostics if d.code == "IL4002"]
+    assert len(found) == 2
+    for d in found:
+        assert str(d.fix).startswith("see whether ends are exchanged in the `arms` of X ("), d.fix
+        assert "from 11A.reverse to 11B.reverse), or give 1" in str(d.fix)
+    ends = "[11A.reverse, 12A.reverse]", "[11B.reverse, 12B.reverse]"
+    right = EXCHANGED.replace(ends[0], "[11A.reverse, 11B.reverse]").replace(ends[1], "[12A.reverse, 12B.reverse]")
+    mended = grown(right)
+    assert mended is not None and not mended[2].has_errors, mended and mended[2].diagnostics

@@ -89,14 +89,14 @@ def requesters(layout: Layout, t: Traversal) -> tuple[Requester, ...]:
 def _partners(layout: Layout, c: Crossing, arm: tuple[EdgeId, EdgeId]) -> tuple[MachineId | None, MachineId | None]:
     """The machines at the two ends of an arm that is a crossover of a scissors: both ends lead over plain track to the
     reverse leg of a point."""
-    ends = [_next_point(layout, c.node, e) for e in arm]
+    ends = [next_point(layout, c.node, e) for e in arm]
     if all(p is not None and p.position_of(e) is Position.REVERSE for p, e in ends):
         first, second = (p.machine if p is not None else None for p, _ in ends)
         return first, second
     return None, None
 
 
-def _next_point(layout: Layout, node: NodeId, edge: EdgeId) -> tuple[Point | None, EdgeId]:
+def next_point(layout: Layout, node: NodeId, edge: EdgeId) -> tuple[Point | None, EdgeId]:
     """The first point over an edge away from a node, if nothing but plain track lies between, and the edge to it."""
     for _ in layout.track.edges:
         node = layout.track.far(edge, node)

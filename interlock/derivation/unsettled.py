@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from math import floor
 
-from interlock.derivation.flank import Allowed, Options, Requester, over_lane, point_demands, told
+from interlock.derivation.flank import Allowed, Options, Requester, next_point, over_lane, point_demands, told
 from interlock.derivation.routes import Path
 from interlock.derivation.settle import Place, Settlement
 from interlock.diag import Element, Sink
@@ -139,8 +139,9 @@ def _remedy(layout: Layout, options: Options, r: Requester, allowed: Allowed, he
     No waiver is among it: what `derive` finds no protection for, T-FLANK and S-FLANK find a vehicle for."""
     said = [f"give {p} a machine of its own" for p in _worked_along(layout, r, frozenset(held))]
     lanes = _lanes(layout, r)
+    said = [*_exchanged(layout, r), *said]
     if r.partner is not None and not lanes:
-        return " or ".join([*said, "exclude the routes over both: `exclude:`"])
+        return ", or ".join([*said, "exclude the routes over both: `exclude:`"])
     near = _too_near(layout, r)
     at = min(near.values(), default=0.0)
     if near and next(options.of(replace(r, clear_of=at), allowed), None) is not None:
@@ -213,6 +214,23 @@ def _lanes(layout: Layout, r: Requester) -> dict[SectionId, float]:
         if over_lane(layout, r, edge):
             found[e.section] = min(gone - e.length, found.get(e.section, gone))
     return found
+
+
+def _exchanged(layout: Layout, r: Requester) -> Iterator[str]:
+    """What is to be seen to first where the two ends of a crossover lie on different arms of a diamond, as of a
+    scissors whose arms have been joined to other ends."""
+    crossing = layout.pointwork.crossing_at.get(r.node)
+    if crossing is None or r.partner is None:
+        return
+    arms = [[p for p, _ in (next_point(layout, r.node, e) for e in arm) if p is not None] for arm in crossing.arms]
+    works = [{p.machine for p in arm} for arm in arms]
+    if works[0] == works[1] and len(works[0]) == 2:
+        one = arms[0][0]
+        other = next(p for p in arms[1] if p.machine == one.machine)
+        yield (
+            f"see whether ends are exchanged in the `arms` of {crossing.id} (a crossover of a scissors lies on one "
+            f"arm, from {one.id}.reverse to {other.id}.reverse)"
+        )
 
 
 def _worked_along(layout: Layout, r: Requester, held: frozenset[MachineId]) -> Iterator[PointId]:

@@ -483,21 +483,14 @@ class _Form:
         found: dict[str, list[tuple[SignalId, str]]] = {}
         told = self._told(r)
         for g in sorted(self.layout.signalling.signals, key=lambda s: order(s.id)):
-            functions: dict[str, str] = {}
+            functions: dict[str, list[str]] = {}
             for kind, mark in ((RouteKind.MAIN, "L"), (RouteKind.SHUNT, "D")):
-                if g.id == r.entry and kind is r.kind:
-                    continue
-                condition = self._when_hostile(r, self._of_signal.get((g.id, kind), []), told)
-                if condition is not None:
-                    functions[mark] = condition
-            if g.kind is not SignalKind.COMBINED:
-                for condition in functions.values():
-                    found.setdefault(condition, []).append((g.id, ""))
-            elif len(functions) == 2 and len(set(functions.values())) == 1:
-                found.setdefault(functions["L"], []).append((g.id, ""))
-            else:
-                for mark, condition in functions.items():
-                    found.setdefault(condition, []).append((g.id, mark))
+                if g.id != r.entry or kind is not r.kind:
+                    functions[mark] = self._when_hostile(r, self._of_signal.get((g.id, kind), []), told)
+            alike = g.kind is SignalKind.COMBINED and functions.get("L") == functions.get("D")
+            for mark, conditions in [("", functions["L"])] if alike else functions.items():
+                for condition in conditions:
+                    found.setdefault(condition, []).append((g.id, mark if g.kind is SignalKind.COMBINED else ""))
         out: list[str] = []
         for condition in sorted(found, key=lambda c: (c != "", c.strip("<>()"))):
             names = [f"{g}{mark}" for g, mark in found[condition]]
@@ -515,18 +508,23 @@ class _Form:
         why = {h.route: set(h.kinds) for h in r.locking.hostile} if beside else {}  # told of all, for a few
         return frozenset(sharing | {h for h in beside if why[h] != {HostileClass.OVERLAP}})
 
-    def _when_hostile(self, r: RouteRow, function: list[RouteRow], told: frozenset[RouteId]) -> str | None:
-        """The condition under which a signal's function is hostile: "" always, None never.
+    def _when_hostile(self, r: RouteRow, function: list[RouteRow], told: frozenset[RouteId]) -> list[str]:
+        """The conditions under which a signal's function is hostile, each of them enough: "" always, none never.
 
-        It tells the signal's hostile routes from its other routes that the points of this one permit.
+        They tell the signal's hostile routes from its other routes that the points of this one permit.
         """
         routes = [t for t in function if self._agree(r, t)]
         bad = [t for t in routes if t.id in told]
-        if not bad:
-            return None
         good = [t for t in routes if t not in bad]
-        if not good:
-            return ""
+        if not bad or not good:
+            return [""] if bad else []
+        found = [self._parted(r, bad, good)]
+        if found == [""]:  # no positions are common to them alone
+            found = [self._parted(r, [t], good) for t in bad]
+        return [""] if "" in found else [*dict.fromkeys(found)]
+
+    def _parted(self, r: RouteRow, bad: list[RouteRow], good: list[RouteRow]) -> str:
+        """Positions that all of some routes need, and none of others needs all of; empty where there are none."""
         own = self._whole_path(r)
         first = list(self._whole_path(bad[0]).items())
         common = [need for need in first if all(need in self._whole_path(t).items() for t in bad)]
