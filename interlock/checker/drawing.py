@@ -261,6 +261,10 @@ class _Drawer:
     def _fouling(self, v: Mapping[str, Any]) -> float:
         return float(v.get("fouling", self.drawn.rules["fouling_m"]))
 
+    def _across(self, slip: Mapping[str, Any]) -> float:
+        """From the middle of a slip, whose fouling points are counted from its points: not less than from a diamond."""
+        return max(self._fouling(slip), self._fouling({}))
+
     def _outward(self, name: str, node: str, end: str, v: Mapping[str, Any], section: str) -> str:
         return self._edge(f"{name}.{end}", node, self._node(f"{name}.{end}"), self._leg(v), section)
 
@@ -298,7 +302,7 @@ class _Drawer:
                 for e in (x, y):
                     legs[e] = self._edge(f"{c}.{e}x", f"{c}/{e}", c, self._leg(v) / 2, s)
                     point(0, self._outward(c, f"{c}/{e}", e, v, s), legs[e], curve, f"{c}/{e}")
-            self.drawn.diamonds[c] = Diamond(c, ((legs["1a"], legs["1b"]), (legs["2a"], legs["2b"])), self._fouling(v))
+            self.drawn.diamonds[c] = Diamond(c, ((legs["1a"], legs["1b"]), (legs["2a"], legs["2b"])), self._across(v))
             return
         if not v.get("single"):
             middle = self._edge(f"{c}.m", *ends, 1.0, s)
@@ -312,7 +316,7 @@ class _Drawer:
             point(i, self._outward(c, ends[i], end, v, s), straight, curve)
             other = f"{end[0]}{'b' if end[1] == 'a' else 'a'}"
             arms[end[0]] = straight, self._outward(c, c, other, v, s)
-        self.drawn.diamonds[c] = Diamond(c, (arms["1"], arms["2"]), self._fouling(v))
+        self.drawn.diamonds[c] = Diamond(c, (arms["1"], arms["2"]), self._across(v))
 
     def _draw_derailer(self, d: str, v: Mapping[str, Any]) -> None:
         s, off = str(v["section"]), f"{d}.off"

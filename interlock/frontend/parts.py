@@ -111,7 +111,9 @@ class _Slip:
                 legs = self._outward(at[end], end), straight[end], curve
                 self._point(at[end], i, legs, (end,), across(end), to)
         arms = (straight["1a"], straight["1b"]), (straight["2a"], straight["2b"])
-        self.w.out.crossings.append(Crossing(CrossingId(self.name), x, arms, self.fouling))
+        self.w.out.crossings.append(
+            Crossing(CrossingId(self.name), x, arms, max(self.fouling, self.w.principles.fouling_m))
+        )
 
     def _straight(self, x: NodeId, end: str, point: NodeId | None) -> EdgeId:
         return self._outward(x, end) if point is None else self._edge(f"{end}x", point, x, self.length / 2)

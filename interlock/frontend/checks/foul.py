@@ -30,11 +30,12 @@ def _written(layout: Layout, element: PointId | CrossingId) -> _Written:
     point = layout.pointwork.point.get(PointId(element))
     slip = layout.pointwork.slip_of.get(PointId(element))
     if point is None:
-        slips = {*layout.pointwork.slip_of.values()}
-        key, kind = "slips" if element in slips else "crossings", "diamond"
-        name = f"the diamond of {called('slip', element)}" if element in slips else f"diamond {element}"
-        where = f"where the fouling point of {element} is: `{key}: {{{element}: {{fouling: ...}}}}`"
-        return _Written((key, element), kind, name, f", or state {where}")
+        if element in {*layout.pointwork.slip_of.values()}:
+            where = "where fouling points are that nothing is stated of: `principles: {fouling_m: ...}`"
+            name = f"the diamond of {called('slip', element)}"
+            return _Written(("slips", element), "diamond", name, f", or state {where}")
+        where = f"where the fouling point of {element} is: `crossings: {{{element}: {{fouling: ...}}}}`"
+        return _Written(("crossings", element), "diamond", f"diamond {element}", f", or state {where}")
     if point.derailer:
         return _Written(("derailers", element), "derailer", f"derailer {element}", "")
     key, owner = ("points", str(element)) if slip is None else ("slips", slip)
