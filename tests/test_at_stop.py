@@ -207,3 +207,62 @@ def test_whatever_happens_runtime_and_panel_say_the_same(name: str) -> None:
             desk.scans(3)
             desk.scan(RELALL=0)
     assert len(told) >= 4, told
+
+
+RELEASE_POINTS = """interlock: 1
+name: release_points
+boundaries: {W: {approach: wa 800}}
+buffers: [BB]
+tracks: {w: [W, w1 300], g: [g1 150], h: [h1 150], n: [nb 80, BB]}
+points:
+  P1: {section: T1, toe: w.end, normal: g.start, reverse: h.start}
+  P2: {section: T2, toe: n.start, normal: g.end, reverse: h.end}
+signals:
+  X0: {from: W, into: w1}
+  X1: {from: w1, into: T1, kind: combined}
+  N: {from: nb, into: T2, kind: shunt}
+  H1: {from: h1, into: T1, kind: shunt}
+  H2: {from: h1, into: T2, kind: shunt}
+  G1: {from: g1, into: T1, kind: combined}
+"""
+
+
+def test_points_behind_which_an_engine_has_left_its_coaches_say_what_they_wait_for() -> None:
+    """Sections are released in order: nothing but the coaches' way out of g1 lets go of T2, and no operator's input."""
+    desk = Desk(RELEASE_POINTS)
+    desk.scan(CLR_w1=0)
+    desk.set("X1-BB")
+    for read in ({"CLR_T1": 0}, {"CLR_g1": 0}, {"CLR_T1": 1}, {"CLR_w1": 1}):
+        desk.scan(**read)
+    desk.scans(9)
+    on_its_way = desk.runtime.why_not("N-H1")[1]
+    assert on_its_way == "section T2 is locked from g1 to nb for route X1-BB or X1-BB.s", "the train is still to come"
+    for read in ({"CLR_T2": 0}, {"CLR_nb": 0}, {"CLR_T2": 1}):
+        desk.scan(**read)
+    left = "that is occupied (by what was left there, or its detector is out of order)"
+    away = "take away what stands there, or move over T2 under local rules"
+    said = f"section T2 stays locked until section g1 in rear has been clear: {left}; {away}"
+    for hand in ("REL_T2", "REL_g1", "CAN_X1", "RELALL"):
+        desk.scan(**{hand: 1})
+        desk.scans(300)
+        desk.scan(**{hand: 0})
+        assert desk.runtime.why_not("N-H1")[1] == said and desk.told("N-H1")[0] == said, hand
+    desk.set("G1-W")
+    for read in ({"CLR_T1": 0}, {"CLR_g1": 1}, {"CLR_w1": 0}, {"CLR_T1": 1}, {"CLR_w1": 1}):
+        desk.scan(**read)
+    desk.scans(300)
+    assert desk.runtime.why_not("N-H1") is None
+
+
+def test_with_a_signal_before_the_release_points_the_engine_runs_round_its_coaches() -> None:
+    desk = Desk(f"{RELEASE_POINTS}  S: {{from: g1, into: T2, kind: combined}}\n")
+    desk.scan(CLR_w1=0)
+    desk.set("X1-S")
+    for read in ({"CLR_T1": 0}, {"CLR_g1": 0}, {"CLR_T1": 1}, {"CLR_w1": 1}):
+        desk.scan(**read)
+    desk.scans(9)
+    desk.set("S-BB.s")
+    for read in ({"CLR_T2": 0}, {"CLR_nb": 0}, {"CLR_T2": 1}):
+        desk.scan(**read)
+    desk.scans(300)
+    desk.set("N-H1")

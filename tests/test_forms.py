@@ -419,3 +419,46 @@ def test_british_and_american_forms_tell_that_the_line_beyond_must_be_clear() ->
 def test_the_german_locking_table_tells_how_long_points_are_held_and_keys_apart_from_points() -> None:
     (row,) = (r for r in told(sheets(of_tests("held_longer"), "de")["de_verschluss"]) if r["Route"] == "A-N")
     assert (row["Held longer"], row["Release delay (s)"]) == ("2 30 s", "180")
+
+
+HALF_PLATFORMS = """interlock: 1
+name: half_platforms
+profile: uk
+principles: {overlap_m: OVERLAP}
+boundaries: {W: {approach: wa 1500}, E: {approach: ea 1500}}
+tracks: {w: [W, w1 250], main: [m1 450], plat: [pA 200, pB 200], e: [e1 250, E]}
+points:
+  1: {section: T1, toe: w.end, normal: main.start, reverse: plat.start}
+  2: {section: T2, toe: e.start, normal: main.end, reverse: plat.end}
+signals:
+  X0: {from: W, into: w1}
+  X1: {from: w1, into: T1, kind: combined}
+  MA: {from: pA, into: pB, kind: combined}
+  MB: {from: pB, into: pA, kind: combined}
+  X3: {from: pB, into: T2, kind: combined}
+  X4: {from: m1, into: T2}
+  Y0: {from: E, into: e1}
+  Y1: {from: e1, into: T2, kind: combined}
+  Y3: {from: pA, into: T1, kind: combined}
+  Y4: {from: m1, into: T1}
+"""
+
+
+def opposing(overlap: str) -> dict[str, str]:
+    """The opposing locking of each route."""
+    made = grown(HALF_PLATFORMS.replace("OVERLAP", overlap))
+    assert made is not None
+    (sheet,) = [s for s in national_sheets(made[0], made[1]) if s.key == "uk_routes"]
+    return {r["Route"]: r["Opposing locking: routes – tracks [or time]"] for r in told(sheet)}
+
+
+def test_a_train_is_out_of_the_way_of_shunting_into_its_berth_when_it_is_wholly_in() -> None:
+    """The berth need not be clear: the form said that the train has cleared it.  A train route needs it clear."""
+    said = {route: cell.split(", ")[0] for route, cell in opposing("0").items()}
+    assert said["X3B(S)"] == "Y0A(M) – until wholly in e1" and said["X3A(M)"] == "Y0A(M) – e1"
+    assert said["Y1B(S)"] == "MAA(M) + MAA(S) – until wholly in pB" and said["Y1B(M)"] == "MAA(M) + MAA(S) – pB"
+
+
+def test_the_overlap_beyond_a_berth_is_in_the_way_of_shunting_until_the_train_stands() -> None:
+    said = opposing("60")["X3B(S)"].split(", ")
+    assert "Y0A(M) – until wholly in e1 and e1 occ 60 s" in said

@@ -17,6 +17,7 @@ from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
 from interlock.proof.witnesses.availability import availability
 from interlock.proof.witnesses.routes import witnesses
+from tests.test_at_stop import RELEASE_POINTS
 
 
 def station(tracks: int) -> str:
@@ -720,3 +721,18 @@ def test_a_zone_into_which_no_route_leads_is_told(tmp_path: Path) -> None:
     text = LINE.format(profile="generic", more=zone)
     (found,) = [d for d in checked(tmp_path, text).diagnostics if d.code == "IL7022"]
     assert "no route leads into it from outside" in found.message
+
+
+def test_an_engine_that_would_be_shut_in_behind_its_coaches_is_told_of(tmp_path: Path) -> None:
+    """The route leads to the buffer over platform and release points; with a signal before these it does not."""
+    (found,) = [d for d in checked(tmp_path, RELEASE_POINTS).diagnostics if d.code == "IL7002"]
+    assert found.message.endswith(
+        "(X1-BB); an engine that leaves its coaches in g1 cannot come back: P2 stays locked as long"
+    )
+    signal = found.fix.removeprefix("add a signal ")
+    assert signal == "`from: g1` into the section before P2"
+    text = f"{RELEASE_POINTS}  S: {{from: g1, into: T2, kind: combined}}\n"
+    assert not [d for d in checked(tmp_path, text).diagnostics if d.code == "IL7002"]
+    through = RELEASE_POINTS.replace("buffers: [BB]\n", "").replace("wa 800}", "wa 800}, BB: {trains: out}")
+    (found,) = [d for d in checked(tmp_path, through).diagnostics if d.code == "IL7002"]
+    assert "coaches" not in found.message

@@ -120,10 +120,11 @@ class Reasons:
     def _of_code(self, code: int, moment: Moment) -> Reason:
         """What a code says; of a lock, by whom it is held in this moment."""
         said = self._controller.words.reasons[code]
-        kept, state = self._kept_locked.get(code), moment.before.state
-        past = kept is not None and not any(state.get(n) for n in kept.active)
-        if kept is not None and past and not all(map(_Look(self, moment).value, kept.detection)):
-            return Reason(kept.text, said.at, said.rule)
+        state, read = moment.before.state, _Look(self, moment).value
+        for kept in self._kept_locked.get(code, ()):
+            past = not any(map(state.get, kept.active)) and all(map(state.get, kept.held))
+            if past and not all(map(read, kept.detection)):
+                return Reason(kept.text, said.at, said.rule)
         x = said.condition
         if x is not None and x.op is NOT and x.args[0].op is VAR and x.args[0].name in self.locks:
             return Reason(self.held(x.args[0].name, moment), said.at, said.rule)

@@ -70,10 +70,13 @@ def _check_starting(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
             continue  # that one is missing here
         if any(g.main for g in back):
             routes = _listed(p.id for p in those)
+            shut_in = ""
+            if any(p.exit_kind is ExitKind.BUFFER for p in those):
+                shut_in = f"; an engine that leaves its coaches in {name} cannot come back: {end} stays locked as long"
             sink.add(
                 "IL7002",
                 f"the {called('track', str(name))} has no starting signal towards {end}: trains leave it there "
-                f"and pass on into the points ({routes})",
+                f"and pass on into the points ({routes}){shut_in}",
                 None,
                 f"add a signal `from: {name}` into the section before {end}",
                 about=Element("sections", str(name)),

@@ -185,6 +185,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL7020": (_W, "a signal alone between an inclined lane and a place beside a route"),
     "IL7021": (_W, "a principle that has no effect in this layout"),
     "IL7022": (_W, "a zone that keeps no train out"),
+    "IL7023": (_W, "a diamond in whose arms ends are exchanged"),
 }
 
 LINTS: tuple[str, ...] = ("IL3012", "IL4017", "IL4020", *(code for code in CODES if code.startswith("IL7")))

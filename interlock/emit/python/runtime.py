@@ -113,13 +113,21 @@ def left(c: Controller) -> dict[int, tuple[str, str, str, str, str, str]]:
     return found
 
 
-def occupied(c: Controller) -> dict[int, tuple[tuple[str, ...], tuple[str, ...], str]]:
-    """By the code of a refusal by a lock: the inputs that detect the section, what tells that a route is set over it,
-    and what is said while one of the former reads 0 and none of the latter is so."""
+Kept = tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...], str]
+
+
+def occupied(c: Controller) -> dict[int, tuple[Kept, ...]]:
+    """By the code of a refusal by a lock: the inputs that detect the section, or one in rear, what tells that a route
+    is set over it, what must be held, and what is said while one of the first reads 0, none of the second is so and all
+    of the third are."""
     return {
-        code: (tuple(map(str, x.detection)), tuple(map(str, x.active)), _plain(x.text))
-        for code, x in kept_locked(c).items()
+        code: tuple((_each(x.detection), _each(x.active), _each(x.held), _plain(x.text)) for x in those)
+        for code, those in kept_locked(c).items()
     }
+
+
+def _each(those: tuple[Name, ...]) -> tuple[str, ...]:
+    return tuple(map(str, those))
 
 
 Told = tuple[tuple[tuple[str, bool], ...], str, str]
@@ -215,9 +223,8 @@ FIXED = f'''class Controller:
                 told.append(been if self._last[0][shown] else hindered)
             if told:
                 return f"{{sentence}}: {{'; '.join(CAUSES[c][1] for c in told)}}", CAUSES[told[0]][2]
-        if code in OCCUPIED:
-            detection, active, instead = OCCUPIED[code]
-            if not all(map(self._is, detection)) and not any(map(self._is, active)):
+        for detection, active, held, instead in OCCUPIED.get(code, ()):
+            if not all(map(self._is, detection)) and not any(map(self._is, active)) and all(map(self._is, held)):
                 return instead, rule
         return sentence + self._left(code), rule
 
@@ -349,8 +356,8 @@ def _tables(c: Controller) -> list[str]:
         "LEFT = {",
         *(f"    {code}: {those!r}," for code, those in left(c).items()),
         "}",
-        "# code of a refusal by a lock: what detects the section, what tells that a route is set over it, and what is",
-        "# said where it is occupied and none is",
+        "# code of a refusal by a lock: what detects the section (or one in rear that is released first), what tells",
+        "# that a route is set over it, what must be held, and what is said where it is occupied, none is and all are",
         "OCCUPIED = {",
         *(f"    {code}: {those!r}," for code, those in occupied(c).items()),
         "}",

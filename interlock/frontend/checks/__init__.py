@@ -5,6 +5,7 @@ from interlock.frontend.checks.boundaries import check_boundaries
 from interlock.frontend.checks.connected import check_connected
 from interlock.frontend.checks.delays import check_delays
 from interlock.frontend.checks.detection import check_detection
+from interlock.frontend.checks.diamonds import check_diamonds
 from interlock.frontend.checks.facing import check_facing
 from interlock.frontend.checks.foul import check_foul
 from interlock.frontend.checks.lanes import check_lanes
@@ -39,5 +40,6 @@ CHECKS = (
     check_approach,
     check_facing,
     check_loops,
+    check_diamonds,
     check_repeated,
 )

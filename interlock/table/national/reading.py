@@ -25,12 +25,16 @@ DERAILER = {Position.NORMAL: "on", Position.REVERSE: "off"}
 @dataclass(frozen=True)
 class Opposing:
     """An opposing route that the points do not exclude: the tracks, in its order, over which a train of it must have
-    gone; `by_overlap`: only its overlap is in the way, so that the train may also have come to a stand in `berth`."""
+    gone.  `into`: where that is the berth in which this route ends, the train need only be wholly in (R2).
+
+    `by_overlap`: else, or beyond that, only its overlap is in the way, until the train stands in `end`, its last one.
+    """
 
     hostile: Hostile
     tracks: tuple[SectionId, ...]
     by_overlap: bool
-    berth: SectionId
+    end: SectionId
+    into: SectionId | None
 
 
 class MachineReading:
@@ -260,8 +264,10 @@ class Reading:
             ahead = [*theirs[first:], *over]
             last = max((i for i, s in enumerate(ahead) if s in mine), default=-1)
             if last >= 0:
-                by_overlap = not any(s in mine for s in theirs[first:])
-                out.append(Opposing(h, tuple(dict.fromkeys(ahead[: last + 1])), by_overlap, theirs[-1]))
+                shared = [s for s in theirs[first:] if s in mine]
+                into = r.path.berth if shared[-1:] == [r.path.berth] else None
+                by_overlap = last >= len(theirs) - first if into is not None else not shared
+                out.append(Opposing(h, tuple(dict.fromkeys(ahead[: last + 1])), by_overlap, theirs[-1], into))
         return out
 
     def _stretch(self, r: RouteRow) -> frozenset[SectionId]:

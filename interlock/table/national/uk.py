@@ -92,9 +92,10 @@ def _held_by(x: Reading, name: Naming, found: dict[str, list[RouteId]]) -> tuple
 
 
 def _tracks(x: Reading, o: Opposing) -> str:
-    other = x.table.route[o.hostile.route]
-    after = f" [or {o.berth} occ {x.overlap_release_s(other):g} s]" if o.by_overlap else ""
-    return beside(o.tracks) + after
+    stands = f"{o.end} occ {x.overlap_release_s(x.table.route[o.hostile.route]):g} s" if o.by_overlap else ""
+    if o.into is not None:
+        return f"until wholly in {o.into}" + (f" and {stands}" if stands else "")
+    return beside(o.tracks) + (f" [or {stands}]" if stands else "")
 
 
 def _normal(x: Reading, name: Naming, r: RouteRow) -> tuple[str, ...]:
@@ -212,6 +213,10 @@ def _legend(x: Reading) -> tuple[tuple[str, str], ...]:
             "X and Z are normal, or their train has cleared AB and AC, beyond the last of its points",
         ),
         ("[or AB occ 60 s]", "or it has come to a stand: only its overlap is in the way"),
+        (
+            "X – until wholly in AB",
+            "X is normal, or its train wholly in AB; there AB need not be clear, and the train may still run in it",
+        ),
         ("Not listed", "routes that points in another position exclude"),
         *([NOT_CHECKED] if x.drives else []),
     )
