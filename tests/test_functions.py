@@ -45,6 +45,7 @@ OTHERS = (
     "boards",
     "closing_next",
     "bare_signal",
+    "berth_before",
     "dead_end",
     "branches",
     "identifier",

@@ -26,14 +26,13 @@ class Draft:
         """`layout`, `table`: without lengths, of which `fouls` tells the foul joints, and `arrive` how long a train
         runs on to a signal at the end of a berth."""
         self.layout = layout
-        self.arrive = arrive
         self.table = table
         self.topo: Topology = topology(layout)
         self.routes = RouteIndex(layout, table)
         self.overlaps = OverlapIndex(layout, table)
         self.sections = SectionIndex(layout, table, fouls, self.topo, self.routes)
         self.machines = MachineIndex(layout)
-        self.signals = SignalIndex(layout, table, self.topo, self.routes, self.sections)
+        self.signals = SignalIndex(layout, table, self.topo, self.routes, self.sections, arrive)
         self.inputs: list[Input] = []
         self.memory: list[tuple[StateVar, Equation]] = []
         """State variables, each with the equation of its next value."""

@@ -360,9 +360,17 @@ class SignalIndex:
     """The signals of a layout: where they stand, and what may be before them."""
 
     def __init__(
-        self, layout: Layout, table: InterlockingTable, topo: Topology, routes: RouteIndex, sections: SectionIndex
+        self,
+        layout: Layout,
+        table: InterlockingTable,
+        topo: Topology,
+        routes: RouteIndex,
+        sections: SectionIndex,
+        arrive: Mapping[SignalId, int],
     ) -> None:
         self._layout, self._table, self._topo, self._routes, self._sections = layout, table, topo, routes, sections
+        self.arrive = arrive
+        """Milliseconds for which a train runs on to a signal at the end of a berth."""
 
     @cached_property
     def shunting(self) -> bool:

@@ -27,7 +27,7 @@ def timed(d: Draft) -> list[SignalId]:
 
 def stands_s(d: Draft, g: SignalId) -> Fraction:
     """Seconds for which a train must have been before a signal until it counts as standing."""
-    return max(stated(overlap_release_s(d.layout, g)), Fraction(d.arrive.get(g, 0), 1000))
+    return max(stated(overlap_release_s(d.layout, g)), Fraction(d.signals.arrive.get(g, 0), 1000))
 
 
 def standing(d: Draft) -> None:

@@ -120,6 +120,8 @@ def _led_into(f: Facts, s: SectionId) -> Expr:
 def met(f: Facts, s: SectionId) -> list[tuple[SignalId, Expr]]:
     """The main signals at the ends of a berth before which train routes end, and over whose joint shunt routes end in
     it, towards such a train; each with that the berth is locked towards it."""
+    if s not in f.track.ends_of_shunts:
+        return []
     routes = f.sym.routes
     ends = {f.track.way(*r.path.ways[-1])[1] for r in routes if not r.shunt and r.path.ways[-1][0] == s}
     begins = {f.track.way(*r.path.berth)[0] for r in routes if r.path.berth is not None and r.path.berth[0] == s}
