@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from interlock.logic.lower import lower
+from interlock.logic.names import STANDING
 from interlock.table.national import Sheet, national_sheets
 from interlock.table.national.cn import chinese_table
 from tests.layouts import built, grown
@@ -452,13 +454,26 @@ def opposing(overlap: str) -> dict[str, str]:
     return {r["Route"]: r["Opposing locking: routes – tracks [or time]"] for r in told(sheet)}
 
 
-def test_a_train_is_out_of_the_way_of_shunting_into_its_berth_when_it_is_wholly_in() -> None:
+@pytest.mark.parametrize("overlap", ["0", "60"])
+def test_a_train_is_out_of_the_way_of_shunting_into_its_berth_when_it_stands_there(overlap: str) -> None:
     """The berth need not be clear: the form said that the train has cleared it.  A train route needs it clear."""
-    said = {route: cell.split(", ")[0] for route, cell in opposing("0").items()}
-    assert said["X3B(S)"] == "Y0A(M) – until wholly in e1" and said["X3A(M)"] == "Y0A(M) – e1"
-    assert said["Y1B(S)"] == "MAA(M) + MAA(S) – until wholly in pB" and said["Y1B(M)"] == "MAA(M) + MAA(S) – pB"
+    said = {route: cell.split(", ") for route, cell in opposing(overlap).items()}
+    beyond = "" if overlap == "0" else " T2"
+    assert (
+        said["X3B(S)"][0] == "Y0A(M) – until wholly in e1 and e1 occ 60 s"
+        and said["X3A(M)"][0] == f"Y0A(M) – e1{beyond}"
+    )
+    assert said["Y1B(S)"][:2] == ["MAA(M) – until wholly in pB and pB occ 60 s", "MAA(S) – until wholly in pB"]
+    assert said["Y1B(M)"][0] == ("MAA(M) + MAA(S) – pB" if overlap == "0" else "MAA(M) – pB T2")
 
 
-def test_the_overlap_beyond_a_berth_is_in_the_way_of_shunting_until_the_train_stands() -> None:
-    said = opposing("60")["X3B(S)"].split(", ")
-    assert "Y0A(M) – until wholly in e1 and e1 occ 60 s" in said
+def test_a_long_berth_takes_a_train_longer() -> None:
+    """Without an overlap: as long as it takes that runs through all of it and brakes as late as it can."""
+    made = grown(HALF_PLATFORMS.replace("OVERLAP", "0, restart_delay_s: 500").replace("e1 250", "e1 5000"))
+    assert made is not None
+    controller = lower(made[0], made[1])
+    (timer,) = [t for t in controller.timers if t.name == STANDING("Y1")]
+    (sheet,) = [s for s in national_sheets(made[0], made[1]) if s.key == "uk_routes"]
+    said = {r["Route"]: r["Opposing locking: routes – tracks [or time]"] for r in told(sheet)}
+    assert timer.preset_ms > 60_000
+    assert said["X3B(S)"].startswith(f"Y0A(M) – until wholly in e1 and e1 occ {timer.preset_ms / 1000:g} s")

@@ -6,8 +6,9 @@ from collections.abc import Callable, Iterable
 from functools import cached_property
 
 from interlock.dataclass import dataclass
-from interlock.model.elements import Hand, MachineId, NodeId, PointId, Position, RouteId, SectionId
+from interlock.model.elements import Hand, MachineId, NodeId, PointId, Position, RouteId, SectionId, SignalId
 from interlock.model.layout import Layout
+from interlock.model.needs import arrival
 from interlock.model.overlap import entry_speed
 from interlock.model.times import overlap_release_s
 from interlock.model.traversal import Topology, Traversal, path_speed, topology
@@ -25,7 +26,7 @@ DERAILER = {Position.NORMAL: "on", Position.REVERSE: "off"}
 @dataclass(frozen=True)
 class Opposing:
     """An opposing route that the points do not exclude: the tracks, in its order, over which a train of it must have
-    gone.  `into`: where that is the berth in which this route ends, the train need only be wholly in (R2).
+    gone.  `into`: where that is the berth in which this route ends, the train need only be in, until it stands (R2).
 
     `by_overlap`: else, or beyond that, only its overlap is in the way, until the train stands in `end`, its last one.
     """
@@ -220,6 +221,18 @@ class Reading:
     def overlap_release_s(self, r: RouteRow) -> float:
         """Seconds after which the overlap of a route is given up behind a train that stands."""
         return overlap_release_s(self.layout, r.locking.overlap.signal) if r.locking.overlap is not None else 0.0
+
+    @cached_property
+    def _arrival(self) -> dict[SignalId, int]:
+        return arrival(self.layout)
+
+    def stands_s(self, r: RouteRow) -> float | None:
+        """Seconds after which the train of a route stands before the main signal at its end, when vehicles may be
+        shunted towards it (R2); None where it is no train, or ends elsewhere."""
+        g = self.layout.signalling.signal.get(SignalId(r.exit)) if r.train else None
+        if g is None or not g.main:
+            return None
+        return max(overlap_release_s(self.layout, g.id), self._arrival.get(g.id, 0) / 1000)
 
     def overlap_ways(self, o: OverlapCell) -> list[Traversal]:
         """The ways over which an overlap lies."""

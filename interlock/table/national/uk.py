@@ -92,10 +92,11 @@ def _held_by(x: Reading, name: Naming, found: dict[str, list[RouteId]]) -> tuple
 
 
 def _tracks(x: Reading, o: Opposing) -> str:
-    stands = f"{o.end} occ {x.overlap_release_s(x.table.route[o.hostile.route]):g} s" if o.by_overlap else ""
+    other = x.table.route[o.hostile.route]
     if o.into is not None:
-        return f"until wholly in {o.into}" + (f" and {stands}" if stands else "")
-    return beside(o.tracks) + (f" [or {stands}]" if stands else "")
+        stands = x.stands_s(other) if o.into == o.end else None
+        return f"until wholly in {o.into}" + (f" and {o.into} occ {stands:g} s" if stands is not None else "")
+    return beside(o.tracks) + (f" [or {o.end} occ {x.overlap_release_s(other):g} s]" if o.by_overlap else "")
 
 
 def _normal(x: Reading, name: Naming, r: RouteRow) -> tuple[str, ...]:
@@ -214,8 +215,8 @@ def _legend(x: Reading) -> tuple[tuple[str, str], ...]:
         ),
         ("[or AB occ 60 s]", "or it has come to a stand: only its overlap is in the way"),
         (
-            "X – until wholly in AB",
-            "X is normal, or its train wholly in AB; there AB need not be clear, and the train may still run in it",
+            "X – until wholly in AB and AB occ 60 s",
+            "X is normal, or its train wholly in AB and come to a stand; AB need not be clear",
         ),
         ("Not listed", "routes that points in another position exclude"),
         *([NOT_CHECKED] if x.drives else []),
