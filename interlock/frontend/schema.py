@@ -315,8 +315,8 @@ class OverlapSpec(Part):
         None,
     )
     release: Seconds | None = key(
-        "seconds for which the section before the signal must have been occupied until the overlap is released; "
-        "without it, the principle `overlap_release_s`",
+        "seconds for which the section before the signal must have been occupied until the overlap is released, and "
+        "vehicles are shunted towards the train (R2); without it, the principle `overlap_release_s`",
         None,
     )
     release_by_length: YesNo = key(

@@ -124,7 +124,8 @@ MEANING: dict[str, str] = {
     ),
     "overlap_release_s": (
         "time for which the section before the signal must have been occupied until the train counts as standing "
-        "and its overlap is released (R4: 30 to 80 s)"
+        "and its overlap is released (R4: 30 to 80 s), and vehicles are shunted towards it (R2: without an overlap, "
+        "too, and later where the berth needs it)"
     ),
     "sensor_faults": (
         "whether the substations report for every section that its detector is healthy (document B 2.1); one that "
