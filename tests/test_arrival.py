@@ -3,10 +3,13 @@ wholly in, it may still run at speed to its signal, with every right to, and has
 
 from __future__ import annotations
 
+import hashlib
 from functools import cache
+from pathlib import Path
 
 import pytest
 
+from interlock.checker.check import check
 from interlock.logic.controller import Controller, Timer
 from interlock.logic.lower import lower
 from interlock.logic.words import FREE, REFUSED
@@ -18,6 +21,8 @@ from interlock.proof.mutation.weakenings import Fate, run_mutants
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
 from interlock.table.rows import InterlockingTable
+from interlock.verify import Rejected
+from tests.certified import certified, signed
 from tests.layouts import grown
 from tests.test_release_behind import Bench
 
@@ -48,7 +53,7 @@ signals:
   Y:  {from: E,  into: m3}
 """
 OVERLAPPED = STATION + "overlaps:\n  X1: {length: 50, release: 40}\n"
-LONG = STATION.replace("w1 400", "w1 1200").replace("60}", "60, restart_delay_s: 206}")
+LONG = STATION.replace("w1 400", "w1 1200").replace("60}", "60, restart_delay_s: 300}")
 STANDS_S = 60
 AHEAD, BEHIND, BAY = "S3-S1.s", "X2-X1.s", "X1-B.s"
 
@@ -178,6 +183,32 @@ def test_its_time_is_the_principle_or_what_a_train_needs() -> None:
 
 def test_where_its_signal_has_an_overlap_that_has_the_time() -> None:
     assert timers(OVERLAPPED)["OT_X1"].preset_ms == 40_000
+
+
+@pytest.mark.parametrize("text", [STATION, OVERLAPPED, LONG], ids=["station", "overlapped", "long"])
+def test_the_second_checker_says_so_too(text: str, tmp_path: Path) -> None:
+    """By its own reading of the layout, with the time, and the sentence of the refusal."""
+    (tmp_path / "layouts").mkdir()
+    layout = tmp_path / "layouts/arrival.yaml"
+    layout.write_text(text, "utf-8")
+    found = check(layout, certified(layout, tmp_path))
+    assert not found.left
+
+
+def test_the_second_checker_refuses_a_time_that_is_too_short(tmp_path: Path) -> None:
+    """The long berth's certificate beside a layout in which it is longer still."""
+    (tmp_path / "layouts").mkdir()
+    layout = tmp_path / "layouts/arrival.yaml"
+    layout.write_text(LONG, "utf-8")
+    folder = certified(layout, tmp_path)
+    longer = LONG.replace("w1 1200", "w1 1210")
+    layout.write_text(longer, "utf-8")
+    manifest = folder / "manifest.json"
+    old, new = (hashlib.sha256(x.encode()).hexdigest() for x in (LONG, longer))
+    manifest.write_text(manifest.read_text("utf-8").replace(old, new), "utf-8")
+    signed(folder)
+    with pytest.raises(Rejected, match="the claim D-PRESET lacks what the specification asks"):
+        check(layout, folder)
 
 
 @pytest.mark.parametrize("text", [STATION, OVERLAPPED, LONG], ids=["station", "overlapped", "long"])

@@ -168,7 +168,10 @@ def test_a_joint_that_fails_lets_nobody_shunt_into_the_track_of_a_train_that_is_
     b.go(2, CLR_q2=0, CLR_q4=0)
     b.go(20, CLR_q2=1, CLR_q4=1)
     b.ask("S5-Y3")
-    assert b.controller.why_not("S5-Y3")[1] == "section q4 is locked for a train"
+    said = "section q4 is locked for a train, until it stands: 60 s after it has come in wholly"
+    assert b.controller.why_not("S5-Y3")[1] == said
+    b.go(200)
+    assert b.controller.why_not("S5-Y3")[1] == said, "nothing has come in"
     b.go(5, DN_P2=0, DR_P2=1)
     assert not b.outputs["YW_S5"]
 
@@ -179,6 +182,9 @@ def test_vehicles_are_shunted_to_a_train_that_has_arrived() -> None:
     b.go(5, CLR_q1=1)
     b.go(5, CLR_q4=0)
     b.go(5, CLR_q2=1)
+    b.ask("S5-Y3")
+    assert not b.outputs["YW_S5"], "it may still run to X3, towards them"
+    b.go(60)
     b.ask("S5-Y3")
     b.go(5, DN_P2=0, DR_P2=1)
     assert b.outputs["YW_S5"]

@@ -54,6 +54,12 @@ class Telling(World):
     def w_seconds_held_longer(self, r: int) -> list[str]:
         return [f"{longest:g}"] if (longest := self.longest_hold(r)) else []
 
+    def w_seconds_until_standing(self, s: str) -> list[str]:
+        """How long a train must have been in a berth, wholly, until it stands before a signal from where shunting comes
+        towards it; one text, of every time that there is."""
+        times = {self.w.timers[self.w_standing_timer(g)][1] for g in self.w_met() if self.lengths.before(g) == s}
+        return [" or ".join(f"{ms / 1000:g}" for ms in sorted(times))] if times else []
+
     def _lies(self, m: str, normal: bool) -> str:
         """What a machine is said to do that lies normal or reverse."""
         ends = [p for p in self.r.drawn.points.values() if p.machine == m]

@@ -35,6 +35,7 @@ from interlock.logic.words import (
 )
 from interlock.model.elements import MachineId, Position, SectionId
 from interlock.model.machines import other_doors
+from interlock.model.times import whole_ms
 from interlock.table.cells import RouteKind, authors_reason
 from interlock.table.rows import RouteRow
 
@@ -210,8 +211,8 @@ class _Writer:
 
     def _until_it_stands(self, s: SectionId) -> str:
         """How long a berth is locked for a train, where shunting movements may come in towards it."""
-        times = sorted({overlaps.stands_s(self.d, g) for g in self.d.signals.met.get(s, ())})
-        seconds = " or ".join(f"{float(x):g}" for x in times)
+        times = sorted({whole_ms(overlaps.stands_s(self.d, g)) for g in self.d.signals.met.get(s, ())})
+        seconds = " or ".join(f"{ms / 1000:g}" for ms in times)
         return f", until it stands: {seconds} s after it has come in wholly" if times else ""
 
     def _onward(self, lock: Name) -> str:
