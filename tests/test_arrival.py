@@ -17,7 +17,7 @@ from interlock.model.elements import SignalId
 from interlock.model.layout import Layout
 from interlock.model.needs import arrival, needs, standing_s
 from interlock.proof.engines.limits import Limits
-from interlock.proof.mutation.weakenings import Fate, run_mutants
+from interlock.proof.mutation.movements import Fate, run_mutants
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
 from interlock.table.rows import InterlockingTable
