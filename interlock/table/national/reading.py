@@ -29,6 +29,7 @@ class Opposing:
     gone.  `into`: where that is the berth in which this route ends, the train need only be in, until it stands (R2).
 
     `by_overlap`: else, or beyond that, only its overlap is in the way, until the train stands in `end`, its last one.
+    `stands_s`: seconds after which the train stands in that berth; None where no time is waited.
     """
 
     hostile: Hostile
@@ -36,6 +37,7 @@ class Opposing:
     by_overlap: bool
     end: SectionId
     into: SectionId | None
+    stands_s: float | None
 
 
 class MachineReading:
@@ -226,7 +228,7 @@ class Reading:
     def _arrival(self) -> dict[SignalId, int]:
         return arrival(self.layout)
 
-    def stands_s(self, r: RouteRow) -> float | None:
+    def _stands_s(self, r: RouteRow) -> float | None:
         """Seconds after which the train of a route stands before the main signal at its end, when vehicles may be
         shunted towards it (R2); None where it is no train, or ends elsewhere."""
         g = self.layout.signalling.signal.get(SignalId(r.exit)) if r.train else None
@@ -280,7 +282,8 @@ class Reading:
                 shared = [s for s in theirs[first:] if s in mine]
                 into = r.path.berth if shared[-1:] == [r.path.berth] else None
                 by_overlap = last >= len(theirs) - first if into is not None else not shared
-                out.append(Opposing(h, tuple(dict.fromkeys(ahead[: last + 1])), by_overlap, theirs[-1], into))
+                stands = self._stands_s(other) if into == theirs[-1] else None
+                out.append(Opposing(h, tuple(dict.fromkeys(ahead[: last + 1])), by_overlap, theirs[-1], into, stands))
         return out
 
     def _stretch(self, r: RouteRow) -> frozenset[SectionId]:

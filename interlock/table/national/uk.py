@@ -94,8 +94,8 @@ def _held_by(x: Reading, name: Naming, found: dict[str, list[RouteId]]) -> tuple
 def _tracks(x: Reading, o: Opposing) -> str:
     other = x.table.route[o.hostile.route]
     if o.into is not None:
-        stands = x.stands_s(other) if o.into == o.end else None
-        return f"until wholly in {o.into}" + (f" and {o.into} occ {stands:g} s" if stands is not None else "")
+        stands = "" if o.stands_s is None else f" and {o.into} occ {o.stands_s:g} s"
+        return f"until wholly in {o.into}{stands}"
     return beside(o.tracks) + (f" [or {o.end} occ {x.overlap_release_s(other):g} s]" if o.by_overlap else "")
 
 
