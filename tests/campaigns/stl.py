@@ -39,7 +39,7 @@ PAGE = Path(__file__).resolve().parents[2] / "proofs" / "stl.md"
 HOST = Path(__file__).resolve().parents[1] / "foreign" / "host_awlsim.py"
 PLANTED = {
     "a condition is negated": ("      AN    ", "      A     "),
-    "a condition of all is one of any": ("      A     ", "      O     "),
+    "a condition of all is one of any": (".VALID;\n      A     ", ".VALID;\n      O     "),
     "a branch leaps where it should not": ("      JCN   M002;", "      JCN   M001;"),
     "a block of equations is not called": ('CALL  "IL_mine11_B03";', "NOP   0;"),
     "a terminal is another's": ('=     "YN_', '=     "YR_'),
