@@ -8,7 +8,7 @@ import pytest
 
 from interlock.app.check import check_file
 from interlock.diag import Diagnostic, Element
-from tests.layouts import SHIPPED
+from tests.layouts import SHIPPED, grown
 
 SCISSORS = """interlock: 1
 name: exchanged
@@ -109,3 +109,16 @@ def test_one_machine_may_open_either_arm_and_shut_off_the_other(tmp_path: Path) 
 def test_diamonds_as_they_are_built_are_passed_over(path: str) -> None:
     """Also those in double slips of one machine, and a scissors between two tracks of one loop."""
     assert not [d for d in check_file(path).diagnostics if d.code == "IL7023"]
+
+
+def test_the_flank_that_finds_no_protection_there_says_first_that_ends_are_exchanged() -> None:
+    """A machine of its own for 11B was all the advice of IL4002."""
+    made = grown(wired(SCISSORS, TURNED))
+    assert made is not None
+    found = [d for d in made[2].diagnostics if d.code == "IL4002"]
+    assert len(found) == 2
+    for d in found:
+        assert str(d.fix).startswith("see whether ends are exchanged in the `arms` of X ("), d.fix
+        assert "from 11A.reverse to 11B.reverse), or give 1" in str(d.fix)
+    mended = grown(SCISSORS)
+    assert mended is not None and not mended[2].has_errors, mended and mended[2].diagnostics

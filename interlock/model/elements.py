@@ -177,8 +177,8 @@ class Crossing:
     """A diamond crossing: two arms through one node, each a pair of edges.
 
     `fouling` is the distance in metres, along each arm to either side, within which a vehicle is in the way of whoever
-    passes the other arm; of a slip's diamond it is not less than the
-    principle, since the slip's own is counted from its points.
+    passes the other arm; of a slip's diamond it is not less than the principle, since the slip's own is counted from
+    its points.
     """
 
     id: CrossingId
