@@ -223,3 +223,12 @@ def test_it_is_proved_and_what_lets_a_shunter_in_before_is_not(text: str) -> Non
     assert all(o.fate is not Fate.REDUNDANT and "L-REASON" in o.claims for o in running)
     short = [o for o in found if o.place == "OT_X1"]
     assert short and all(o.claims == ("D-PRESET",) for o in short)
+
+
+@pytest.mark.parametrize("kind", ["shunt, stops_trains: yes", "board"])
+def test_a_board_or_a_shunt_signal_at_which_trains_end_is_no_other(kind: str) -> None:
+    """The train has every right to run to it as well."""
+    text = STATION.replace("X1: {from: w1, into: p1, kind: combined}", f"X1: {{from: w1, into: p1, kind: {kind}}}")
+    layout, _, controller = made(text)
+    assert STANDS_S <= seconds_until_granted(in_w1(text), AHEAD, 200) <= STANDS_S + 15
+    assert prove(System(layout, controller), Limits(search_depth=0)).proved
